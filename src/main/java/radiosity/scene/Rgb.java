@@ -1,0 +1,36 @@
+package radiosity.scene;
+
+/** One value for each of the three channels red, green and blue. */
+public record Rgb(double r, double g, double b) {
+
+    public static final Rgb BLACK = new Rgb(0, 0, 0);
+
+    public static Rgb grey(double v) {
+        return new Rgb(v, v, v);
+    }
+
+    public Rgb times(double s) {
+        return new Rgb(r * s, g * s, b * s);
+    }
+
+    public Rgb times(Rgb v) {
+        return new Rgb(r * v.r, g * v.g, b * v.b);
+    }
+
+    /** The value of one channel: 0 red, 1 green, 2 blue. */
+    public double channel(int c) {
+        return c == 0 ? r : c == 1 ? g : b;
+    }
+
+    public double max() {
+        return Math.max(r, Math.max(g, b));
+    }
+
+    public boolean isGrey() {
+        return r == g && g == b;
+    }
+
+    public boolean isFinite() {
+        return Double.isFinite(r) && Double.isFinite(g) && Double.isFinite(b);
+    }
+}

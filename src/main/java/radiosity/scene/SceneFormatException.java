@@ -1,0 +1,31 @@
+package radiosity.scene;
+
+import java.io.IOException;
+
+/** A file that cannot be read as what it should be: the message says <i>where: expected X, got Y</i>. */
+public final class SceneFormatException extends IOException {
+
+    /**
+     * @param file     its name as the user knows it
+     * @param place    where in it: "line 12" or "byte 1040, chunk SURF"; empty for the whole file
+     * @param expected what should stand there
+     * @param got      what stands there; control characters are escaped here
+     */
+    public SceneFormatException(String file, String place, String expected, String got) {
+        super(escape(file) + (place.isEmpty() ? "" : ", " + escape(place)) + ": expected " + escape(expected)
+                + ", got " + escape(got));
+    }
+
+    /** Text of a file made safe for a terminal: control characters as \\u.... */
+    public static String escape(String text) {
+        StringBuilder safe = new StringBuilder(text.length());
+        text.codePoints().forEach(c -> {
+            if (Character.isISOControl(c) || Character.getType(c) == Character.FORMAT) {
+                safe.append(String.format("\\u%04x", c));
+            } else {
+                safe.appendCodePoint(c);
+            }
+        });
+        return safe.toString();
+    }
+}

@@ -1,0 +1,47 @@
+package radiosity.scene;
+
+/**
+ * A point or a direction in a right-handed space.
+ *
+ * @param x to the right
+ * @param y up
+ * @param z towards the viewer
+ */
+public record Vec3(double x, double y, double z) {
+
+    public static final Vec3 ZERO = new Vec3(0, 0, 0);
+
+    public Vec3 plus(Vec3 v) {
+        return new Vec3(x + v.x, y + v.y, z + v.z);
+    }
+
+    public Vec3 minus(Vec3 v) {
+        return new Vec3(x - v.x, y - v.y, z - v.z);
+    }
+
+    public Vec3 times(double s) {
+        return new Vec3(x * s, y * s, z * s);
+    }
+
+    public double dot(Vec3 v) {
+        return x * v.x + y * v.y + z * v.z;
+    }
+
+    public Vec3 cross(Vec3 v) {
+        return new Vec3(y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x);
+    }
+
+    public double length() {
+        return Math.sqrt(dot(this));
+    }
+
+    /** This direction with length 1; the zero vector stays zero. */
+    public Vec3 unit() {
+        double length = length();
+        return length == 0 ? this : times(1 / length);
+    }
+
+    public boolean isFinite() {
+        return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
+    }
+}
