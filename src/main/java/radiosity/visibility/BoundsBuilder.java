@@ -1,0 +1,213 @@
+package radiosity.visibility;
+
+import java.util.Arrays;
+
+/**
+ * Sorts boxes into a binary tree by the binned surface area heuristic.
+ *
+ * <p>Sees boxes only, never a triangle. The same boxes give the same tree, bit for bit. Source: I. Wald, On fast
+ * construction of SAH-based bounding volume hierarchies, 2007.
+ */
+final class BoundsBuilder {
+
+    static final int MAX_LEAF = 4;
+    private static final int BINS = 16;
+    /** Cost of visiting a node relative to that of testing one triangle. */
+    private static final float NODE_COST = 1.2f;
+
+    private final float[] low;
+    private final float[] high;
+    /** The boxes' numbers, sorted so that every node holds a run of them. */
+    final int[] order;
+    /** 6 per node: centre and half extent; depth first. */
+    float[] box;
+    /** 1 per node: where to go on when the node is missed (inner), or after it (leaf). */
+    int[] skip;
+    /** 1 per node: -1 for an inner node, else first * 8 + count of a run in {@link #order}. */
+    int[] run;
+    int nodes;
+
+    private final float[] binLow = new float[3 * BINS];
+    private final float[] binHigh = new float[3 * BINS];
+    private final int[] binCount = new int[BINS];
+    private final float[] rightArea = new float[BINS];
+
+    /**
+     * @param low  3 per box, not modified
+     * @param high 3 per box, not modified
+     */
+    BoundsBuilder(float[] low, float[] high) {
+        this.low = low;
+        this.high = high;
+        int n = low.length / 3;
+        order = new int[n];
+        for (int i = 0; i < n; i++) {
+            order[i] = i;
+        }
+        int most = Math.max(1, 2 * n);
+        box = new float[6 * most];
+        skip = new int[most];
+        run = new int[most];
+        build(n);
+        box = Arrays.copyOf(box, 6 * nodes);
+        skip = Arrays.copyOf(skip, nodes);
+        run = Arrays.copyOf(run, nodes);
+    }
+
+    /** Depth first with a stack of our own: a tree may be as deep as it has boxes. */
+    private void build(int n) {
+        if (n == 0) {
+            return;
+        }
+        int[] first = new int[n + 1];
+        int[] count = new int[n + 1];
+        int top = 0;
+        count[top++] = n;
+        int[] open = new int[n + 1];
+        int[] pending = new int[n + 1];
+        int depth = 0;
+        while (top > 0) {
+            top--;
+            int f = first[top];
+            int c = count[top];
+            int node = nodes++;
+            bound(node, f, c);
+            int left = c <= 1 ? 0 : split(node, f, c);
+            if (left == 0) {
+                run[node] = f * 8 + c;
+                skip[node] = nodes;
+                while (depth > 0 && --pending[depth - 1] == 0) {
+                    skip[open[--depth]] = nodes;
+                }
+            } else {
+                run[node] = -1;
+                open[depth] = node;
+                pending[depth++] = 2;
+                first[top] = f + left;
+                count[top++] = c - left;
+                first[top] = f;
+                count[top++] = left;
+            }
+        }
+    }
+
+    private void bound(int node, int f, int c) {
+        for (int a = 0; a < 3; a++) {
+            float lo = Float.POSITIVE_INFINITY;
+            float hi = Float.NEGATIVE_INFINITY;
+            for (int i = f; i < f + c; i++) {
+                lo = Math.min(lo, low[3 * order[i] + a]);
+                hi = Math.max(hi, high[3 * order[i] + a]);
+            }
+            float centre = 0.5f * (lo + hi);
+            box[6 * node + a] = centre;
+            box[6 * node + 3 + a] = Math.max(hi - centre, centre - lo);
+        }
+    }
+
+    /** Parts the run in two and returns the left one's length, or 0 where a leaf is cheaper. */
+    private int split(int node, int f, int c) {
+        int bestAxis = -1;
+        int bestBin = 0;
+        float bestCost = Float.POSITIVE_INFINITY;
+        float[] range = new float[6];
+        centreRange(f, c, range);
+        for (int axis = 0; axis < 3; axis++) {
+            float width = range[3 + axis] - range[axis];
+            if (!(width > 0)) {
+                continue;
+            }
+            fillBins(f, c, axis, range[axis], BINS / width);
+            for (int b = BINS - 1, n = 0; b > 0; b--) {
+                mergeBin(b, BINS - 1 - b);
+                n += binCount[b];
+                rightArea[b] = n == 0 ? 0 : n * mergedArea();
+            }
+            for (int b = 0, n = 0; b < BINS - 1; b++) {
+                mergeBin(b, b);
+                n += binCount[b];
+                float cost = n == 0 || n == c ? Float.POSITIVE_INFINITY : n * mergedArea() + rightArea[b + 1];
+                if (cost < bestCost) {
+                    bestCost = cost;
+                    bestAxis = axis;
+                    bestBin = b;
+                }
+            }
+        }
+        if (bestAxis < 0) {
+            return c <= MAX_LEAF ? 0 : c / 2;
+        }
+        float area = area(box[6 * node + 3] * 2, box[6 * node + 4] * 2, box[6 * node + 5] * 2);
+        if (c <= MAX_LEAF && bestCost + NODE_COST * area >= c * area) {
+            return 0;
+        }
+        return partition(f, c, bestAxis, bestBin, range[bestAxis],
+                BINS / (range[3 + bestAxis] - range[bestAxis]));
+    }
+
+    private void centreRange(int f, int c, float[] range) {
+        Arrays.fill(range, 0, 3, Float.POSITIVE_INFINITY);
+        Arrays.fill(range, 3, 6, Float.NEGATIVE_INFINITY);
+        for (int i = f; i < f + c; i++) {
+            for (int a = 0; a < 3; a++) {
+                float x = centre(order[i], a);
+                range[a] = Math.min(range[a], x);
+                range[3 + a] = Math.max(range[3 + a], x);
+            }
+        }
+    }
+
+    private float centre(int i, int axis) {
+        return 0.5f * (low[3 * i + axis] + high[3 * i + axis]);
+    }
+
+    private int bin(int i, int axis, float from, float scale) {
+        return Math.max(0, Math.min(BINS - 1, (int) ((centre(i, axis) - from) * scale)));
+    }
+
+    private void fillBins(int f, int c, int axis, float from, float scale) {
+        Arrays.fill(binCount, 0);
+        Arrays.fill(binLow, Float.POSITIVE_INFINITY);
+        Arrays.fill(binHigh, Float.NEGATIVE_INFINITY);
+        for (int i = f; i < f + c; i++) {
+            int b = bin(order[i], axis, from, scale);
+            binCount[b]++;
+            for (int a = 0; a < 3; a++) {
+                binLow[3 * b + a] = Math.min(binLow[3 * b + a], low[3 * order[i] + a]);
+                binHigh[3 * b + a] = Math.max(binHigh[3 * b + a], high[3 * order[i] + a]);
+            }
+        }
+    }
+
+    private final float[] merged = new float[6];
+
+    private void mergeBin(int b, int step) {
+        for (int a = 0; a < 3; a++) {
+            merged[a] = step == 0 ? binLow[3 * b + a] : Math.min(merged[a], binLow[3 * b + a]);
+            merged[3 + a] = step == 0 ? binHigh[3 * b + a] : Math.max(merged[3 + a], binHigh[3 * b + a]);
+        }
+    }
+
+    private float mergedArea() {
+        return area(merged[3] - merged[0], merged[4] - merged[1], merged[5] - merged[2]);
+    }
+
+    private static float area(float x, float y, float z) {
+        return x * y + y * z + z * x;
+    }
+
+    private int partition(int f, int c, int axis, int lastLeft, float from, float scale) {
+        int i = f;
+        int j = f + c - 1;
+        while (i <= j) {
+            if (bin(order[i], axis, from, scale) <= lastLeft) {
+                i++;
+            } else {
+                int t = order[i];
+                order[i] = order[j];
+                order[j--] = t;
+            }
+        }
+        return i - f;
+    }
+}

@@ -1,0 +1,57 @@
+package radiosity.world;
+
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+
+/**
+ * A world's elements and their light, merged from all partitions in the order of their ids.
+ *
+ * <p>Vertices are shared within a connected, coplanar part of a surface and nowhere else, so each has one normal. The
+ * arrays are not modified after the solution is made.
+ *
+ * @param scene      the original triangles
+ * @param channels   1 where everything in the scene is grey, else 3
+ * @param positions  x, y, z per vertex, scene units
+ * @param irradiance H in W/m², {@code channels} per vertex
+ * @param corners    vertices, 3 per element, counter-clockwise seen from its visible side
+ * @param faceOf     1 per element: 2 * original triangle, + 1 for the back of a two-sided one
+ * @param shots      patches that have shot
+ * @param rounds     rounds in which they did
+ * @param unshotFlux sum of |U| A over elements and channels, W
+ * @param ledger     where the light went
+ * @param state      what resuming needs, opaque; empty where it is not kept
+ */
+public record Solution(Scene scene, int channels, double[] positions, double[] irradiance, int[] corners,
+                       int[] faceOf, int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+
+    /** Number of elements. */
+    public int elements() {
+        return faceOf.length;
+    }
+
+    /** Number of vertices. */
+    public int vertices() {
+        return positions.length / 3;
+    }
+
+    /** The surface on which an element lies. */
+    public Surface surface(int element) {
+        return scene.surface(faceOf[element] >> 1);
+    }
+
+    /** Irradiance H at a vertex, W/m². */
+    public Rgb irradianceAt(int vertex) {
+        int i = channels * vertex;
+        return channels == 1 ? Rgb.grey(irradiance[i])
+                : new Rgb(irradiance[i], irradiance[i + 1], irradiance[i + 2]);
+    }
+
+    /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
+    public Rgb radiosityAt(int element, int k) {
+        Surface surface = surface(element);
+        Rgb reflected = irradianceAt(corners[3 * element + k]).times(surface.reflectance());
+        return new Rgb(surface.exitance().r() + reflected.r(), surface.exitance().g() + reflected.g(),
+                surface.exitance().b() + reflected.b());
+    }
+}
