@@ -1,0 +1,11 @@
+package radiosity.world;
+
+/**
+ * Where a calculation stands.
+ *
+ * @param shots    patches that have shot
+ * @param rounds   rounds in which they did
+ * @param unsent   unshot flux relative to what is emitted; may exceed 1 while light is being gathered
+ * @param elements leaves of the mesh
+ */
+public record Progress(int shots, int rounds, double unsent, int elements) { }

@@ -1,0 +1,12 @@
+package radiosity.world;
+
+/** Told after every round; may ask to stop. */
+@FunctionalInterface
+public interface RoundListener {
+
+    /**
+     * @param progress where the calculation stands
+     * @return whether to go on
+     */
+    boolean afterRound(Progress progress);
+}

@@ -1,0 +1,20 @@
+package radiosity.world;
+
+/**
+ * When to stop: whichever comes first.
+ *
+ * @param shots  after so many shots, at least 0 ({@code -it}); {@link Integer#MAX_VALUE} for no limit
+ * @param unsent when at most this part of the emitted flux is unshot, in [0, 1] ({@code -se})
+ */
+public record StopRule(int shots, double unsent) {
+
+    /** What is left unshot by default: far below what meshing and sampling leave. */
+    public static final double DEFAULT_UNSENT = 1e-3;
+
+    public StopRule {
+        if (shots < 0 || !(unsent >= 0 && unsent <= 1)) {
+            throw new IllegalArgumentException("stop rule: expected shots of at least 0 and a part in [0, 1], got "
+                    + shots + " and " + unsent);
+        }
+    }
+}
