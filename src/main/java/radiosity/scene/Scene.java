@@ -15,15 +15,25 @@ import java.util.Optional;
  * @param surfaces  at least those that are named in {@code surfaceOf}
  * @param lights    sources without geometry
  * @param camera    from where the scene's maker looked at it
+ * @param textureCoordinates u, v of each corner, 6 per triangle, v upwards; NaN where a triangle has none; empty if no
+ *                  triangle has any
  */
 public record Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
-                    List<Light> lights, Optional<Camera> camera) {
+                    List<Light> lights, Optional<Camera> camera, float[] textureCoordinates) {
+
+    /** A scene without texture coordinates. */
+    public Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
+                 List<Light> lights, Optional<Camera> camera) {
+        this(name, points, corners, surfaceOf, surfaces, lights, camera, new float[0]);
+    }
 
     public Scene {
         surfaces = List.copyOf(surfaces);
         lights = List.copyOf(lights);
         require(points.length % 3 == 0, "3 coordinates per point", points.length);
         require(corners.length == 3 * surfaceOf.length, "3 corners per triangle", corners.length);
+        require(textureCoordinates.length == 0 || textureCoordinates.length == 6 * surfaceOf.length,
+                "no texture coordinates or 6 per triangle", textureCoordinates.length);
         for (double x : points) {
             require(Double.isFinite(x), "finite coordinates", x);
         }
