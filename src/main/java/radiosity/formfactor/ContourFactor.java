@@ -1,0 +1,140 @@
+package radiosity.formfactor;
+
+/**
+ * The exact form factor from a point to a polygon, nothing in between: the part of the polygon's light that a small
+ * surface at the point receives, of what it would receive if the polygon filled its sky.
+ *
+ * <p>Source: J. H. Lambert, Photometria, 1760; as a contour sum D. R. Baum, H. E. Rushmeier, J. M. Winget, Improving
+ * radiosity solutions through the use of analytically determined form-factors, 1989: F = 1/(2 pi) sum over edges of
+ * the angle that the edge subtends times the cosine between the receiver's normal and the edge's plane's. Below the
+ * receiver's horizon the polygon is cut off.
+ */
+public final class ContourFactor {
+
+    private static final double HALF_OVER_PI = 0.5 / Math.PI;
+
+    private ContourFactor() { }
+
+    /**
+     * @param px      receiving point, and so on
+     * @param nx      its normal, length 1, and so on
+     * @param polygon x, y, z per corner, counter-clockwise seen from its visible side; plane and convex or not; not
+     *                modified
+     * @return in [0, 1]; 0 for a point behind the polygon
+     */
+    public static double factor(double px, double py, double pz, double nx, double ny, double nz, double[] polygon) {
+        int n = polygon.length / 3;
+        double[] cut = new double[6 * n + 3];
+        int corners = 0;
+        for (int i = 0; i < n; i++) {
+            int j = (i + 1) % n;
+            double ax = polygon[3 * i] - px;
+            double ay = polygon[3 * i + 1] - py;
+            double az = polygon[3 * i + 2] - pz;
+            double bx = polygon[3 * j] - px;
+            double by = polygon[3 * j + 1] - py;
+            double bz = polygon[3 * j + 2] - pz;
+            double up = nx * ax + ny * ay + nz * az;
+            double next = nx * bx + ny * by + nz * bz;
+            if (up >= 0) {
+                put(cut, corners++, ax, ay, az);
+            }
+            if (up > 0 && next < 0 || up < 0 && next > 0) {
+                double t = up / (up - next);
+                put(cut, corners++, ax + t * (bx - ax), ay + t * (by - ay), az + t * (bz - az));
+            }
+        }
+        double sum = 0;
+        for (int i = 0; i < corners; i++) {
+            int j = (i + 1) % corners;
+            sum += edge(nx, ny, nz, cut[3 * i], cut[3 * i + 1], cut[3 * i + 2],
+                    cut[3 * j], cut[3 * j + 1], cut[3 * j + 2]);
+        }
+        return Math.min(1, Math.max(0, -sum * HALF_OVER_PI));
+    }
+
+    private static void put(double[] to, int i, double x, double y, double z) {
+        to[3 * i] = x;
+        to[3 * i + 1] = y;
+        to[3 * i + 2] = z;
+    }
+
+    /** Angle between a and b times the cosine between n and a x b. */
+    private static double edge(double nx, double ny, double nz,
+                               double ax, double ay, double az, double bx, double by, double bz) {
+        double cx = ay * bz - az * by;
+        double cy = az * bx - ax * bz;
+        double cz = ax * by - ay * bx;
+        double up = nx * cx + ny * cy + nz * cz;
+        double sine = Math.sqrt(cx * cx + cy * cy + cz * cz);
+        double cosine = ax * bx + ay * by + az * bz;
+        if (sine == 0 && cosine <= 0) {
+            return 0;
+        }
+        return up * ArcTangent.overSine(sine, cosine);
+    }
+
+    /**
+     * The same for a triangle.
+     *
+     * @param corner x, y, z of three corners, 9 from {@code i}; not modified
+     */
+    static double triangle(double px, double py, double pz, double nx, double ny, double nz, float[] corner, int i) {
+        double ax = corner[i] - px;
+        double ay = corner[i + 1] - py;
+        double az = corner[i + 2] - pz;
+        double bx = corner[i + 3] - px;
+        double by = corner[i + 4] - py;
+        double bz = corner[i + 5] - pz;
+        double cx = corner[i + 6] - px;
+        double cy = corner[i + 7] - py;
+        double cz = corner[i + 8] - pz;
+        double ua = nx * ax + ny * ay + nz * az;
+        double ub = nx * bx + ny * by + nz * bz;
+        double uc = nx * cx + ny * cy + nz * cz;
+        if (ua <= 0 && ub <= 0 && uc <= 0) {
+            return 0;
+        }
+        double sum;
+        if (ua >= 0 && ub >= 0 && uc >= 0) {
+            sum = edge(nx, ny, nz, ax, ay, az, bx, by, bz) + edge(nx, ny, nz, bx, by, bz, cx, cy, cz)
+                    + edge(nx, ny, nz, cx, cy, cz, ax, ay, az);
+        } else {
+            sum = cut(nx, ny, nz, ax, ay, az, bx, by, bz, cx, cy, cz, ua, ub, uc);
+        }
+        return Math.max(0, -sum * HALF_OVER_PI);
+    }
+
+    /** Turns the triangle until its corner a is alone on its side of the horizon. */
+    private static double cut(double nx, double ny, double nz, double ax, double ay, double az,
+                              double bx, double by, double bz, double cx, double cy, double cz,
+                              double ua, double ub, double uc) {
+        boolean a = ua > 0;
+        boolean b = ub > 0;
+        boolean c = uc > 0;
+        if (b == c) {
+            return lone(nx, ny, nz, ax, ay, az, bx, by, bz, cx, cy, cz, ua, ub, uc);
+        }
+        return a == c ? lone(nx, ny, nz, bx, by, bz, cx, cy, cz, ax, ay, az, ub, uc, ua)
+                : lone(nx, ny, nz, cx, cy, cz, ax, ay, az, bx, by, bz, uc, ua, ub);
+    }
+
+    private static double lone(double nx, double ny, double nz, double ax, double ay, double az,
+                               double bx, double by, double bz, double cx, double cy, double cz,
+                               double ua, double ub, double uc) {
+        double s = ua / (ua - ub);
+        double t = ua / (ua - uc);
+        double px = ax + s * (bx - ax);
+        double py = ay + s * (by - ay);
+        double pz = az + s * (bz - az);
+        double qx = ax + t * (cx - ax);
+        double qy = ay + t * (cy - ay);
+        double qz = az + t * (cz - az);
+        if (ua > 0) {
+            return edge(nx, ny, nz, ax, ay, az, px, py, pz) + edge(nx, ny, nz, px, py, pz, qx, qy, qz)
+                    + edge(nx, ny, nz, qx, qy, qz, ax, ay, az);
+        }
+        return edge(nx, ny, nz, px, py, pz, bx, by, bz) + edge(nx, ny, nz, bx, by, bz, cx, cy, cz)
+                + edge(nx, ny, nz, cx, cy, cz, qx, qy, qz) + edge(nx, ny, nz, qx, qy, qz, px, py, pz);
+    }
+}

@@ -1,0 +1,243 @@
+package radiosity.patch;
+
+import java.util.Arrays;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/**
+ * The sides of original triangles that radiate, brought to size 1 around the origin: the roots of the patch tree.
+ *
+ * <p>A two-sided triangle has two faces, any other has one. Triangles smaller than {@value #LEAST_AREA} of the scene's
+ * squared size have none. Faces of one surface that meet along an edge in one plane are a <i>part</i>.
+ */
+public final class Faces {
+
+    /** Of the scene's squared size. */
+    public static final double LEAST_AREA = 1e-12;
+
+    private final Scene scene;
+    /** Middle of the scene's box, scene units. */
+    private final Vec3 centre;
+    /** Largest extent of the scene's box, scene units: the unit of every length here. */
+    private final double size;
+    private final int channels;
+    private int count;
+    private int dropped;
+    /** 1 per face: 2 * original triangle, + 1 for the back. */
+    final int[] side;
+    /** 9 per face: three corners, counter-clockwise seen from the side that radiates. */
+    final float[] corner;
+    /** 3 per face, length 1. */
+    final float[] normal;
+    /** 1 per face. */
+    final double[] area;
+    /** 3 per face: number of the point at each corner; equal coordinates have equal numbers. */
+    final int[] point;
+    /** 1 per face: the lowest face of its part. */
+    final int[] part;
+    /** 1 per face: bit k where the edge opposite corner k is the part's border. */
+    final byte[] border;
+    private final double[] exitance;
+    private final double[] reflectance;
+
+    public Faces(Scene scene) {
+        this.scene = scene;
+        double[] box = box(scene);
+        centre = new Vec3((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
+        double extent = Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
+        size = extent > 0 ? extent : 1;
+        channels = isGrey(scene) ? 1 : 3;
+        int most = mostFaces(scene);
+        side = new int[most];
+        corner = new float[9 * most];
+        normal = new float[3 * most];
+        area = new double[most];
+        point = new int[3 * most];
+        int[] points = PointNumbers.of(scene.points());
+        for (int t = 0; t < scene.triangles(); t++) {
+            add(t, points);
+        }
+        part = new int[count];
+        border = new byte[count];
+        new Parts(this).join();
+        exitance = new double[channels * count];
+        reflectance = new double[channels * count];
+        for (int f = 0; f < count; f++) {
+            Surface surface = scene.surface(triangle(f));
+            for (int c = 0; c < channels; c++) {
+                exitance[channels * f + c] = surface.exitance().channel(c);
+                reflectance[channels * f + c] = surface.reflectance().channel(c);
+            }
+        }
+    }
+
+    private static double[] box(Scene scene) {
+        double[] box = new double[6];
+        Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
+        for (int p : scene.corners()) {
+            for (int a = 0; a < 3; a++) {
+                double x = scene.points()[3 * p + a];
+                box[a] = Math.min(box[a], x);
+                box[3 + a] = Math.max(box[3 + a], x);
+            }
+        }
+        return scene.triangles() == 0 ? new double[6] : box;
+    }
+
+    private static boolean isGrey(Scene scene) {
+        return scene.surfaces().stream().allMatch(s -> s.exitance().isGrey() && s.reflectance().isGrey())
+                && scene.lights().stream().allMatch(l -> l.power().isGrey());
+    }
+
+    private static int mostFaces(Scene scene) {
+        int n = 0;
+        for (int t = 0; t < scene.triangles(); t++) {
+            n += scene.surface(t).twoSided() ? 2 : 1;
+        }
+        return n;
+    }
+
+    private void add(int triangle, int[] points) {
+        Vec3 a = unit(scene.corner(triangle, 0));
+        Vec3 b = unit(scene.corner(triangle, 1));
+        Vec3 c = unit(scene.corner(triangle, 2));
+        Vec3 cross = b.minus(a).cross(c.minus(a));
+        double twice = cross.length();
+        if (twice < 2 * LEAST_AREA) {
+            dropped++;
+            return;
+        }
+        int p = scene.corners()[3 * triangle];
+        int q = scene.corners()[3 * triangle + 1];
+        int r = scene.corners()[3 * triangle + 2];
+        Vec3 n = cross.times(1 / twice);
+        add(2 * triangle, a, b, c, n, twice / 2, points[p], points[q], points[r]);
+        if (scene.surface(triangle).twoSided()) {
+            add(2 * triangle + 1, a, c, b, n.times(-1), twice / 2, points[p], points[r], points[q]);
+        }
+    }
+
+    private void add(int id, Vec3 a, Vec3 b, Vec3 c, Vec3 n, double faceArea, int p, int q, int r) {
+        side[count] = id;
+        area[count] = faceArea;
+        put(corner, 9 * count, a);
+        put(corner, 9 * count + 3, b);
+        put(corner, 9 * count + 6, c);
+        put(normal, 3 * count, n);
+        point[3 * count] = p;
+        point[3 * count + 1] = q;
+        point[3 * count + 2] = r;
+        count++;
+    }
+
+    private static void put(float[] to, int at, Vec3 v) {
+        to[at] = (float) v.x();
+        to[at + 1] = (float) v.y();
+        to[at + 2] = (float) v.z();
+    }
+
+    private Vec3 unit(Vec3 p) {
+        return p.minus(centre).times(1 / size);
+    }
+
+    /** Number of faces. */
+    public int count() {
+        return count;
+    }
+
+    /** Triangles that were too small to radiate. */
+    public int dropped() {
+        return dropped;
+    }
+
+    public Scene scene() {
+        return scene;
+    }
+
+    /** Largest extent of the scene's box, scene units. */
+    public double size() {
+        return size;
+    }
+
+    /** 1 where everything in the scene is grey, else 3. */
+    public int channels() {
+        return channels;
+    }
+
+    /** The original triangle of a face. */
+    public int triangle(int face) {
+        return side[face] >> 1;
+    }
+
+    /** 2 * original triangle, + 1 for the back. */
+    public int side(int face) {
+        return side[face];
+    }
+
+    /** Area, of the scene's squared size. */
+    public double area(int face) {
+        return area[face];
+    }
+
+    /** Area of all faces, of the scene's squared size. */
+    public double area() {
+        double sum = 0;
+        for (int f = 0; f < count; f++) {
+            sum += area[f];
+        }
+        return sum;
+    }
+
+    /** Component a of a face's normal. */
+    public float normal(int face, int a) {
+        return normal[3 * face + a];
+    }
+
+    /** Component a of corner k of a face. */
+    public float corner(int face, int k, int a) {
+        return corner[9 * face + 3 * k + a];
+    }
+
+    /** Component a of corner k of a face, scene units. */
+    double sceneCorner(int face, int k, int a) {
+        int corner = side[face] % 2 == 0 || k == 0 ? k : 3 - k;
+        return scene.points()[3 * scene.corners()[3 * triangle(face) + corner] + a];
+    }
+
+    /** E in W/m². */
+    public double exitance(int face, int channel) {
+        return exitance[channels * face + channel];
+    }
+
+    /** rho in [0, 1). */
+    public double reflectance(int face, int channel) {
+        return reflectance[channels * face + channel];
+    }
+
+    /** Height over the longest edge, of the scene's size. */
+    double height(int face) {
+        double longest = 0;
+        for (int k = 0; k < 3; k++) {
+            double d2 = 0;
+            for (int a = 0; a < 3; a++) {
+                double d = (double) corner(face, k, a) - corner(face, (k + 1) % 3, a);
+                d2 += d * d;
+            }
+            longest = Math.max(longest, d2);
+        }
+        return 2 * area[face] / Math.sqrt(longest);
+    }
+
+    /** All original triangles, small ones too, as corners for {@code RadiosityBounds}: 9 per triangle. */
+    public float[] occluders() {
+        float[] corners = new float[9 * scene.triangles()];
+        for (int t = 0; t < scene.triangles(); t++) {
+            for (int k = 0; k < 3; k++) {
+                put(corners, 9 * t + 3 * k, unit(scene.corner(t, k)));
+            }
+        }
+        return corners;
+    }
+}

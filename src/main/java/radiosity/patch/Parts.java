@@ -1,0 +1,93 @@
+package radiosity.patch;
+
+import java.util.Arrays;
+
+/** Finds which faces of a surface meet along an edge in one plane. Fills {@code part} and {@code border} of faces. */
+final class Parts {
+
+    /** Angle between normals of one part, radians. */
+    private static final double SAME_PLANE = 1e-4;
+
+    private final Faces faces;
+    Parts(Faces faces) {
+        this.faces = faces;
+    }
+
+    /** Every edge is a border until exactly two faces of a part are found to share it. */
+    void join() {
+        int n = faces.count();
+        for (int f = 0; f < n; f++) {
+            faces.part[f] = f;
+        }
+        Arrays.fill(faces.border, (byte) 7);
+        int[] next = new int[3 * n];
+        LongIndex edges = new LongIndex(3 * n);
+        int[] first = new int[3 * n];
+        Arrays.fill(first, -1);
+        for (int e = 0; e < 3 * n; e++) {
+            int number = edges.findOrAdd(key(e), edges.size());
+            next[e] = first[number];
+            first[number] = e;
+        }
+        for (int i = 0; i < edges.size(); i++) {
+            int e = first[i];
+            int g = next[e];
+            if (g >= 0 && next[g] < 0 && matches(e, g)) {
+                faces.border[e / 3] &= (byte) ~(1 << e % 3);
+                faces.border[g / 3] &= (byte) ~(1 << g % 3);
+                union(e / 3, g / 3);
+            }
+        }
+        for (int f = 0; f < n; f++) {
+            faces.part[f] = root(f);
+        }
+    }
+
+    /** Edge e % 3 of face e / 3 lies opposite its corner of that number. */
+    private long key(int e) {
+        int f = e / 3;
+        int from = corner(e, 1);
+        int to = corner(e, 2);
+        long ends = (long) Math.min(from, to) << 32 | Math.max(from, to);
+        int surface = faces.scene().surfaceOf()[faces.triangle(f)];
+        return Hash.mix(ends, 2L * surface + (faces.side(f) & 1));
+    }
+
+    /** Run through in opposite directions, and in one plane. */
+    private boolean matches(int e, int g) {
+        int f = e / 3;
+        int h = g / 3;
+        if (corner(e, 1) != corner(g, 2) || corner(e, 2) != corner(g, 1)) {
+            return false;
+        }
+        double apart = 0;
+        for (int a = 0; a < 3; a++) {
+            double d = (double) faces.normal(f, a) - faces.normal(h, a);
+            apart += d * d;
+        }
+        return apart < SAME_PLANE * SAME_PLANE;
+    }
+
+    private int corner(int e, int step) {
+        return faces.point[3 * (e / 3) + (e % 3 + step) % 3];
+    }
+
+    private int root(int f) {
+        int r = f;
+        while (faces.part[r] != r) {
+            r = faces.part[r];
+        }
+        for (int i = f; faces.part[i] != r;) {
+            int up = faces.part[i];
+            faces.part[i] = r;
+            i = up;
+        }
+        return r;
+    }
+
+    private void union(int f, int g) {
+        int a = root(f);
+        int b = root(g);
+        faces.part[Math.max(a, b)] = Math.min(a, b);
+    }
+}

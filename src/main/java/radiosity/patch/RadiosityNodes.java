@@ -1,0 +1,374 @@
+package radiosity.patch;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The patch trees of some blocks and their light, in arrays (section 4.5.7 of the paper); a node is an index.
+ *
+ * <p>Leaves are the elements. Each refers to three vertices; light arrives at vertices, and what an element has shot
+ * is kept at its own corners. Between corners both are linear. A patch is a leaf of the initial mesh: whatever is
+ * subdivided later lies below one.
+ */
+public final class RadiosityNodes {
+
+    private final Patcher patcher;
+    private final Faces faces;
+    private final int channels;
+
+    private int nodes;
+    private int elements;
+    /** 1 per node. */
+    private int[] face = new int[64];
+    /** 1 per node, see {@link Path}. */
+    private long[] path = new long[64];
+    /** 1 per node: first of four consecutive children, or -1. */
+    private int[] child = new int[64];
+    /** 1 per node: index of its block in this tree. */
+    private int[] block = new int[64];
+    /** 3 per node: vertices. */
+    private int[] corner = new int[3 * 64];
+    /** 3 x channels per node: radiosity S that has been shot at each corner; of leaves only. W/m². */
+    private double[] shot;
+
+    private int vertices;
+    /** 3 per vertex. */
+    private float[] position = new float[3 * 64];
+    /** 3 per vertex: where its light is gathered. */
+    private float[] receiver = new float[3 * 64];
+    /** 1 per vertex: a face on which it lies. */
+    private int[] vertexFace = new int[64];
+    /** 1 per vertex: what it is, whoever owns it. */
+    private long[] key = new long[64];
+    /** 1 per vertex: inside another object; its elements do without it. */
+    private boolean[] buried = new boolean[64];
+    /** channels per vertex: H in W/m². */
+    private double[] irradiance;
+
+    /** Patches and tops of subtrees by name. */
+    private final LongIndex names = new LongIndex(64);
+    private int[] tops = new int[64];
+    private int topCount;
+    private int[] patches = new int[64];
+    private int patchCount;
+    /** Vertices of the initial mesh by key, and of later ones by key and block. */
+    private final LongIndex index = new LongIndex(256);
+    private final int[] weights = new int[9];
+
+    /** Makes the initial mesh of some blocks. */
+    public RadiosityNodes(Patcher patcher, List<Block> blocks) {
+        this.patcher = patcher;
+        faces = patcher.faces();
+        channels = faces.channels();
+        shot = new double[3 * channels * 64];
+        irradiance = new double[channels * 64];
+        for (int b = 0; b < blocks.size(); b++) {
+            for (int i = 0; i < blocks.get(b).face().length; i++) {
+                plant(b, blocks.get(b).face()[i], blocks.get(b).path()[i]);
+            }
+        }
+    }
+
+    private void plant(int b, int f, long top) {
+        float[] at = new float[9];
+        for (int k = 0; k < 9; k++) {
+            at[k] = faces.corner(f, k / 3, k % 3);
+        }
+        for (int level = 1; level <= Path.level(top); level++) {
+            Subdivision.descend(at, Path.step(top, level));
+        }
+        Path.weights(top, weights);
+        int node = addNode(f, top, b);
+        int depth = patcher.level(f);
+        for (int k = 0; k < 3; k++) {
+            corner[3 * node + k] = vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
+        }
+        elements++;
+        names.findOrAdd(name(f, top), node);
+        if (topCount == tops.length) {
+            tops = Arrays.copyOf(tops, 2 * topCount);
+        }
+        tops[topCount++] = node;
+        grow(node, depth);
+    }
+
+    private void grow(int node, int depth) {
+        if (Path.level(path[node]) == depth) {
+            if (patchCount == patches.length) {
+                patches = Arrays.copyOf(patches, 2 * patchCount);
+            }
+            patches[patchCount++] = node;
+            names.findOrAdd(name(face[node], path[node]), node);
+            return;
+        }
+        int first = divide(node, depth, 0);
+        for (int k = 0; k < 4; k++) {
+            grow(first + k, depth);
+        }
+    }
+
+    /**
+     * Divides an element in four (section 2.5). What its new corners had received and shot is what stood there before.
+     *
+     * @return the first of the four
+     */
+    public int split(int node) {
+        return divide(node, Path.level(path[node]) + 1, 1L + block[node]);
+    }
+
+    /** @param share 0: vertices are shared with all blocks of this tree; else within one block only */
+    private int divide(int node, int depth, long share) {
+        int[] w = new int[9];
+        Path.weights(path[node], w);
+        int[] mid = new int[3];
+        float[] at = new float[3];
+        for (int k = 0; k < 3; k++) {
+            int p = (k + 1) % 3;
+            int q = (k + 2) % 3;
+            int u = corner[3 * node + p];
+            int v = corner[3 * node + q];
+            int[] between = new int[3];
+            for (int a = 0; a < 3; a++) {
+                at[a] = 0.5f * (position[3 * u + a] + position[3 * v + a]);
+                between[a] = (w[3 * p + a] + w[3 * q + a]) >> 1;
+            }
+            int known = vertices;
+            mid[k] = vertex(face[node], between, 0, depth, at, 0, share);
+            if (mid[k] == known) {
+                for (int c = 0; c < channels; c++) {
+                    irradiance[channels * known + c] =
+                            0.5 * (irradiance[channels * u + c] + irradiance[channels * v + c]);
+                }
+            }
+        }
+        int first = nodes;
+        for (int k = 0; k < 4; k++) {
+            addNode(face[node], Path.child(path[node], k), block[node]);
+        }
+        for (int k = 0; k < 3; k++) {
+            int c = 3 * (first + k);
+            corner[c + k] = corner[3 * node + k];
+            corner[c + (k + 1) % 3] = mid[(k + 2) % 3];
+            corner[c + (k + 2) % 3] = mid[(k + 1) % 3];
+            corner[3 * (first + 3) + k] = mid[k];
+        }
+        for (int c = 0; c < channels; c++) {
+            Subdivision.shareShot(shot, channels, c, node, first);
+        }
+        child[node] = first;
+        elements += 3;
+        return first;
+    }
+
+    private int addNode(int f, long where, int b) {
+        if (nodes == face.length) {
+            int more = nodes + nodes / 2;
+            face = Arrays.copyOf(face, more);
+            path = Arrays.copyOf(path, more);
+            child = Arrays.copyOf(child, more);
+            block = Arrays.copyOf(block, more);
+            corner = Arrays.copyOf(corner, 3 * more);
+            shot = Arrays.copyOf(shot, 3 * channels * more);
+        }
+        face[nodes] = f;
+        path[nodes] = where;
+        block[nodes] = b;
+        child[nodes] = -1;
+        return nodes++;
+    }
+
+    /** The vertex with these weights of the face's corners; made where it is not there yet. */
+    private int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, long share) {
+        long id = VertexKey.of(faces, f, w, wAt);
+        int v = index.findOrAdd(share == 0 ? id : Hash.mix(id, share), vertices);
+        if (v < vertices) {
+            return v;
+        }
+        if (vertices == key.length) {
+            int more = vertices + vertices / 2;
+            position = Arrays.copyOf(position, 3 * more);
+            receiver = Arrays.copyOf(receiver, 3 * more);
+            vertexFace = Arrays.copyOf(vertexFace, more);
+            key = Arrays.copyOf(key, more);
+            buried = Arrays.copyOf(buried, more);
+            irradiance = Arrays.copyOf(irradiance, channels * more);
+        }
+        System.arraycopy(at, from, position, 3 * v, 3);
+        patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);
+        vertexFace[v] = f;
+        key[v] = id;
+        vertices++;
+        return v;
+    }
+
+    /*---- What is there ----*/
+
+    public Faces faces() {
+        return faces;
+    }
+
+    public int channels() {
+        return channels;
+    }
+
+    /** Number of nodes, inner ones and elements. */
+    public int nodes() {
+        return nodes;
+    }
+
+    /** Number of leaves. */
+    public int elements() {
+        return elements;
+    }
+
+    public int vertices() {
+        return vertices;
+    }
+
+    /** Number of patches of the initial mesh. */
+    public int patches() {
+        return patchCount;
+    }
+
+    /** The node of patch i, in the order of the blocks. */
+    public int patch(int i) {
+        return patches[i];
+    }
+
+    /** Levels between a node and the patch that it lies below. */
+    int depthBelowPatch(int node) {
+        return Path.level(path[node]) - patcher.level(face[node]);
+    }
+
+    /** The top nodes of all blocks, in their order. */
+    public int[] tops() {
+        return Arrays.copyOf(tops, topCount);
+    }
+
+    /** The top nodes of one block. */
+    public int[] tops(Block of) {
+        int[] found = new int[of.face().length];
+        for (int i = 0; i < found.length; i++) {
+            found[i] = find(of.face()[i], of.path()[i]);
+        }
+        return found;
+    }
+
+    /**
+     * Where corner k of a node lies in the scene.
+     *
+     * @param to modified: x, y, z in scene units, 3 from {@code at}
+     */
+    public void position(int node, int k, double[] to, int at) {
+        Path.weights(path[node], weights);
+        for (int a = 0; a < 3; a++) {
+            double sum = 0;
+            for (int j = 0; j < 3; j++) {
+                sum += (double) weights[3 * k + j] / Path.ONE * faces.sceneCorner(face[node], j, a);
+            }
+            to[at + a] = sum;
+        }
+    }
+
+    /** The patch or top of a block's subtree of this name, or -1. */
+    public int find(int onFace, long atPath) {
+        return names.find(name(onFace, atPath));
+    }
+
+    private static long name(int onFace, long atPath) {
+        return Hash.mix(Hash.mix(4, onFace), atPath);
+    }
+
+    public int face(int node) {
+        return face[node];
+    }
+
+    public long path(int node) {
+        return path[node];
+    }
+
+    /** First of four consecutive children, or -1. */
+    public int child(int node) {
+        return child[node];
+    }
+
+    public boolean isElement(int node) {
+        return child[node] < 0;
+    }
+
+    /** Vertex at corner k of a node. */
+    public int corner(int node, int k) {
+        return corner[3 * node + k];
+    }
+
+    /** Area of a node, of the scene's squared size. */
+    public double area(int node) {
+        return faces.area(face[node]) / (1L << 2 * Path.level(path[node]));
+    }
+
+    /** Positions of the vertices, 3 per vertex; not to be modified. */
+    public float[] positions() {
+        return position;
+    }
+
+    /** Receiving points, 3 per vertex; not to be modified. */
+    public float[] receivers() {
+        return receiver;
+    }
+
+    /** The face on which a vertex lies. */
+    public int vertexFace(int vertex) {
+        return vertexFace[vertex];
+    }
+
+    /** What a vertex is, whoever owns it. */
+    public long vertexKey(int vertex) {
+        return key[vertex];
+    }
+
+    public boolean isBuried(int vertex) {
+        return buried[vertex];
+    }
+
+    public void bury(int vertex) {
+        buried[vertex] = true;
+    }
+
+    /** H, channels per vertex, W/m²; whoever owns the tree adds to it. */
+    public double[] irradiance() {
+        return irradiance;
+    }
+
+    /** S, 3 x channels per node (meaningful for leaves), W/m²; whoever owns the tree adds to it. */
+    public double[] shot() {
+        return shot;
+    }
+
+    /** Irradiance H at corner k of an element, W/m²: that of its vertex, or the mean of the others if it is buried. */
+    public double irradiance(int node, int k, int channel) {
+        if (!buried[corner[3 * node + k]]) {
+            return irradiance[channels * corner[3 * node + k] + channel];
+        }
+        double sum = 0;
+        int seen = 0;
+        for (int j = 0; j < 3; j++) {
+            int v = corner[3 * node + j];
+            if (!buried[v]) {
+                sum += irradiance[channels * v + channel];
+                seen++;
+            }
+        }
+        return seen == 0 ? 0 : sum / seen;
+    }
+
+    /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
+    public double radiosity(int node, int k, int channel) {
+        return faces.exitance(face[node], channel)
+                + faces.reflectance(face[node], channel) * irradiance(node, k, channel);
+    }
+
+    /** Unshot radiosity U = B - S at corner k of an element, W/m²; signed. */
+    public double unshot(int node, int k, int channel) {
+        return radiosity(node, k, channel) - shot[channels * (3 * node + k) + channel];
+    }
+}

@@ -1,0 +1,90 @@
+package radiosity.world;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.HashSet;
+import java.util.Set;
+import radiosity.patch.RadiosityNodes;
+
+/**
+ * A block as bytes. For each subtree, nodes in preorder: 1 for an inner one; for an element 0, then what it has shot at
+ * its corners, and for each corner whose vertex was not met before whether it is
+ * buried and what it has received.
+ */
+final class BlockState {
+
+    private BlockState() { }
+
+    static byte[] write(RadiosityNodes nodes, int[] tops) {
+        Set<Integer> met = new HashSet<>();
+        return Wire.bytes(out -> {
+            for (int top : tops) {
+                write(nodes, top, met, out);
+            }
+        });
+    }
+
+    private static void write(RadiosityNodes nodes, int node, Set<Integer> met, DataOutputStream out)
+            throws IOException {
+        out.writeByte(nodes.isElement(node) ? 0 : 1);
+        if (!nodes.isElement(node)) {
+            for (int k = 0; k < 4; k++) {
+                write(nodes, nodes.child(node) + k, met, out);
+            }
+            return;
+        }
+        int channels = nodes.channels();
+        for (int i = 0; i < 3 * channels; i++) {
+            out.writeDouble(nodes.shot()[3 * channels * node + i]);
+        }
+        for (int k = 0; k < 3; k++) {
+            int v = nodes.corner(node, k);
+            if (met.add(v)) {
+                out.writeBoolean(nodes.isBuried(v));
+                for (int c = 0; c < channels; c++) {
+                    out.writeDouble(nodes.irradiance()[channels * v + c]);
+                }
+            }
+        }
+    }
+
+    static void restore(RadiosityNodes nodes, int[] tops, byte[] state) {
+        Set<Integer> met = new HashSet<>();
+        DataInputStream in = Wire.input(state);
+        try {
+            for (int top : tops) {
+                grow(nodes, top, in.readByte() == 1, met, in);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void grow(RadiosityNodes nodes, int node, boolean inner, Set<Integer> met, DataInputStream in)
+            throws IOException {
+        if (inner) {
+            int first = nodes.isElement(node) ? nodes.split(node) : nodes.child(node);
+            for (int k = 0; k < 4; k++) {
+                grow(nodes, first + k, in.readByte() == 1, met, in);
+            }
+            return;
+        }
+        int channels = nodes.channels();
+        for (int i = 0; i < 3 * channels; i++) {
+            nodes.shot()[3 * channels * node + i] = in.readDouble();
+        }
+        for (int k = 0; k < 3; k++) {
+            int v = nodes.corner(node, k);
+            if (met.add(v)) {
+                if (in.readBoolean()) {
+                    nodes.bury(v);
+                }
+                for (int c = 0; c < channels; c++) {
+                    nodes.irradiance()[channels * v + c] = in.readDouble();
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package radiosity.world;
+
+import java.util.List;
+import java.util.Locale;
+import radiosity.patch.Block;
+import radiosity.patch.Faces;
+import radiosity.patch.Hash;
+import radiosity.patch.Partitioner;
+import radiosity.patch.Patcher;
+import radiosity.scene.Scene;
+
+/** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
+final class InitialMesh {
+
+    /** Patches of a scene for which no patch area is given. */
+    private static final int DEFAULT_PATCHES = 6000;
+
+    final Scene scene;
+    final RadiositySettings settings;
+    final Faces faces;
+    final Patcher patcher;
+    final List<Block> blocks;
+    /** Flux emitted, one per channel, W. */
+    final double[] emitted;
+
+    InitialMesh(Scene scene, RadiositySettings settings) {
+        this.scene = scene;
+        this.settings = settings;
+        faces = new Faces(scene);
+        double squared = faces.size() * faces.size();
+        double area = settings.patchArea() > 0 ? settings.patchArea() / squared
+                : Patcher.areaFor(faces, DEFAULT_PATCHES);
+        patcher = new Patcher(faces, area);
+        blocks = Partitioner.blocks(patcher);
+        emitted = new double[faces.channels()];
+        for (int f = 0; f < faces.count(); f++) {
+            for (int c = 0; c < emitted.length; c++) {
+                emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
+            }
+        }
+    }
+
+    /** Largest area of a patch, square scene units. */
+    double patchArea() {
+        return patcher.patchArea() * faces.size() * faces.size();
+    }
+
+    /** Flux emitted over all channels, W. */
+    double totalEmitted() {
+        double sum = 0;
+        for (double e : emitted) {
+            sum += e;
+        }
+        return sum;
+    }
+
+    /** What two calculations must have in common for one to go on from the other. */
+    String fingerprint() {
+        return String.format(Locale.ROOT, "scene %016x, -pa %s -nr %d -mt %s --schedule %s", digest(), patchArea(),
+                settings.rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT));
+    }
+
+    private long digest() {
+        long digest = 0;
+        for (double x : scene.points()) {
+            digest = Hash.mix(digest, Double.doubleToLongBits(x));
+        }
+        for (int p : scene.corners()) {
+            digest = Hash.mix(digest, p);
+        }
+        for (int f = 0; f < faces.count(); f++) {
+            digest = Hash.mix(digest, faces.side(f));
+            for (int c = 0; c < faces.channels(); c++) {
+                digest = Hash.mix(digest, Double.doubleToLongBits(faces.exitance(f, c)));
+                digest = Hash.mix(digest, Double.doubleToLongBits(faces.reflectance(f, c)));
+            }
+        }
+        return digest;
+    }
+}

@@ -1,0 +1,54 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import radiosity.patch.Block;
+import radiosity.scene.Scene;
+
+/** A world whose elements are all in this process (section 4.5.2 of the paper). */
+public final class LocalWorld extends World {
+
+    private final List<Partition> partitions = new ArrayList<>();
+
+    /** @param threads at least 1; more than there are processors are not used */
+    public LocalWorld(Scene scene, RadiositySettings settings, int threads) {
+        this(scene, settings, threads, 1);
+    }
+
+    /** Deals the blocks to several partitions, as over a network. */
+    LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts) {
+        super(new InitialMesh(scene, settings));
+        for (int p = 0; p < parts; p++) {
+            int owner = p;
+            List<Block> mine = mesh.blocks.stream().filter(b -> b.id() % parts == owner).toList();
+            partitions.add(new PartitionImpl(mesh, mine, threads));
+        }
+    }
+
+    @Override
+    Answer shoot(byte[] shots, int most) throws IOException {
+        Answer all = new Answer(channels(), mesh.totalEmitted());
+        for (Partition partition : partitions) {
+            Answer one = new Answer(channels(), mesh.totalEmitted());
+            one.read(Wire.input(partition.shoot(shots, most)));
+            all.add(one, most);
+        }
+        return all;
+    }
+
+    @Override
+    byte[] block(int id) throws RemoteException {
+        return owner(id).block(id);
+    }
+
+    @Override
+    void restore(int id, byte[] state) throws RemoteException {
+        owner(id).restore(id, state);
+    }
+
+    private Partition owner(int block) {
+        return partitions.get(block % partitions.size());
+    }
+}

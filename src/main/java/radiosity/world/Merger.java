@@ -1,0 +1,108 @@
+package radiosity.world;
+
+import java.util.Arrays;
+import java.util.List;
+import radiosity.patch.LongIndex;
+import radiosity.patch.RadiosityNodes;
+
+/** Merges the blocks of all partitions into one mesh, in the order of their ids (figure 7: merge patch trees). */
+final class Merger {
+
+    private final InitialMesh mesh;
+    private final int channels;
+    private final LongIndex index = new LongIndex(1024);
+    private double[] position = new double[3 * 1024];
+    /** channels per vertex: sum over its copies. */
+    private double[] irradiance;
+    /** 1 per vertex: copies that blocks have of it, buried ones left out. */
+    private int[] copies = new int[1024];
+    private int[] corner = new int[3 * 1024];
+    private int[] faceOf = new int[1024];
+    private int elements;
+
+    Merger(InitialMesh mesh, List<byte[]> states) {
+        this.mesh = mesh;
+        channels = mesh.faces.channels();
+        irradiance = new double[channels * 1024];
+        for (int b = 0; b < states.size(); b++) {
+            RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(b)));
+            BlockState.restore(nodes, nodes.tops(), states.get(b));
+            add(nodes);
+        }
+    }
+
+    private void add(RadiosityNodes nodes) {
+        int[] number = new int[nodes.vertices()];
+        Arrays.fill(number, -1);
+        for (int node = 0; node < nodes.nodes(); node++) {
+            if (!nodes.isElement(node)) {
+                continue;
+            }
+            if (elements == faceOf.length) {
+                faceOf = Arrays.copyOf(faceOf, 2 * elements);
+                corner = Arrays.copyOf(corner, 6 * elements);
+            }
+            for (int k = 0; k < 3; k++) {
+                int v = nodes.corner(node, k);
+                if (number[v] < 0) {
+                    number[v] = vertex(nodes, node, k);
+                }
+                corner[3 * elements + k] = number[v];
+            }
+            faceOf[elements++] = mesh.faces.side(nodes.face(node));
+        }
+    }
+
+    private int vertex(RadiosityNodes nodes, int node, int k) {
+        int from = nodes.corner(node, k);
+        int v = index.findOrAdd(nodes.vertexKey(from), index.size());
+        if (v == copies.length) {
+            copies = Arrays.copyOf(copies, 2 * v);
+            position = Arrays.copyOf(position, 6 * v);
+            irradiance = Arrays.copyOf(irradiance, 2 * channels * v);
+        }
+        nodes.position(node, k, position, 3 * v);
+        if (!nodes.isBuried(from)) {
+            copies[v]++;
+            for (int c = 0; c < channels; c++) {
+                irradiance[channels * v + c] += nodes.irradiance()[channels * from + c];
+            }
+        }
+        return v;
+    }
+
+    Solution solution(int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+        int vertices = index.size();
+        for (int i = 0; i < channels * vertices; i++) {
+            irradiance[i] /= Math.max(1, copies[i / channels]);
+        }
+        fillBuried();
+        return new Solution(mesh.scene, channels, Arrays.copyOf(position, 3 * vertices),
+                Arrays.copyOf(irradiance, channels * vertices), Arrays.copyOf(corner, 3 * elements),
+                Arrays.copyOf(faceOf, elements), shots, rounds, unshotFlux, ledger, state);
+    }
+
+    /** A buried vertex takes the mean of those that it shares elements with, so that no dark seam shows. */
+    private void fillBuried() {
+        int vertices = index.size();
+        double[] sum = new double[channels * vertices];
+        int[] terms = new int[vertices];
+        for (int i = 0; i < 3 * elements; i++) {
+            int v = corner[i];
+            for (int k = 0; k < 3 && copies[v] == 0; k++) {
+                int other = corner[3 * (i / 3) + k];
+                if (copies[other] > 0) {
+                    terms[v]++;
+                    for (int c = 0; c < channels; c++) {
+                        sum[channels * v + c] += irradiance[channels * other + c];
+                    }
+                }
+            }
+        }
+        for (int i = 0; i < channels * vertices; i++) {
+            if (terms[i / channels] > 0) {
+                irradiance[i] = sum[i] / terms[i / channels];
+            }
+        }
+    }
+}

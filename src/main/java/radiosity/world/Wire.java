@@ -1,0 +1,53 @@
+package radiosity.world;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Shots and answers as bytes. */
+final class Wire {
+
+    private Wire() { }
+
+    /** Writes to memory, which cannot fail. */
+    interface Writer {
+        void write(DataOutputStream out) throws IOException;
+    }
+
+    static byte[] bytes(Writer writer) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(bytes)) {
+            writer.write(out);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+
+    static DataInputStream input(byte[] bytes) {
+        return new DataInputStream(new ByteArrayInputStream(bytes));
+    }
+
+    static byte[] encode(List<Shot> shots) {
+        return bytes(out -> {
+            out.writeInt(shots.size());
+            for (Shot shot : shots) {
+                shot.write(out);
+            }
+        });
+    }
+
+    static List<Shot> shots(byte[] bytes) throws IOException {
+        DataInputStream in = input(bytes);
+        List<Shot> shots = new ArrayList<>();
+        for (int n = in.readInt(); n > 0; n--) {
+            shots.add(Shot.read(in));
+        }
+        return shots;
+    }
+}
