@@ -1,0 +1,32 @@
+package radiosity.lightwave;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import radiosity.scene.SceneFormatException;
+
+/** Reads a file into memory once, if it is one and not too large. */
+final class InputFile {
+
+    private InputFile() {
+    }
+
+    /** @param name the file as the user knows it */
+    static byte[] read(Path file, String name, LightWaveOptions options) throws IOException {
+        if (!Files.exists(file)) {
+            throw new SceneFormatException(name, "", "a file", "nothing of that name");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new SceneFormatException(name, "", "a file", "a directory or a device");
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, options.maxBytes() + 1));
+            if (bytes.length > options.maxBytes()) {
+                throw new SceneFormatException(name, "", "at most " + options.maxBytes() + " bytes",
+                        Files.size(file) + " bytes");
+            }
+            return bytes;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package radiosity.lightwave;
+
+import java.util.Map;
+
+/** Reads the SURF and CLIP forms of LWO3 objects: chunks with sizes of 4 bytes, the name in one of four spaces. */
+final class Lwo3Surface {
+
+    private static final String HEAD = "    ";
+
+    private final Notes notes;
+
+    Lwo3Surface(Notes notes) {
+        this.notes = notes;
+    }
+
+    SurfaceValues read(Bytes data, String place) {
+        SurfaceValues surface = head(data.copy(), place);
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("FORM")) {
+                form(surface, chunks.data(), chunks.place());
+            } else {
+                Lwo2Surface.value(surface, chunks.id(), chunks.data(), chunks.place(), notes);
+            }
+        }
+        return surface;
+    }
+
+    private SurfaceValues head(Bytes data, String place) {
+        Chunks chunks = new Chunks(data, 4, notes.about(""));
+        while (chunks.next()) {
+            if (chunks.id().equals(HEAD)) {
+                return new SurfaceValues(chunks.data().s0(), chunks.data().s0());
+            }
+        }
+        notes.note(place, "a surface has no name");
+        return new SurfaceValues("", "");
+    }
+
+    private void form(SurfaceValues surface, Bytes data, String place) {
+        if (data.id().equals("NODS")) {
+            new NodeGraph(notes).read(data, surface, place);
+        }
+    }
+
+    /** Reads the number and the path of an image. */
+    static void readClip(Bytes data, Map<Integer, String> clips, Notes notes) {
+        int number = 0;
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals(HEAD)) {
+                number = (int) chunks.data().u4();
+            } else if (chunks.id().equals("FORM") && chunks.data().id().equals("STIL")) {
+                still(chunks.data(), number, clips, notes);
+            }
+        }
+    }
+
+    private static void still(Bytes data, int number, Map<Integer, String> clips, Notes notes) {
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals(HEAD)) {
+                clips.put(number, chunks.data().s0());
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package radiosity.lightwave;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The triangles of some layers of an object, in its own left-handed coordinates; made once for all its instances.
+ *
+ * @param points    x, y, z of each point that a triangle uses
+ * @param corners   3 points per triangle, clockwise seen from the visible side
+ * @param surfaceOf index into surfaces, 1 per triangle
+ * @param surfaces  as the object describes them
+ * @param textureCoordinates u, v of each corner, 6 per triangle; empty if there are none
+ * @param pivot     x, y, z of the point about which the object turns if its scene names no other
+ */
+record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> surfaces, float[] textureCoordinates,
+            double[] pivot) {
+
+    int triangles() {
+        return surfaceOf.length;
+    }
+
+    int pointCount() {
+        return points.length / 3;
+    }
+
+    /** Cuts the polygons of the layers; what is wrong with them is noted. */
+    static Mesh of(ObjectModel object, List<Layer> layers, Notes notes) {
+        Builder builder = new Builder(object, notes);
+        layers.forEach(builder::add);
+        double[] pivot = layers.size() == 1 ? layers.get(0).pivot : new double[3];
+        return builder.build(pivot);
+    }
+
+    /** Gathers the triangles of one layer after the other. */
+    private static final class Builder {
+
+        private final ObjectModel object;
+        private final Notes notes;
+        private final Floats points = new Floats();
+        private final Ints corners = new Ints();
+        private final Ints surfaceOf = new Ints();
+        private final Floats coordinates = new Floats();
+        private final Map<String, Integer> surfaceIndex = new HashMap<>();
+        private final List<SurfaceValues> surfaces = new java.util.ArrayList<>();
+
+        Builder(ObjectModel object, Notes notes) {
+            this.object = object;
+            this.notes = notes;
+        }
+
+        void add(Layer layer) {
+            Triangulation triangulation = new Triangulation(layer, notes);
+            int[] newPoint = new int[layer.pointCount()];
+            Arrays.fill(newPoint, -1);
+            Ints triangles = new Ints();
+            for (int polygon = 0; polygon < layer.polygons.size(); polygon++) {
+                triangles.cut(0);
+                triangulation.cut(polygon, triangles);
+                if (triangles.size() > 0) {
+                    addTriangles(layer, polygon, triangles, newPoint);
+                }
+            }
+        }
+
+        private void addTriangles(Layer layer, int polygon, Ints triangles, int[] newPoint) {
+            int surface = surface(layer, polygon);
+            for (int i = 0; i < triangles.size(); i++) {
+                corners.add(point(layer, layer.polygons.point(triangles.get(i)), newPoint));
+                if (i % 3 == 0) {
+                    surfaceOf.add(surface);
+                }
+            }
+        }
+
+        private int point(Layer layer, int old, int[] newPoint) {
+            if (newPoint[old] < 0) {
+                newPoint[old] = points.size() / 3;
+                for (int k = 0; k < 3; k++) {
+                    points.add(layer.points.get(3 * old + k));
+                }
+            }
+            return newPoint[old];
+        }
+
+        private int surface(Layer layer, int polygon) {
+            int tag = layer.polygons.tag(polygon);
+            String name = tag >= 0 && tag < object.tags.size() ? object.tags.get(tag) : "Default";
+            if (tag >= object.tags.size()) {
+                notes.note("layer " + layer.number + ", polygon " + polygon,
+                        "polygons with a surface number beyond the list of names get the standard surface",
+                        String.valueOf(tag));
+            }
+            return surfaceIndex.computeIfAbsent(name, this::newSurface);
+        }
+
+        private Integer newSurface(String name) {
+            SurfaceValues described = object.surfaces.get(name);
+            if (described == null) {
+                notes.note("", "surfaces that the object does not describe are taken as a light grey", name);
+                described = SurfaceValues.standard(name);
+            }
+            surfaces.add(described);
+            return surfaces.size() - 1;
+        }
+
+        Mesh build(double[] pivot) {
+            return new Mesh(points.toArray(), corners.toArray(), surfaceOf.toArray(), List.copyOf(surfaces),
+                    coordinates.toArray(), pivot);
+        }
+    }
+}

@@ -1,0 +1,159 @@
+package radiosity.lightwave;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import radiosity.scene.Camera;
+import radiosity.scene.Light;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+
+/** Brings together what a scene is made of: placed objects, their surfaces, lights and the camera. */
+final class SceneAssembly {
+
+    /** Memory that one triangle and one point take in a scene, bytes. */
+    private static final int TRIANGLE_BYTES = 16 + 24;
+    private static final int POINT_BYTES = 24;
+    /** Coordinates beyond this lose their squares. */
+    private static final double FARTHEST = 1e70;
+
+    private final String name;
+    private final LightWaveOptions options;
+    private final Notes notes;
+    private final SurfaceTable surfaces;
+    private final List<Instance> instances = new ArrayList<>();
+    private List<Light> lights = List.of();
+    private Optional<Camera> camera = Optional.empty();
+
+    /** A mesh, where it stands, and the file it is from. */
+    private record Instance(Mesh mesh, Matrix world, String file) { }
+
+    private SceneAssembly(String name, LightWaveOptions options, Notes notes) {
+        this.name = name;
+        this.options = options;
+        this.notes = notes;
+        this.surfaces = new SurfaceTable(options, notes);
+    }
+
+    static SceneAssembly read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
+        String name = String.valueOf(file.getFileName());
+        Notes notes = new Notes(name, warnings, options.strict());
+        SceneAssembly assembly = new SceneAssembly(name, options, notes);
+        byte[] bytes = InputFile.read(file, name, options);
+        ObjectLibrary library = new ObjectLibrary(new FileSearch(file, options, notes), options, notes);
+        if (SceneParser.isScene(bytes)) {
+            assembly.addScene(SceneParser.parse(bytes, notes), library);
+        } else if (ObjectFile.isObject(bytes)) {
+            assembly.addObject(ObjectFile.read(bytes, name, notes), library);
+        } else {
+            throw notes.error("", "a LightWave scene or object", Foreign.describe(bytes));
+        }
+        return assembly;
+    }
+
+    private void addObject(ObjectModel object, ObjectLibrary library) {
+        instances.add(new Instance(library.visible(object, notes), Matrix.IDENTITY, name));
+    }
+
+    private void addScene(SceneDescription scene, ObjectLibrary library) throws IOException {
+        double frame = options.frame().orElse(scene.firstFrame());
+        Motion.Instant instant = new Motion.Instant(frame, scene.framesPerSecond());
+        Placement placement = new Placement(scene, instant, notes);
+        List<SceneItem> objects = scene.items(SceneItem.Kind.OBJECT);
+        List<Optional<ObjectLibrary.Part>> parts = new ArrayList<>();
+        for (SceneItem object : objects) {
+            Optional<ObjectLibrary.Part> part = isSeen(object, instant) ? library.part(object) : Optional.empty();
+            part.ifPresent(p -> placement.layerPivot(object, p.mesh().pivot()));
+            parts.add(part);
+        }
+        for (int i = 0; i < parts.size(); i++) {
+            if (parts.get(i).isPresent()) {
+                addInstance(parts.get(i).get(), placement.world(objects.get(i)), objects.get(i));
+            }
+        }
+        lights = new SceneLights(scene, placement, instant, notes).lights();
+        camera = new SceneCamera(scene, placement, instant, notes).camera();
+    }
+
+    private static boolean isSeen(SceneItem object, Motion.Instant instant) {
+        String keyword = object.has("ObjectDissolve") ? "ObjectDissolve" : "ObjDissolve";
+        return !object.isNull() && object.number(keyword, instant, 0) < 1;
+    }
+
+    private void addInstance(ObjectLibrary.Part part, Matrix world, SceneItem object) {
+        double reach = 0;
+        for (float x : part.mesh().points()) {
+            reach = Math.max(reach, Math.abs(x));
+        }
+        double factor = 0;
+        for (double m : world.m()) {
+            factor += Math.abs(m);
+        }
+        if (factor * Math.max(1, reach) < FARTHEST) {
+            instances.add(new Instance(part.mesh(), world, part.name()));
+        } else {
+            notes.note(object.place, "objects too large or too far away for their numbers are left out", part.name());
+        }
+    }
+
+    /** Places all instances; a scene without a triangle is an error. */
+    Scene toScene() throws SceneFormatException {
+        Triangles triangles = place();
+        if (triangles.flat() > 0) {
+            notes.note("", "triangles without area where they are placed are left out",
+                    triangles.flat() + " triangles");
+        }
+        if (triangles.surfaceOf().length == 0) {
+            notes.flush();
+            throw notes.error("", "at least one polygon with an area", "none");
+        }
+        List<Light> taken = SceneLights.taken(lights, surfaces, options, notes);
+        notes.flush();
+        return new Scene(name, triangles.points(), triangles.corners(), triangles.surfaceOf(), surfaces.surfaces(),
+                taken, camera, triangles.textureCoordinates());
+    }
+
+    private Triangles place() throws SceneFormatException {
+        long count = 0;
+        long points = 0;
+        boolean textured = false;
+        for (Instance instance : instances) {
+            count += instance.mesh.triangles();
+            points += instance.mesh.pointCount();
+            textured |= instance.mesh.textureCoordinates().length > 0;
+        }
+        checkBudget(count, points);
+        Triangles triangles = new Triangles((int) points, (int) count, textured);
+        for (Instance instance : instances) {
+            triangles.add(instance.mesh, instance.world, surfaceNumbers(instance));
+        }
+        return triangles;
+    }
+
+    private void checkBudget(long triangles, long points) throws SceneFormatException {
+        if (triangles > options.maxTriangles() || points > Integer.MAX_VALUE / 3 - 8) {
+            throw notes.error("", "at most " + options.maxTriangles() + " triangles", String.valueOf(triangles));
+        }
+        long bytes = triangles * TRIANGLE_BYTES + points * POINT_BYTES;
+        if (bytes > Runtime.getRuntime().maxMemory() / 2) {
+            throw notes.error("", "a scene that fits in half of " + (Runtime.getRuntime().maxMemory() >> 20) + " MiB",
+                    triangles + " triangles of " + points + " points");
+        }
+    }
+
+    private int[] surfaceNumbers(Instance instance) {
+        List<SurfaceValues> used = instance.mesh.surfaces();
+        int[] numbers = new int[used.size()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = surfaces.index(instance.file, used.get(i));
+        }
+        return numbers;
+    }
+
+    SurfaceTable surfaces() {
+        return surfaces;
+    }
+}

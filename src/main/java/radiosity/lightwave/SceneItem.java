@@ -1,0 +1,84 @@
+package radiosity.lightwave;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/** An object, null object, light or camera of a scene as its file describes it. */
+final class SceneItem {
+
+    /** What an item is; the number is the first digit of its identity in LWSC 3 and later. */
+    enum Kind {
+        OBJECT(1), LIGHT(2), CAMERA(3), BONE(4);
+
+        final int digit;
+
+        Kind(int digit) {
+            this.digit = digit;
+        }
+    }
+
+    /** The layer of an object whose whole file is taken. */
+    static final int WHOLE_FILE = -1;
+
+    final Kind kind;
+    final String place;
+    /** As written in LWSC 4 and later; -1 where there is none. */
+    final long id;
+    /** Path of an object as written; empty for a null object and all others. */
+    String file = "";
+    /** Number of the layer in its file. */
+    int layer = WHOLE_FILE;
+    Motion motion = Motion.NONE;
+    private final Map<String, String> values = new HashMap<>(4);
+    private final Map<String, Motion> envelopes = new HashMap<>(2);
+
+    SceneItem(Kind kind, long id, String place) {
+        this.kind = kind;
+        this.id = id;
+        this.place = place;
+    }
+
+    void put(String keyword, String value) {
+        values.put(keyword, value);
+    }
+
+    void put(String keyword, Motion envelope) {
+        envelopes.put(keyword, envelope);
+    }
+
+    boolean has(String keyword) {
+        return values.containsKey(keyword) || envelopes.containsKey(keyword);
+    }
+
+    /** What stands after a keyword; empty if the keyword is not there. */
+    String text(String keyword) {
+        return values.getOrDefault(keyword, "");
+    }
+
+    /**
+     * The numbers after a keyword, or of its envelopes at a time.
+     *
+     * @param otherwise what holds where the file gives no number; its length is how many are wanted; not modified
+     */
+    double[] numbers(String keyword, Motion.Instant instant, double... otherwise) {
+        double[] numbers = otherwise.clone();
+        Motion envelope = envelopes.get(keyword);
+        double[] written = SceneNumbers.all(text(keyword), numbers.length);
+        for (int i = 0; i < numbers.length; i++) {
+            if (envelope != null) {
+                numbers[i] = EnvelopeCurve.at(envelope.channels()[i], instant.time(envelope.inFrames()), numbers[i]);
+            } else if (i < written.length && !Double.isNaN(written[i])) {
+                numbers[i] = written[i];
+            }
+        }
+        return numbers;
+    }
+
+    double number(String keyword, Motion.Instant instant, double otherwise) {
+        return numbers(keyword, instant, otherwise)[0];
+    }
+
+    boolean isNull() {
+        return kind == Kind.OBJECT && file.isEmpty();
+    }
+}

@@ -1,0 +1,116 @@
+package radiosity.lightwave;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import radiosity.scene.Light;
+import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** Makes the lights of a scene from what its file says of them. */
+final class SceneLights {
+
+    private final SceneDescription scene;
+    private final Placement placement;
+    private final Motion.Instant instant;
+    private final Notes notes;
+
+    SceneLights(SceneDescription scene, Placement placement, Motion.Instant instant, Notes notes) {
+        this.scene = scene;
+        this.placement = placement;
+        this.instant = instant;
+        this.notes = notes;
+    }
+
+    /** All lights that give light; what the options make of them is {@link #taken}'s to say. */
+    List<Light> lights() {
+        List<Light> lights = new ArrayList<>();
+        for (SceneItem item : scene.items(SceneItem.Kind.LIGHT)) {
+            Rgb power = power(item);
+            if (power.max() > 0 && power.isFinite()) {
+                light(item, power, lights);
+            }
+        }
+        return lights;
+    }
+
+    /** Those that shine under the options: with "auto" none if a surface emits. */
+    static List<Light> taken(List<Light> lights, SurfaceTable surfaces, LightWaveOptions options, Notes notes) {
+        boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
+        if (!emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
+            notes.tell("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
+        }
+        return switch (options.lights()) {
+            case IGNORE -> List.of();
+            case EMITTERS -> lights;
+            case AUTO -> {
+                if (emits && !lights.isEmpty()) {
+                    notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
+                }
+                yield emits ? List.of() : lights;
+            }
+        };
+    }
+
+    private Rgb power(SceneItem item) {
+        double scale = scene.version <= 2 ? 1 / 255.0 : 1;
+        double[] colour = item.numbers("LightColor", instant, 1 / scale, 1 / scale, 1 / scale);
+        String keyword = item.has("LightIntensity") ? "LightIntensity" : "LgtIntensity";
+        double intensity = Math.max(0, item.number(keyword, instant, 1));
+        return new Rgb(Math.max(0, colour[0]), Math.max(0, colour[1]), Math.max(0, colour[2])).times(scale * intensity);
+    }
+
+    private void light(SceneItem item, Rgb power, List<Light> lights) {
+        int type = type(item);
+        switch (type) {
+            case 0 -> lights.add(make(item, Light.Kind.DISTANT, power));
+            case 1 -> lights.add(make(item, Light.Kind.POINT, power));
+            case 2 -> lights.add(make(item, Light.Kind.SPOT, power));
+            case 4 -> lights.add(make(item, Light.Kind.AREA, power.times(Math.PI)));
+            case 3 -> {
+                notes.note(item.place, "linear lights are taken as point lights at their middle");
+                lights.add(make(item, Light.Kind.POINT, power));
+            }
+            default -> notes.note(item.place, "lights of a kind that is not known are left out", String.valueOf(type));
+        }
+    }
+
+    /** The kind that a plug-in names wins, as later versions write LightType for old programs only. */
+    private int type(SceneItem item) {
+        String name = item.text("LightHandler").toLowerCase(Locale.ROOT).replace("\"", "").replace("light", "").trim();
+        return switch (name) {
+            case "distant" -> 0;
+            case "point", "spherical", "photometric" -> 1;
+            case "spot" -> 2;
+            case "linear" -> 3;
+            case "area" -> 4;
+            case "dome" -> 5;
+            default -> (int) item.number("LightType", instant, 0);
+        };
+    }
+
+    private Light make(SceneItem item, Light.Kind kind, Rgb power) {
+        Matrix world = new LookAt(placement, instant).world(item);
+        double range = item.number("LightRange", instant, 1);
+        String cone = item.has("LightConeAngle") ? "LightConeAngle" : "ConeAngle";
+        String edge = item.has("LightEdgeAngle") ? "LightEdgeAngle" : "EdgeAngle";
+        double coneAngle = item.number(cone, instant, scene.version <= 2 ? 30 : Math.toRadians(30));
+        double edgeAngle = item.number(edge, instant, scene.version <= 2 ? 5 : Math.toRadians(5));
+        boolean area = kind == Light.Kind.AREA;
+        return new Light(item.text("LightName"), kind, power,
+                new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]), right(world.direction(0, 0, 1)).unit(),
+                area ? right(world.direction(0.5, 0, 0)) : Vec3.ZERO,
+                area ? right(world.direction(0, 0.5, 0)) : Vec3.ZERO,
+                range > 0 ? range : 1, angle(coneAngle), angle(edgeAngle));
+    }
+
+    private double angle(double written) {
+        return scene.version <= 2 ? Math.toRadians(written) : written;
+    }
+
+    /** A left-handed direction in the right-handed space of scenes. */
+    static Vec3 right(double[] d) {
+        return new Vec3(d[0], d[1], 0 - d[2]);
+    }
+}

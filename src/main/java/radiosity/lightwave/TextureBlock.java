@@ -1,0 +1,32 @@
+package radiosity.lightwave;
+
+import radiosity.scene.ImageMap;
+
+/** An image on a surface as an object describes it: what it varies and how it lies on the points. */
+final class TextureBlock {
+
+    /** How an image is projected; the order is that of the numbers in files. */
+    enum Projection { PLANAR, CYLINDRICAL, SPHERICAL, CUBIC, FRONT, UV }
+
+    /** What it varies: COLR, DIFF, LUMI, ... */
+    String channel = "COLR";
+    /** Path as written; null until it is known. */
+    String image;
+    int clip = -1;
+    boolean enabled = true;
+    boolean negative;
+    double opacity = 1;
+    Projection projection = Projection.PLANAR;
+    /** 0 x, 1 y, 2 z. */
+    int axis;
+    /** x, y, z of centre and size in the object's coordinates, rotation about them in radians (h, p, b). */
+    double[] centre = {0, 0, 0};
+    double[] size = {1, 1, 1};
+    double[] rotation = {0, 0, 0};
+    /** Times the image goes round a cylinder or a sphere. */
+    double[] turns = {1, 1};
+    ImageMap.Wrap wrapU = ImageMap.Wrap.REPEAT;
+    ImageMap.Wrap wrapV = ImageMap.Wrap.REPEAT;
+    /** Name of the texture coordinates of a UV projection. */
+    String map = "";
+}
