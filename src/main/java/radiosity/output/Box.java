@@ -1,0 +1,26 @@
+package radiosity.output;
+
+import radiosity.scene.Vec3;
+
+/** The smallest box around points. A box around no point is empty at the origin. */
+record Box(Vec3 low, Vec3 high) {
+
+    /** @param points x, y, z, 3 per point; not modified */
+    static Box of(double[] points) {
+        double[] box = {0, 0, 0, 0, 0, 0};
+        for (int i = 0; i < points.length; i++) {
+            int a = i % 3;
+            box[a] = i < 3 ? points[i] : Math.min(box[a], points[i]);
+            box[a + 3] = i < 3 ? points[i] : Math.max(box[a + 3], points[i]);
+        }
+        return new Box(new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+    }
+
+    Vec3 centre() {
+        return low.times(0.5).plus(high.times(0.5));
+    }
+
+    double diagonal() {
+        return high.minus(low).length();
+    }
+}

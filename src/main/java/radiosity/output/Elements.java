@@ -1,0 +1,34 @@
+package radiosity.output;
+
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.world.Solution;
+
+/** The geometry of a solution's elements. */
+final class Elements {
+
+    private Elements() {
+    }
+
+    static Vec3 corner(Solution solution, int element, int k) {
+        int p = 3 * solution.corners()[3 * element + k];
+        double[] x = solution.positions();
+        return new Vec3(x[p], x[p + 1], x[p + 2]);
+    }
+
+    /** At right angles to the element on its visible side, twice as long as its area is large. */
+    static Vec3 cross(Solution solution, int element) {
+        Vec3 a = corner(solution, element, 0);
+        return corner(solution, element, 1).minus(a).cross(corner(solution, element, 2).minus(a));
+    }
+
+    /** Unit normal on the visible side: that of the original triangle, which is the more exact one. */
+    static Vec3 normal(Solution solution, int element) {
+        Scene scene = solution.scene();
+        int face = solution.faceOf()[element];
+        Vec3 a = scene.corner(face >> 1, 0);
+        Vec3 cross = scene.corner(face >> 1, 1).minus(a).cross(scene.corner(face >> 1, 2).minus(a));
+        Vec3 front = cross.length() > 0 ? cross.unit() : new Vec3(0, 1, 0);
+        return (face & 1) == 0 ? front : Vec3.ZERO.minus(front);
+    }
+}

@@ -1,0 +1,117 @@
+package radiosity.output;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.world.Solution;
+
+/**
+ * One side of one surface as the scene file holds it: indexed triangles with light at their vertices.
+ *
+ * @param surface    what it is made of
+ * @param back       whether this is the back of a two-sided surface
+ * @param positions  x, y, z relative to the file's origin, 3 per vertex, scene units
+ * @param normals    unit vectors out of the visible side, 3 per vertex
+ * @param irradiance H for red, green and blue, 3 per vertex, W/m²
+ * @param radiosity  B = E + rho H, 3 per vertex, W/m²
+ * @param corners    vertices, 3 per element, counter-clockwise seen from the visible side
+ */
+public record Mesh(Surface surface, boolean back, float[] positions, float[] normals, float[] irradiance,
+                   float[] radiosity, int[] corners) {
+
+    /** Number of vertices. */
+    public int vertices() {
+        return positions.length / 3;
+    }
+
+    /** Number of elements. */
+    public int elements() {
+        return corners.length / 3;
+    }
+
+    /**
+     * The meshes of a solution, surface by surface, front before back; a side without elements has none.
+     *
+     * @param origin what is subtracted from every position
+     */
+    static List<Mesh> of(Solution solution, Vec3 origin) {
+        int[][] elements = bySide(solution);
+        int[] local = new int[solution.vertices()];
+        Arrays.fill(local, -1);
+        List<Mesh> meshes = new ArrayList<>();
+        for (int side = 0; side < elements.length; side++) {
+            if (elements[side].length > 0) {
+                Surface surface = solution.scene().surfaces().get(side >> 1);
+                meshes.add(of(solution, origin, surface, (side & 1) == 1, elements[side], local));
+            }
+        }
+        return meshes;
+    }
+
+    /** The elements of each side, ascending: 2 * surface for its front, + 1 for its back. */
+    private static int[][] bySide(Solution solution) {
+        int[] count = new int[2 * solution.scene().surfaces().size()];
+        for (int face : solution.faceOf()) {
+            count[side(solution, face)]++;
+        }
+        int[][] elements = Arrays.stream(count).mapToObj(int[]::new).toArray(int[][]::new);
+        Arrays.fill(count, 0);
+        for (int e = 0; e < solution.elements(); e++) {
+            int side = side(solution, solution.faceOf()[e]);
+            elements[side][count[side]++] = e;
+        }
+        return elements;
+    }
+
+    private static int side(Solution solution, int face) {
+        return 2 * solution.scene().surfaceOf()[face >> 1] + (face & 1);
+    }
+
+    /** @param local -1 per vertex of the solution, before and after */
+    private static Mesh of(Solution solution, Vec3 origin, Surface surface, boolean back, int[] elements,
+                           int[] local) {
+        int[] corners = new int[3 * elements.length];
+        int[] vertices = new int[3 * elements.length];
+        int[] firstElement = new int[3 * elements.length];
+        int count = 0;
+        for (int i = 0; i < corners.length; i++) {
+            int v = solution.corners()[3 * elements[i / 3] + i % 3];
+            if (local[v] < 0) {
+                firstElement[count] = elements[i / 3];
+                vertices[count] = v;
+                local[v] = count++;
+            }
+            corners[i] = local[v];
+        }
+        Mesh mesh = new Mesh(surface, back, new float[3 * count], new float[3 * count], new float[3 * count],
+                new float[3 * count], corners);
+        for (int i = 0; i < count; i++) {
+            mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]));
+            local[vertices[i]] = -1;
+        }
+        return mesh;
+    }
+
+    private void put(int i, Solution solution, int vertex, Vec3 origin, Vec3 normal) {
+        double[] x = solution.positions();
+        put(positions, i, x[3 * vertex] - origin.x(), x[3 * vertex + 1] - origin.y(), x[3 * vertex + 2] - origin.z());
+        put(normals, i, normal.x(), normal.y(), normal.z());
+        Rgb h = solution.irradianceAt(vertex);
+        put(irradiance, i, h.r(), h.g(), h.b());
+        Rgb e = surface.exitance();
+        Rgb reflected = h.times(surface.reflectance());
+        put(radiosity, i, e.r() + reflected.r(), e.g() + reflected.g(), e.b() + reflected.b());
+    }
+
+    private static void put(float[] array, int i, double... xyz) {
+        for (int a = 0; a < 3; a++) {
+            if (Double.isNaN(xyz[a])) {
+                throw new IllegalArgumentException("vertex " + i + ": expected a number, got NaN");
+            }
+            array[3 * i + a] = (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, xyz[a]));
+        }
+    }
+}

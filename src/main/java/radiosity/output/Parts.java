@@ -1,0 +1,35 @@
+package radiosity.output;
+
+/** Which vertices are connected by elements: a disjoint-set forest whose roots are the lowest vertices. */
+final class Parts {
+
+    private final int[] parent;
+
+    /** @param corners vertices, 3 per element; not modified, not kept */
+    Parts(int vertices, int[] corners) {
+        parent = new int[vertices];
+        for (int v = 0; v < vertices; v++) {
+            parent[v] = v;
+        }
+        for (int i = 0; i < corners.length; i += 3) {
+            join(corners[i], corners[i + 1]);
+            join(corners[i], corners[i + 2]);
+        }
+    }
+
+    private void join(int a, int b) {
+        int p = of(a);
+        int q = of(b);
+        parent[Math.max(p, q)] = Math.min(p, q);
+    }
+
+    /** The lowest vertex of a vertex's part. */
+    int of(int vertex) {
+        int v = vertex;
+        while (parent[v] != v) {
+            parent[v] = parent[parent[v]];
+            v = parent[v];
+        }
+        return v;
+    }
+}

@@ -1,0 +1,188 @@
+package radiosity.output;
+
+import com.fasterxml.jackson.core.type.TypeReference;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import radiosity.scene.Camera;
+import radiosity.scene.Vec3;
+import radiosity.world.EnergyLedger;
+import radiosity.world.Solution;
+
+/**
+ * The scene file: a glTF 2.0 binary that any glTF viewer opens, with everything that was computed (docs/FORMATS.md).
+ *
+ * <p>Writing is a call; reading opens the file, checks it and its version, and fetches meshes and state when they are
+ * asked for. An open file stays the one that was opened, also when a render replaces it.
+ */
+public final class SceneFile implements Closeable {
+
+    /** Written into every file; one with a higher number is refused. */
+    public static final int FORMAT_VERSION = 1;
+    /** Positions count from the middle of the scene where it lies more than this times its size from the origin. */
+    private static final double FAR = 4;
+    /** The camera's near plane, of the scene's size. */
+    private static final double NEAR = 1e-3;
+
+    private final GlbReader glb;
+    private final Place radiosity;
+    private final SceneMeshes meshes;
+
+    private SceneFile(GlbReader glb) throws IOException {
+        this.glb = glb;
+        Place root = new Place(glb.name, glb.json);
+        radiosity = root.optional("asset").flatMap(asset -> asset.optional("extras"))
+                .flatMap(extras -> extras.optional("radiosity"))
+                .orElseThrow(() -> glb.wrong("", "a scene file of this program", "another glTF file"));
+        int version = radiosity.at("formatVersion").integer();
+        if (version > FORMAT_VERSION) {
+            throw glb.wrong("", "scene file format " + FORMAT_VERSION + " or older", "format " + version
+                    + ", of a newer program");
+        }
+        meshes = new SceneMeshes(glb);
+    }
+
+    /**
+     * Writes a solution, T-junctions closed, in place of what the file was before.
+     *
+     * @param extras of JSON's types, for the asset's extras.radiosity: "commandLine", "errorBound" and so on
+     * @param camera from where to look at it
+     */
+    public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
+                             ToneMapping toneMapping) throws IOException {
+        Solution closed = TJunctions.close(solution);
+        Box box = Box.of(closed.positions());
+        Vec3 origin = origin(box);
+        SceneDocument document = new SceneDocument(closed.scene().name(), program(), origin);
+        for (Mesh mesh : Mesh.of(closed, origin)) {
+            document.mesh(mesh, toneMapping);
+        }
+        double near = box.diagonal() > 0 ? NEAR * box.diagonal() : NEAR;
+        camera.ifPresent(c -> document.camera(c, near, origin));
+        document.extras("radiosity", content(closed, extras, document));
+        byte[] json = document.json();
+        WholeFile.write(file, channel -> GlbWriter.write(channel, json, document.arrays));
+    }
+
+    /** Zero, or a point near the middle whose coordinates are floats, so that viewers add them exactly. */
+    private static Vec3 origin(Box box) {
+        Vec3 c = box.centre();
+        boolean far = Math.max(Math.abs(c.x()), Math.max(Math.abs(c.y()), Math.abs(c.z()))) > FAR * box.diagonal();
+        return far ? new Vec3((float) c.x(), (float) c.y(), (float) c.z()) : Vec3.ZERO;
+    }
+
+    private static Map<String, Object> content(Solution solution, Map<String, ?> extras, SceneDocument document) {
+        Map<String, Object> content = new TreeMap<>(extras);
+        content.put("formatVersion", FORMAT_VERSION);
+        content.put("program", program());
+        content.put("channels", solution.channels());
+        content.put("shots", solution.shots());
+        content.put("rounds", solution.rounds());
+        content.put("unshotFlux", solution.unshotFlux());
+        content.put("ledger", solution.ledger());
+        byte[] state = solution.state();
+        if (state.length > 0) {
+            content.put("state", Map.of("bufferView", document.view(state), "sha256", sha256(state)));
+        }
+        return content;
+    }
+
+    /** Name and version of this program. */
+    private static String program() {
+        String version = SceneFile.class.getPackage().getImplementationVersion();
+        return "radiosity " + (version == null ? "(not packaged)" : version);
+    }
+
+    private static String sha256(byte[] bytes) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
+    }
+
+    /**
+     * Opens a scene file and reads what stands in its JSON.
+     *
+     * @throws radiosity.scene.SceneFormatException if it is not one, is cut off, or is of a newer program
+     */
+    public static SceneFile open(Path file) throws IOException {
+        GlbReader glb = new GlbReader(file);
+        try {
+            return new SceneFile(glb);
+        } catch (IOException | RuntimeException e) {
+            glb.close();
+            throw e;
+        }
+    }
+
+    /** One mesh per side of a surface, in the order of the file. */
+    public List<Mesh> meshes() throws IOException {
+        return meshes.read();
+    }
+
+    /** What to add to the meshes' positions, scene units. */
+    public Vec3 origin() throws IOException {
+        return meshes.origin();
+    }
+
+    public Optional<Camera> camera() throws IOException {
+        return meshes.camera();
+    }
+
+    /** The asset's extras.radiosity in Java's types: String, Boolean, Integer, Long, Double, List, Map. */
+    public Map<String, Object> extras() {
+        return new ObjectMapper().convertValue(radiosity.node(), new TypeReference<>() { });
+    }
+
+    /** Where the light went. */
+    public EnergyLedger ledger() throws IOException {
+        Place ledger = radiosity.at("ledger");
+        int channels = ledger.at("emitted").size();
+        return new EnergyLedger(ledger.at("emitted").numbers(channels), ledger.at("shot").numbers(channels),
+                ledger.at("received").numbers(channels), ledger.at("absorbed").numbers(channels),
+                ledger.at("unshot").numbers(channels));
+    }
+
+    /** What resuming needs; empty where the file has none. */
+    public byte[] state() throws IOException {
+        Optional<Place> state = radiosity.optional("state");
+        if (state.isEmpty()) {
+            return new byte[0];
+        }
+        byte[] bytes = glb.view(state.get().at("bufferView").integer()).array();
+        String expected = state.get().at("sha256").text();
+        if (!sha256(bytes).equals(expected)) {
+            throw glb.wrong("state", "SHA-256 " + expected, sha256(bytes));
+        }
+        return bytes;
+    }
+
+    /**
+     * The file as a solution whose original triangles are its elements: for pictures and values at points, not for
+     * resuming.
+     */
+    public Solution solution() throws IOException {
+        int shots = radiosity.at("shots").integer();
+        int rounds = radiosity.at("rounds").integer();
+        return new MergedMeshes(meshes.read(), meshes.origin()).solution(glb.name, shots, rounds,
+                radiosity.at("unshotFlux").number(), ledger(), meshes.camera());
+    }
+
+    Place root() {
+        return new Place(glb.name, glb.json);
+    }
+
+    @Override
+    public void close() throws IOException {
+        glb.close();
+    }
+}

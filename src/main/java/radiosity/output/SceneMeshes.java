@@ -1,0 +1,136 @@
+package radiosity.output;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import radiosity.scene.Camera;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** Reads the default scene of a scene file: the children of its one top node. */
+final class SceneMeshes {
+
+    private static final int FLOAT = 5126;
+    private static final int UNSIGNED_INT = 5125;
+
+    private final GlbReader glb;
+    private final Place root;
+    private final Place top;
+
+    SceneMeshes(GlbReader glb) throws IOException {
+        this.glb = glb;
+        root = new Place(glb.name, glb.json);
+        Place scene = root.at("scenes").at(root.at("scene").integer());
+        top = root.at("nodes").at(scene.at("nodes").at(0).integer());
+    }
+
+    Vec3 origin() throws IOException {
+        return translation(top);
+    }
+
+    private static Vec3 translation(Place node) throws IOException {
+        Optional<Place> translation = node.optional("translation");
+        if (translation.isEmpty()) {
+            return Vec3.ZERO;
+        }
+        double[] t = translation.get().numbers(3);
+        return new Vec3(t[0], t[1], t[2]);
+    }
+
+    private List<Place> children(String with) throws IOException {
+        List<Place> children = new ArrayList<>();
+        Optional<Place> list = top.optional("children");
+        for (int i = 0; list.isPresent() && i < list.get().size(); i++) {
+            Place node = root.at("nodes").at(list.get().at(i).integer());
+            if (node.optional(with).isPresent()) {
+                children.add(node);
+            }
+        }
+        return children;
+    }
+
+    Optional<Camera> camera() throws IOException {
+        List<Place> nodes = children("camera");
+        if (nodes.isEmpty()) {
+            return Optional.empty();
+        }
+        Place node = nodes.get(0);
+        Place perspective = root.at("cameras").at(node.at("camera").integer()).at("perspective");
+        try {
+            return Optional.of(CameraPose.camera(translation(node).plus(origin()), node.at("rotation").numbers(4),
+                    perspective.at("yfov").number(), perspective.at("aspectRatio").number()));
+        } catch (IllegalArgumentException e) {
+            throw perspective.wrong("a perspective");
+        }
+    }
+
+    List<Mesh> read() throws IOException {
+        List<Mesh> meshes = new ArrayList<>();
+        for (Place node : children("mesh")) {
+            meshes.add(mesh(root.at("meshes").at(node.at("mesh").integer()).at("primitives").at(0)));
+        }
+        return meshes;
+    }
+
+    private Mesh mesh(Place primitive) throws IOException {
+        Place attributes = primitive.at("attributes");
+        float[] positions = floats(attributes.at("POSITION"), -1);
+        int n = positions.length / 3;
+        Place extras = root.at("materials").at(primitive.at("material").integer()).at("extras");
+        return new Mesh(surface(extras), extras.at("back").node().booleanValue(), positions,
+                floats(attributes.at("NORMAL"), n), floats(attributes.at("_IRRADIANCE"), n),
+                floats(attributes.at("_RADIOSITY"), n), corners(primitive.at("indices"), n));
+    }
+
+    private static Surface surface(Place extras) throws IOException {
+        try {
+            return new Surface(extras.at("surface").text(), extras.at("exitance").rgb(),
+                    extras.at("reflectance").rgb(), extras.at("twoSided").node().booleanValue());
+        } catch (IllegalArgumentException e) {
+            throw extras.wrong("a surface");
+        }
+    }
+
+    /** @param vertices how many there must be, or -1 for any number */
+    private float[] floats(Place accessor, int vertices) throws IOException {
+        ByteBuffer bytes = bytes(accessor, FLOAT, "VEC3", 3, vertices);
+        float[] values = new float[bytes.remaining() / 4];
+        bytes.asFloatBuffer().get(values);
+        for (float value : values) {
+            if (!Float.isFinite(value)) {
+                throw accessor.wrong("finite numbers");
+            }
+        }
+        return values;
+    }
+
+    private int[] corners(Place accessor, int vertices) throws IOException {
+        ByteBuffer bytes = bytes(accessor, UNSIGNED_INT, "SCALAR", 1, -1);
+        int[] corners = new int[bytes.remaining() / 4];
+        bytes.asIntBuffer().get(corners);
+        for (int corner : corners) {
+            if (corner < 0 || corner >= vertices) {
+                throw accessor.wrong("vertices below " + vertices);
+            }
+        }
+        if (corners.length % 3 != 0) {
+            throw accessor.wrong("3 corners per element");
+        }
+        return corners;
+    }
+
+    /** The bytes of an accessor whose components are 4 bytes long. */
+    private ByteBuffer bytes(Place index, int componentType, String type, int components, int count)
+            throws IOException {
+        Place accessor = root.at("accessors").at(index.integer());
+        ByteBuffer bytes = glb.view(accessor.at("bufferView").integer());
+        long expected = 4L * components * accessor.at("count").integer();
+        if (accessor.at("componentType").integer() != componentType || !accessor.at("type").text().equals(type)
+                || bytes.remaining() != expected || count >= 0 && expected != 4L * components * count) {
+            throw accessor.wrong("an accessor as this program writes it");
+        }
+        return bytes;
+    }
+}
