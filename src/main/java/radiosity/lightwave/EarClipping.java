@@ -21,8 +21,8 @@ final class EarClipping {
     private final CornerGrid grid;
     private long work;
 
-    /** How strict an ear is: none on its border; none inside; any convex corner. */
-    private enum Level { CLEAR, TOUCHING, ANY }
+    /** How strict an ear is: no corner on its border; none inside; any convex corner; any corner. */
+    private enum Level { CLEAR, TOUCHING, CONVEX, ANY }
 
     EarClipping(Outline outline) {
         this.outline = outline;
@@ -30,9 +30,12 @@ final class EarClipping {
     }
 
     /**
-     * Appends three corners of the outline for each triangle.
+     * Appends three corners of the outline for each triangle, n - 2 of them.
      *
-     * @return twice the area that was cut, to be compared with the outline's; NaN if the polygon is too tangled
+     * <p>An outline that crosses itself, which folded polygons do when projected, keeps its border all the same: some
+     * triangles then are reversed, and their area vectors still add up to the polygon's.
+     *
+     * @return twice the area of all triangles, more than the outline's if it crosses itself; NaN if it is too tangled
      */
     double cut(Ints triangles) {
         start();
@@ -51,7 +54,7 @@ final class EarClipping {
             } else if (++refused < left) {
                 corner = next[corner];
             } else if (level == Level.ANY) {
-                return area;
+                return Double.NaN;
             } else {
                 level = Level.values()[level.ordinal() + 1];
                 refused = 0;
@@ -84,7 +87,7 @@ final class EarClipping {
         triangles.add(a);
         triangles.add(corner);
         triangles.add(c);
-        double area = outline.cross(a, corner, c);
+        double area = Math.abs(outline.cross(a, corner, c));
         next[a] = c;
         previous[c] = a;
         convex[corner] = true;
@@ -95,11 +98,8 @@ final class EarClipping {
 
     private boolean isEar(int corner, Level level) {
         work++;
-        if (!convex[corner]) {
-            return false;
-        }
-        if (level == Level.ANY) {
-            return true;
+        if (!convex[corner] || level.compareTo(Level.CONVEX) >= 0) {
+            return convex[corner] || level == Level.ANY;
         }
         int a = previous[corner];
         int c = next[corner];

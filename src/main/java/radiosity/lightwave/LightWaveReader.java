@@ -23,6 +23,6 @@ public final class LightWaveReader {
      * @throws IOException          if a file cannot be read
      */
     public static Scene read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
-        return SceneAssembly.read(file, options, warnings).toScene();
+        return SceneAssembly.read(file, options, warnings).scene();
     }
 }

@@ -141,6 +141,24 @@ final class Outline {
         return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
     }
 
+    /** Whether the triangle of three corners has an area in space, projected or not. */
+    boolean hasArea(int a, int b, int c) {
+        double square = 0;
+        double longest = 0;
+        for (int k = 0; k < 3; k++) {
+            int u = (k + 1) % 3;
+            int v = (k + 2) % 3;
+            double n = step(a, b, u) * step(a, c, v) - step(a, b, v) * step(a, c, u);
+            square += n * n;
+            longest = Math.max(longest, Math.max(Math.abs(step(a, b, k)), Math.abs(step(a, c, k))));
+        }
+        return Math.sqrt(square) > NO_AREA * longest * longest;
+    }
+
+    private double step(int from, int to, int k) {
+        return coordinate(to, k) - coordinate(from, k);
+    }
+
     boolean isConvex() {
         for (int i = 0; i < size; i++) {
             int next = (i + 1) % size;

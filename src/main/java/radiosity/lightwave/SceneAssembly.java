@@ -27,6 +27,8 @@ final class SceneAssembly {
     private final List<Instance> instances = new ArrayList<>();
     private List<Light> lights = List.of();
     private Optional<Camera> camera = Optional.empty();
+    private SceneDescription description;
+    private Placement placement;
 
     /** A mesh, where it stands, and the file it is from. */
     private record Instance(Mesh mesh, Matrix world, String file) { }
@@ -38,7 +40,10 @@ final class SceneAssembly {
         this.surfaces = new SurfaceTable(options, notes);
     }
 
-    static SceneAssembly read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
+    /** A scene with what it was made from; an object alone has no description and no placement. */
+    record Reading(Scene scene, SceneDescription description, Placement placement) { }
+
+    static Reading read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
         Notes notes = new Notes(name, warnings, options.strict());
         SceneAssembly assembly = new SceneAssembly(name, options, notes);
@@ -51,7 +56,7 @@ final class SceneAssembly {
         } else {
             throw notes.error("", "a LightWave scene or object", Foreign.describe(bytes));
         }
-        return assembly;
+        return new Reading(assembly.toScene(), assembly.description, assembly.placement);
     }
 
     private void addObject(ObjectModel object, ObjectLibrary library) {
@@ -61,7 +66,8 @@ final class SceneAssembly {
     private void addScene(SceneDescription scene, ObjectLibrary library) throws IOException {
         double frame = options.frame().orElse(scene.firstFrame());
         Motion.Instant instant = new Motion.Instant(frame, scene.framesPerSecond());
-        Placement placement = new Placement(scene, instant, notes);
+        description = scene;
+        placement = new Placement(scene, instant, notes);
         List<SceneItem> objects = scene.items(SceneItem.Kind.OBJECT);
         List<Optional<ObjectLibrary.Part>> parts = new ArrayList<>();
         for (SceneItem object : objects) {
@@ -100,7 +106,7 @@ final class SceneAssembly {
     }
 
     /** Places all instances; a scene without a triangle is an error. */
-    Scene toScene() throws SceneFormatException {
+    private Scene toScene() throws SceneFormatException {
         Triangles triangles = place();
         if (triangles.flat() > 0) {
             notes.note("", "triangles without area where they are placed are left out",
@@ -151,9 +157,5 @@ final class SceneAssembly {
             numbers[i] = surfaces.index(instance.file, used.get(i));
         }
         return numbers;
-    }
-
-    SurfaceTable surfaces() {
-        return surfaces;
     }
 }

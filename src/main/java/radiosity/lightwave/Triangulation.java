@@ -3,7 +3,7 @@ package radiosity.lightwave;
 /** Cuts the polygons of a layer into triangles: convex ones as a fan from the first corner, others by their ears. */
 final class Triangulation {
 
-    /** Largest share by which the triangles of a sound polygon may miss its area. */
+    /** Largest share by which the triangles of a sound polygon may have more than its area. */
     private static final double AREA_TOLERANCE = 1e-6;
 
     private final Layer layer;
@@ -72,11 +72,15 @@ final class Triangulation {
             note(polygon, "polygons too tangled to be cut are dropped");
             return;
         }
-        if (Math.abs(area - outline.area) > AREA_TOLERANCE * outline.area) {
-            note(polygon, "polygons that cross themselves are taken as far as they can be cut");
+        if (area - outline.area > AREA_TOLERANCE * outline.area) {
+            note(polygon, "polygons that cross themselves or are folded are cut along their border");
         }
-        for (int i = 0; i < local.size(); i++) {
-            triangles.add(outline.corner(local.get(i)));
+        for (int i = 0; i < local.size(); i += 3) {
+            if (outline.hasArea(local.get(i), local.get(i + 1), local.get(i + 2))) {
+                for (int k = 0; k < 3; k++) {
+                    triangles.add(outline.corner(local.get(i + k)));
+                }
+            }
         }
     }
 }
