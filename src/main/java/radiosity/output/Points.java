@@ -24,6 +24,15 @@ public final class Points {
     }
 
     /**
+     * Reads a file of points as {@link #write} does, to know before a long render whether it can.
+     *
+     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
+     */
+    public static void check(Path in) throws IOException {
+        PointList.read(in);
+    }
+
+    /**
      * Irradiance and radiosity at a point.
      *
      * @param normal of any length but 0; says which side is meant

@@ -1,0 +1,44 @@
+package radiosity.cli;
+
+import java.util.Stack;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.TypeConversionException;
+
+/** What options that take several arguments share. */
+final class Arguments {
+
+    private Arguments() { }
+
+    /** Fails where an option that takes several arguments has been given already. */
+    static void once(ArgSpec option) {
+        if (option.getValue() != null) {
+            throw wrong(option, "expected once, got twice");
+        }
+    }
+
+    /** The next argument, removed from the rest of the command line. */
+    static String next(Stack<String> arguments, ArgSpec option, String expected) {
+        if (arguments.isEmpty()) {
+            throw wrong(option, "expected " + expected + ", got nothing");
+        }
+        return arguments.pop();
+    }
+
+    static <T> T convert(Values.Value<T> kind, String text, ArgSpec option) {
+        try {
+            return kind.convert(text);
+        } catch (TypeConversionException e) {
+            throw wrong(option, e.getMessage());
+        }
+    }
+
+    static Failure wrong(ArgSpec option, String what) {
+        return Failure.commandLine(name(option), what);
+    }
+
+    /** The paper's name of an option, or what stands for it in the help. */
+    static String name(ArgSpec argument) {
+        return argument instanceof OptionSpec option ? option.shortestName() : argument.paramLabel();
+    }
+}

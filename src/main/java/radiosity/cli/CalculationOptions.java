@@ -1,0 +1,69 @@
+package radiosity.cli;
+
+import picocli.CommandLine.Option;
+import radiosity.scene.Scene;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Schedule;
+import radiosity.world.StopRule;
+
+/** How finely to calculate, and when to stop. */
+final class CalculationOptions {
+
+    @Option(names = {"-pa", "--patch-area"}, paramLabel = "<n>", converter = PatchArea.Parser.class,
+            description = "Maximal patch area: larger triangles are subdivided. In square scene units, or n%% of the"
+                    + " area of the scene. Chosen from the scene without it.")
+    PatchArea patchArea;
+
+    @Option(names = {"-nr", "--rays"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Number of rays that the ray caster uses. Default: 4.")
+    Integer rays;
+
+    @Option(names = {"-mt", "--meshing-threshold"}, paramLabel = "<n>", converter = Values.NotNegative.class,
+            description = "Adaptive meshing: a triangle whose vertices differ by more than this in radiosity (W/m2) is"
+                    + " subdivided. Never without it.")
+    Double meshing;
+
+    @Option(names = {"-it", "--iterations"}, paramLabel = "<n>", converter = Values.Count.class,
+            description = "Stop after n iterations (shots).")
+    Integer iterations;
+
+    @Option(names = {"-se", "--stop-error"}, paramLabel = "<n>", converter = Values.Part.class,
+            description = "Stop when n [0:1] of the total flux is unsent. Default: " + StopRule.DEFAULT_UNSENT + ".")
+    Double unsent;
+
+    @Option(names = "--schedule", paramLabel = "<order>", converter = ScheduleParser.class,
+            description = "Which patches shoot when: paper (most unsent flux first) or predict. -it and -se alone"
+                    + " select paper.")
+    Schedule schedule;
+
+    @Option(names = {"-t", "--threads"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Number of threads. Default: one per processor.")
+    int threads = Runtime.getRuntime().availableProcessors();
+
+    /** Reads {@code paper} and {@code predict}. */
+    static final class ScheduleParser extends Values.Choice<Schedule> {
+        ScheduleParser() {
+            super(Schedule.class);
+        }
+    }
+
+    /** @param otherwise for what is not given */
+    RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
+        return new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
+                rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
+                schedule == null ? otherwise.schedule() : schedule);
+    }
+
+    /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */
+    RadiositySettings defaults() {
+        RadiositySettings defaults = RadiositySettings.defaults();
+        boolean papers = iterations != null || unsent != null;
+        return new RadiositySettings(defaults.patchArea(), defaults.rays(), defaults.meshing(),
+                papers ? Schedule.PAPER : defaults.schedule());
+    }
+
+    StopRule stopRule() {
+        return new StopRule(iterations == null ? Integer.MAX_VALUE : iterations,
+                unsent != null ? unsent : StopRule.DEFAULT_UNSENT);
+    }
+}

@@ -1,0 +1,29 @@
+package radiosity.cli;
+
+/** Ends a program with one line, <i>where: expected X, got Y</i>, and an {@link ExitCode}. */
+final class Failure extends RuntimeException {
+
+    private final int exitCode;
+
+    private Failure(int exitCode, String message, Throwable cause) {
+        super(message, cause);
+        this.exitCode = exitCode;
+    }
+
+    static Failure commandLine(String where, String what) {
+        return new Failure(ExitCode.COMMAND_LINE, where + ": " + what, null);
+    }
+
+    static Failure file(Object where, String what, Throwable cause) {
+        return new Failure(ExitCode.FILE, where + ": " + what, cause);
+    }
+
+    /** A warning that counts as an error ({@code --strict}). */
+    static Failure strict(String warning) {
+        return new Failure(ExitCode.FILE, warning, null);
+    }
+
+    int exitCode() {
+        return exitCode;
+    }
+}

@@ -1,0 +1,42 @@
+package radiosity.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Stack;
+import picocli.CommandLine.IParameterConsumer;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+
+/** Distributed mode. */
+final class HostOptions {
+
+    @Option(names = {"-h", "--hosts"}, paramLabel = "<n> <h1> .. <hn>", arity = "1..*", hideParamSyntax = true,
+            parameterConsumer = HostsConsumer.class,
+            description = "Hosts to use in distributed mode: their number, then host or host:port of each.")
+    List<String> hosts;
+
+    @Option(names = {"-key", "--key"}, paramLabel = "<file>",
+            description = "The key file that the hosts were started with.")
+    Path key;
+
+    /** Takes {@code n h1 ... hn}. */
+    static final class HostsConsumer implements IParameterConsumer {
+        @Override
+        public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
+            Arguments.once(option);
+            String expected = "the number of hosts and their names";
+            int count = Arguments.convert(new Values.AtLeastOne(),
+                    Arguments.next(arguments, option, expected), option);
+            List<String> names = new ArrayList<>();
+            while (names.size() < count) {
+                if (arguments.isEmpty() || arguments.peek().startsWith("-")) {
+                    throw Arguments.wrong(option, "expected " + count + " hosts, got " + names.size());
+                }
+                names.add(arguments.pop());
+            }
+            option.setValue(names);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package radiosity.cli;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import radiosity.scene.SceneFormatException;
+
+/** What a program returns, and says in one line, for whatever ended it. */
+final class Outcome {
+
+    private final PrintStream err;
+    private final boolean debug;
+
+    /** @param debug whether to print where in the program an error came from */
+    Outcome(PrintStream err, boolean debug) {
+        this.err = err;
+        this.debug = debug;
+    }
+
+    int of(Throwable error) {
+        err.println(line(error));
+        if (debug) {
+            error.printStackTrace(err);
+        }
+        return exitCode(error);
+    }
+
+    private static int exitCode(Throwable error) {
+        if (error instanceof Failure failure) {
+            return failure.exitCode();
+        }
+        return error instanceof IOException ? ExitCode.FILE : ExitCode.FAILED;
+    }
+
+    /** What went wrong, for the user. */
+    static String line(Throwable error) {
+        if (error instanceof OutOfMemoryError) {
+            return outOfMemory();
+        }
+        if (error instanceof Failure || error instanceof SceneFormatException) {
+            return error.getMessage();
+        }
+        if (error instanceof java.nio.file.FileSystemException problem) {
+            return problem.getFile() + ": expected to be read and written, got " + FileChecks.reason(problem);
+        }
+        return "expected no error, got " + error + " (--debug prints where)";
+    }
+
+    /** Section C.7 of the paper. */
+    private static String outOfMemory() {
+        long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
+        return "memory: expected more than " + mebibytes + " MiB; give, say, JAVA_OPTS=-Xmx" + 2 * mebibytes
+                + "m, or a larger -pa";
+    }
+}

@@ -1,0 +1,77 @@
+package radiosity.cli;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import radiosity.output.Points;
+import radiosity.output.SceneFile;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Solution;
+
+/** What a render reads and writes, as the command line names it. */
+final class OutputFiles {
+
+    private final RendererOptions options;
+    private final List<String> arguments;
+
+    /** @param arguments of the command line, for the scene file */
+    OutputFiles(RendererOptions options, List<String> arguments) {
+        this.options = options;
+        this.arguments = arguments;
+    }
+
+    /** Fails where something cannot be read or written, before any work. */
+    void check() throws IOException {
+        FileChecks checks = new FileChecks();
+        checks.input(options.input());
+        if (options.file.points != null) {
+            checks.input(options.file.points.in());
+            Points.check(options.file.points.in());
+        }
+        if (options.file.resume != null) {
+            new FileChecks().input(options.file.resume.file());
+        }
+        checks.output(options.output());
+        options.picture.pictures.forEach(checks::output);
+        if (options.file.points != null) {
+            checks.output(options.file.points.out());
+        }
+        if (options.file.report != null) {
+            checks.output(options.file.report);
+        }
+    }
+
+    /** The scene file: the old one stays until the new one is whole. */
+    void saveScene(Solution solution, RadiositySettings settings) throws IOException {
+        Map<String, Object> extras = new TreeMap<>();
+        extras.put("commandLine", arguments);
+        extras.put("settings", SavedCalculation.asJson(settings));
+        SceneFile.write(options.output(), solution, extras, solution.scene().camera(),
+                options.picture.toneMapping(solution));
+    }
+
+    /** The picture of {@code -sn}. */
+    void saveSnapshot(Solution solution) throws IOException {
+        savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"));
+    }
+
+    /** Everything that is written once, at the end. */
+    void saveRest(Solution solution, Summary summary) throws IOException {
+        for (Path picture : options.picture.pictures) {
+            savePicture(solution, picture);
+        }
+        if (options.file.points != null) {
+            new Points(solution).write(options.file.points.in(), options.file.points.out());
+        }
+        if (options.file.report != null) {
+            new ObjectMapper().writerWithDefaultPrettyPrinter().writeValue(options.file.report.toFile(),
+                    summary.asJson());
+        }
+    }
+
+    private void savePicture(Solution solution, Path file) throws IOException {
+    }
+}

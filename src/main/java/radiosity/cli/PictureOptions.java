@@ -1,0 +1,67 @@
+package radiosity.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Option;
+import radiosity.output.ToneMapping;
+import radiosity.world.Solution;
+
+/** Pictures without a display. */
+final class PictureOptions {
+
+    @Option(names = {"-sn", "--snapshot-interval"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Snapshot: a JPEG picture <output>-<iteration>.jpg every n:th iteration.")
+    Integer snapshotInterval;
+
+    @Option(names = "--picture", paramLabel = "<file>",
+            description = "Picture of the solution, .png, .jpg or (unclamped radiosities) .hdr. Repeatable.")
+    List<Path> pictures = new ArrayList<>();
+
+    @Option(names = "--size", paramLabel = "<WxH>", converter = PictureSize.Parser.class,
+            description = "Size of pictures in pixels.")
+    PictureSize size;
+
+    @Option(names = "--exposure", paramLabel = "<stops>", converter = Stops.class,
+            description = "How much brighter than chosen from the solution, in stops; each doubles. Default: 0.")
+    double exposure;
+
+    @Option(names = "--tone-mapping", paramLabel = "<curve>", converter = CurveParser.class,
+            description = "From radiosity to screen: linear, reinhard or filmic (default).")
+    ToneMapping.Operator curve = ToneMapping.Operator.FILMIC;
+
+    /** Reads {@code linear}, {@code reinhard} and {@code filmic}. */
+    static final class CurveParser extends Values.Choice<ToneMapping.Operator> {
+        CurveParser() {
+            super(ToneMapping.Operator.class);
+        }
+    }
+
+    /** Reads stops. */
+    static final class Stops extends Values.Value<Double> {
+        @Override
+        String expected() {
+            return "a number from -100 to 100";
+        }
+
+        @Override
+        Double parse(String text) {
+            double value = Values.decimal(text);
+            return Math.abs(value) <= 100 ? value : null;
+        }
+    }
+
+    ToneMapping toneMapping(Solution solution) {
+        return ToneMapping.automatic(curve, solution, exposure);
+    }
+
+    /** Fails where a picture's name says no kind of picture. */
+    void check() {
+        for (Path picture : pictures) {
+            if (!picture.toString().toLowerCase(Locale.ROOT).matches(".*\\.(png|jpg|jpeg|hdr)")) {
+                throw Failure.commandLine("--picture", "expected a name that ends in .png, .jpg or .hdr, got " + picture);
+            }
+        }
+    }
+}

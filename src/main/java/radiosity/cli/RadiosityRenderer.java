@@ -1,0 +1,143 @@
+package radiosity.cli;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import picocli.CommandLine.ParseResult;
+import radiosity.lightwave.LightWaveReader;
+import radiosity.scene.Scene;
+import radiosity.world.LocalWorld;
+import radiosity.world.ProgressiveRadiosity;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Solution;
+import radiosity.world.StopRule;
+import radiosity.world.World;
+
+/** Renders a LightWave scene and writes a scene file (appendix C.1 of the paper). */
+public final class RadiosityRenderer {
+
+    private final RendererOptions options;
+    private final OutputFiles files;
+    private final Warnings warnings;
+    private final StopRequest stop;
+    private final PrintStream err = System.err;
+
+    private RadiosityRenderer(RendererOptions options, List<String> arguments, StopRequest stop) {
+        this.options = options;
+        this.stop = stop;
+        files = new OutputFiles(options, arguments);
+        warnings = new Warnings(err, options.scene.strict);
+    }
+
+    public static void main(String[] arguments) {
+        System.exit(run(arguments));
+    }
+
+    /**
+     * The program without the end of the process.
+     *
+     * @return its exit code
+     */
+    public static int run(String... arguments) {
+        RendererOptions options = new RendererOptions();
+        StopRequest stop = new StopRequest();
+        try (SaveBeforeExit ending = new SaveBeforeExit(stop)) {
+            try {
+                CommandLineParser parser = new CommandLineParser(options);
+                ParseResult parsed = parser.parse(arguments);
+                if (parsed.isUsageHelpRequested()) {
+                    System.out.print(parser.help());
+                } else if (parsed.isVersionHelpRequested()) {
+                    System.out.println(Version.text());
+                } else if (options.file.info != null) {
+                    SceneInfo.print(options.file.info, System.out);
+                } else {
+                    options.check();
+                    new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
+                }
+                return ExitCode.DONE;
+            } catch (Exception | OutOfMemoryError | StackOverflowError e) {
+                return new Outcome(System.err, options.debug).of(e);
+            }
+        }
+    }
+
+    /** Figure 7 of the paper, from top to bottom. */
+    private void render(SaveBeforeExit ending) throws IOException {
+        files.check();
+        Scene scene = LightWaveReader.read(options.input(), options.scene.lightWave(), warnings::print);
+        SavedCalculation saved = saved();
+        RadiositySettings settings = settings(scene, saved);
+        check(scene, settings);
+        try (World world = new LocalWorld(scene, settings, options.calculation.threads)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule());
+            if (saved != null) {
+                radiosity.resume(saved.state());
+            }
+            ending.begin();
+            calculate(radiosity, settings);
+            save(world, radiosity);
+        }
+    }
+
+    /** What {@code -tf} names, or null. */
+    private SavedCalculation saved() throws IOException {
+        if (options.file.resume == null) {
+            return null;
+        }
+        SavedCalculation saved = SavedCalculation.read(options.file.resume.file());
+        saved.checkShots(options.file.resume.shots());
+        return saved;
+    }
+
+    private RadiositySettings settings(Scene scene, SavedCalculation saved) {
+        RadiositySettings otherwise = saved == null ? options.calculation.defaults() : saved.settings();
+        RadiositySettings settings = options.calculation.settings(scene, otherwise);
+        if (saved != null) {
+            saved.checkSettings(settings);
+        }
+        return settings;
+    }
+
+    private void check(Scene scene, RadiositySettings settings) {
+        SceneChecks checks = new SceneChecks(scene, warnings);
+        checks.light();
+        checks.elements(settings.patchArea());
+    }
+
+    private StopRule stopRule() {
+        return options.file.disableRendering ? new StopRule(0, 1) : options.calculation.stopRule();
+    }
+
+    private void calculate(ProgressiveRadiosity radiosity, RadiositySettings settings) throws IOException {
+        try (KeyListener keys = new KeyListener(stop::make); ProgressDisplay display = display()) {
+            radiosity.run(new Rounds(radiosity, settings, options, files, display, stop));
+        }
+    }
+
+    private void save(World world, ProgressiveRadiosity radiosity) throws IOException {
+        Solution solution = radiosity.solution();
+        files.saveScene(solution, world.settings());
+        Summary summary = new Summary(radiosity.progress(), solution.ledger(), world.patchArea(), seconds());
+        files.saveRest(solution, summary);
+        summary.print(System.out);
+    }
+
+    /** Since the start of the process. */
+    private static double seconds() {
+        Instant now = Instant.now();
+        Instant start = ProcessHandle.current().info().startInstant().orElse(now);
+        return Duration.between(start, now).toMillis() / 1000.0;
+    }
+
+    private ProgressDisplay display() {
+        if (options.quiet) {
+            return new NoProgress(err);
+        }
+        ProgressText text = new ProgressText(stopRule(), System::nanoTime);
+        return TerminalStreams.seen() ? new ProgressBarDisplay(err, TerminalStreams.width(), text)
+                : new ProgressLines(err, text, System::nanoTime);
+    }
+}

@@ -1,0 +1,88 @@
+package radiosity.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The command line of {@link RadiosityRenderer} (appendix C.1 of the paper). */
+@Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
+        customSynopsis = "RadiosityRenderer [parameters] <LightWave Scene> <output Scene file>",
+        description = "%nRenders a LightWave scene by progressive radiosity and writes a scene file, a glTF 2.0 binary"
+                + " that ViewSceneFile and every glTF viewer open.%n",
+        footer = {"",
+            "Press any key to stop after the current iteration and save.",
+            "",
+            "Exit codes: 0 done, also when stopped by a key; 1 failed; 2 wrong command line; 3 a file cannot be read"
+                + " or written; 4 no host could be used; 130, 143 saved after Ctrl-C, SIGTERM."})
+final class RendererOptions {
+
+    @Parameters(arity = "0..*", paramLabel = "<files>", hidden = true)
+    List<Path> files = List.of();
+
+    @Mixin(name = "How finely to calculate, and when to stop")
+    final CalculationOptions calculation = new CalculationOptions();
+
+    @Mixin(name = "What to save, and from where to go on")
+    final FileOptions file = new FileOptions();
+
+    @Mixin(name = "Pictures")
+    final PictureOptions picture = new PictureOptions();
+
+    @Mixin(name = "How to read the LightWave scene")
+    final SceneOptions scene = new SceneOptions();
+
+    @Mixin(name = "Distributed mode")
+    final HostOptions host = new HostOptions();
+
+    @Option(names = {"-ut", "--use-textures"}, paramLabel = "<n>", converter = Values.Positive.class,
+            description = "Use textures with n samples per world coordinate.")
+    Double textures;
+
+    @Option(names = {"-q", "--quiet"}, description = "Quiet mode: no iteration numbers and per cent left.")
+    boolean quiet;
+
+    @Option(names = "--statistics", description = "Print a table of what was calculated where at the end.")
+    boolean statistics;
+
+    @Option(names = "--debug", description = "Print where in the program an error came from.")
+    boolean debug;
+
+    @Option(names = "--help", usageHelp = true, description = "Print this help and exit.")
+    boolean help;
+
+    @Option(names = "--version", versionHelp = true, description = "Print the version and exit.")
+    boolean version;
+
+    /** Fails where the command line asks for what cannot be meant, or is not there. */
+    void check() {
+        notBuilt("-h", host.hosts);
+        notBuilt("-key", host.key);
+        notBuilt("-ut", textures);
+        picture.check();
+        if (files.size() != 2) {
+            String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
+            throw Failure.commandLine("files", "expected a LightWave scene and a scene file to write, got "
+                    + (got.isEmpty() ? "none" : got));
+        }
+    }
+
+    private static void notBuilt(String option, Object value) {
+        if (value != null) {
+            throw Failure.commandLine(option, "expected not to be given, got it: not built yet");
+        }
+    }
+
+    /** The LightWave scene. */
+    Path input() {
+        return files.get(0);
+    }
+
+    /** The scene file to be written. */
+    Path output() {
+        return files.get(1);
+    }
+}

@@ -1,0 +1,170 @@
+package radiosity.cli;
+
+import java.math.BigDecimal;
+import java.util.Locale;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** The kinds of value that options take: each says what it expects. */
+final class Values {
+
+    private Values() { }
+
+    /** A value that says what it expects, so that a wrong one and a missing one get the same words. */
+    abstract static class Value<T> implements ITypeConverter<T> {
+
+        /** What may stand here, after "expected". */
+        abstract String expected();
+
+        /** The value, or null where the text is none. */
+        abstract T parse(String text);
+
+        @Override
+        public final T convert(String text) {
+            T value = parse(text);
+            if (value == null) {
+                throw new TypeConversionException("expected " + expected() + ", got " + shown(text));
+            }
+            return value;
+        }
+    }
+
+    private static String shown(String text) {
+        return text.isBlank() ? "nothing" : text.strip();
+    }
+
+    /** A finite decimal number, or NaN where the text is none; "NaN", "1d" and "0x1" are none. */
+    static double decimal(String text) {
+        try {
+            double value = new BigDecimal(text).doubleValue();
+            return Double.isInfinite(value) ? Double.NaN : value;
+        } catch (NumberFormatException e) {
+            return Double.NaN;
+        }
+    }
+
+    /** A whole number in [least, most], or null. */
+    static Integer whole(String text, int least, int most) {
+        try {
+            int value = Integer.parseInt(text);
+            return value >= least && value <= most ? value : null;
+        } catch (NumberFormatException e) {
+            return null;
+        }
+    }
+
+    /** Any finite number. */
+    static final class AnyNumber extends Value<Double> {
+        @Override
+        String expected() {
+            return "a number";
+        }
+
+        @Override
+        Double parse(String text) {
+            double value = decimal(text);
+            return Double.isNaN(value) ? null : value;
+        }
+    }
+
+    /** A number above 0. */
+    static final class Positive extends Value<Double> {
+        @Override
+        String expected() {
+            return "a number above 0";
+        }
+
+        @Override
+        Double parse(String text) {
+            double value = decimal(text);
+            return value > 0 ? value : null;
+        }
+    }
+
+    /** A number of at least 0. */
+    static final class NotNegative extends Value<Double> {
+        @Override
+        String expected() {
+            return "a number of at least 0";
+        }
+
+        @Override
+        Double parse(String text) {
+            double value = decimal(text);
+            return value >= 0 ? value : null;
+        }
+    }
+
+    /** A part of a whole. */
+    static final class Part extends Value<Double> {
+        @Override
+        String expected() {
+            return "a number from 0 to 1";
+        }
+
+        @Override
+        Double parse(String text) {
+            double value = decimal(text);
+            return value >= 0 && value <= 1 ? value : null;
+        }
+    }
+
+    /** A count that may be 0. */
+    static final class Count extends Value<Integer> {
+        @Override
+        String expected() {
+            return "a whole number of at least 0";
+        }
+
+        @Override
+        Integer parse(String text) {
+            return whole(text, 0, Integer.MAX_VALUE - 1);
+        }
+    }
+
+    /** A count of at least one. */
+    static final class AtLeastOne extends Value<Integer> {
+        @Override
+        String expected() {
+            return "a whole number of at least 1";
+        }
+
+        @Override
+        Integer parse(String text) {
+            return whole(text, 1, Integer.MAX_VALUE - 1);
+        }
+    }
+
+    /** One of an enum's constants, written in small letters. */
+    abstract static class Choice<E extends Enum<E>> extends Value<E> {
+
+        private final E[] constants;
+
+        Choice(Class<E> type) {
+            constants = type.getEnumConstants();
+        }
+
+        @Override
+        String expected() {
+            StringBuilder names = new StringBuilder();
+            for (int i = 0; i < constants.length; i++) {
+                names.append(i == 0 ? "" : i == constants.length - 1 ? " or " : ", ").append(name(constants[i]));
+            }
+            return names.toString();
+        }
+
+        @Override
+        E parse(String text) {
+            for (E constant : constants) {
+                if (name(constant).equals(text)) {
+                    return constant;
+                }
+            }
+            return null;
+        }
+
+        private String name(E constant) {
+            return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        }
+    }
+}

@@ -1,0 +1,177 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Schedule;
+
+/** What a command line means, and what is said about a wrong one: one line each, before any work. */
+class CommandLineTest {
+
+    private static RendererOptions parse(String commandLine) {
+        RendererOptions options = new RendererOptions();
+        new CommandLineParser(options).parse(commandLine.split(" "));
+        options.check();
+        return options;
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            -pa -3 a b             | -pa: expected a number above 0, got -3
+            -pa 0 a b              | -pa: expected a number above 0, got 0
+            -pa NaN a b            | -pa: expected a number above 0, got NaN
+            -pa Infinity a b       | -pa: expected a number above 0, got Infinity
+            -pa 1e999 a b          | -pa: expected a number above 0, got 1e999
+            -pa 1e-999 a b         | -pa: expected a number above 0, got 1e-999
+            -pa 0x1p3 a b          | -pa: expected a number above 0, got 0x1p3
+            -pa x a b              | -pa: expected a number above 0, got x
+            -pa 0% a b             | -pa: expected a number above 0, got 0%
+            -pa 101% a b           | -pa: expected a number above 0, got 101%
+            -pa % a b              | -pa: expected a number above 0, got %
+            -pa                    | -pa: expected a number above 0, got nothing
+            -pa -nr 5 a b          | -pa: expected a number above 0, got nothing
+            -pa 1 -pa 2 a b        | -pa: expected once, got twice
+            -pa 1 --patch-area 2 a | -pa: expected once, got twice
+            -nr 0 a b              | -nr: expected a whole number of at least 1, got 0
+            -nr -1 a b             | -nr: expected a whole number of at least 1, got -1
+            -nr 1.5 a b            | -nr: expected a whole number of at least 1, got 1.5
+            -nr 99999999999 a b    | -nr: expected a whole number of at least 1, got 99999999999
+            -nr NaN a b            | -nr: expected a whole number of at least 1, got NaN
+            -nr                    | -nr: expected a whole number of at least 1, got nothing
+            -mt -1 a b             | -mt: expected a number of at least 0, got -1
+            -mt NaN a b            | -mt: expected a number of at least 0, got NaN
+            -mt x a b              | -mt: expected a number of at least 0, got x
+            -mt                    | -mt: expected a number of at least 0, got nothing
+            -it -1 a b             | -it: expected a whole number of at least 0, got -1
+            -it x a b              | -it: expected a whole number of at least 0, got x
+            -it                    | -it: expected a whole number of at least 0, got nothing
+            -se -0.1 a b           | -se: expected a number from 0 to 1, got -0.1
+            -se 1.1 a b            | -se: expected a number from 0 to 1, got 1.1
+            -se NaN a b            | -se: expected a number from 0 to 1, got NaN
+            -se                    | -se: expected a number from 0 to 1, got nothing
+            -si 0 a b              | -si: expected a whole number of at least 1, got 0
+            -si                    | -si: expected a whole number of at least 1, got nothing
+            -sn 0 a b              | -sn: expected a whole number of at least 1, got 0
+            -sn -5 a b             | -sn: expected a whole number of at least 1, got -5
+            -sn                    | -sn: expected a whole number of at least 1, got nothing
+            -t 0 a b               | -t: expected a whole number of at least 1, got 0
+            -t                     | -t: expected a whole number of at least 1, got nothing
+            -tf                    | -tf: expected a scene file and its number of iterations, got nothing
+            -tf f                  | -tf: expected a scene file and its number of iterations, got nothing
+            -tf f x a b            | -tf: expected a whole number of at least 0, got x
+            -tf f -1 a b           | -tf: expected a whole number of at least 0, got -1
+            -tf f 1 -tf f 1 a b    | -tf: expected once, got twice
+            -ut 0 a b              | -ut: expected a number above 0, got 0
+            -ut                    | -ut: expected a number above 0, got nothing
+            -h                     | -h: expected the number of hosts and their names, got nothing
+            -h 0 a b               | -h: expected a whole number of at least 1, got 0
+            -h -1 a b              | -h: expected a whole number of at least 1, got -1
+            -h andreas a b         | -h: expected a whole number of at least 1, got andreas
+            -h 3 a b               | -h: expected 3 hosts, got 2
+            -h 2 a -q b c          | -h: expected 2 hosts, got 1
+            -h 1 a -h 1 b c d      | -h: expected once, got twice
+            -q -q a b              | -q: expected once, got twice
+            -q=3 a b               | -q: expected no value, got 3
+            --schedule x a b       | --schedule: expected predict or paper, got x
+            --schedule PAPER a b   | --schedule: expected predict or paper, got PAPER
+            --schedule             | --schedule: expected predict or paper, got nothing
+            --emission x a b       | --emission: expected luminosity or specular, got x
+            --lights x a b         | --lights: expected auto, ignore or emitters, got x
+            --frame x a b          | --frame: expected a number, got x
+            --frame NaN a b        | --frame: expected a number, got NaN
+            --map x a b            | --map: expected <prefix=dir>, got x
+            --content              | --content: expected <dir>, got nothing
+            --size 640 a b         | --size: expected a size such as 640x480, each at most 16384, got 640
+            --size 0x480 a b       | --size: expected a size such as 640x480, each at most 16384, got 0x480
+            --size 640x480x3 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x480x3
+            --size 640x99999 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x99999
+            --exposure 101 a b     | --exposure: expected a number from -100 to 100, got 101
+            --exposure NaN a b     | --exposure: expected a number from -100 to 100, got NaN
+            --tone-mapping x a b   | --tone-mapping: expected linear, reinhard or filmic, got x
+            --picture x.bmp a b    | --picture: expected a name that ends in .png, .jpg or .hdr, got x.bmp
+            --picture              | --picture: expected <file>, got nothing
+            --points x             | --points: expected a file to read and one to write, got nothing
+            -x a b                 | -x: expected an option that --help lists, got an unknown one
+            -paq a b               | -paq: expected an option that --help lists, got an unknown one
+            --patch 3 a b          | --patch: expected an option that --help lists, got an unknown one
+            -q                     | files: expected a LightWave scene and a scene file to write, got none
+            a                      | files: expected a LightWave scene and a scene file to write, got a
+            a b c                  | files: expected a LightWave scene and a scene file to write, got a b c
+            """)
+    void wrongCommandLine_isToldInOneLine(String commandLine, String expected) {
+        Failure failure = assertThrows(Failure.class, () -> parse(commandLine));
+        assertEquals(expected, failure.getMessage());
+        assertEquals(ExitCode.COMMAND_LINE, failure.exitCode());
+    }
+
+    @Test
+    void emptyValue_isNothing() {
+        RendererOptions options = new RendererOptions();
+        Failure failure = assertThrows(Failure.class, () -> new CommandLineParser(options).parse("-pa", "", "a", "b"));
+        assertEquals("-pa: expected a number above 0, got nothing", failure.getMessage());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-h 3 andreas daniel igge a b", "-key k a b", "-ut 2 a b"})
+    void whatIsNotBuilt_isRefused(String commandLine) {
+        Failure failure = assertThrows(Failure.class, () -> parse(commandLine));
+        assertTrue(failure.getMessage().endsWith("not built yet"), failure.getMessage());
+        assertEquals(ExitCode.COMMAND_LINE, failure.exitCode());
+    }
+
+    @Test
+    void everyOption_hasALongName() {
+        for (OptionSpec option : new CommandLine(new RendererOptions()).getCommandSpec().options()) {
+            assertTrue(option.longestName().startsWith("--"), option.longestName());
+        }
+    }
+
+    @Test
+    void everyOption_standsOnceInTheHelp() {
+        String help = new CommandLineParser(new RendererOptions()).help();
+        for (OptionSpec option : new CommandLine(new RendererOptions()).getCommandSpec().options()) {
+            String names = "  " + String.join(", ", option.names());
+            assertEquals(2, help.split("(?m)^" + names + "\\b", -1).length, names);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-q, PAPER", "-it 5, PAPER", "-se .1, PAPER", "--schedule predict -it 5, PREDICT",
+        "--schedule paper, PAPER"})
+    void schedule_isThePapersWhereItsStopRulesAreGiven(String options, Schedule expected) {
+        CalculationOptions calculation = parse(options + " a b").calculation;
+        assertEquals(expected, calculation.settings(null, calculation.defaults()).schedule());
+    }
+
+    @Test
+    void withoutOptions_everythingIsDefault() {
+        RendererOptions options = parse("a b");
+        assertEquals(RadiositySettings.defaults(), options.calculation.settings(null, options.calculation.defaults()));
+        assertEquals(Integer.MAX_VALUE, options.calculation.stopRule().shots());
+        assertEquals(Path.of("a"), options.input());
+        assertEquals(Path.of("b"), options.output());
+    }
+
+    @Test
+    void repeatableOptions_keepTheirOrder() {
+        RendererOptions options = parse("--picture 1.png --picture 2.JPG --content c --content d --map D:/x=e a b");
+        assertEquals(List.of(Path.of("1.png"), Path.of("2.JPG")), options.picture.pictures);
+        assertEquals(List.of(Path.of("c"), Path.of("d")), options.scene.content);
+        assertEquals(Path.of("e"), options.scene.map.get("D:/x"));
+    }
+
+    @Test
+    void optionsMayFollowFiles() {
+        assertEquals(5, parse("a b -nr 5").calculation.rays);
+    }
+}
