@@ -1,0 +1,55 @@
+package radiosity.accuracy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import radiosity.scene.Scene;
+import radiosity.world.LocalWorld;
+import radiosity.world.ProgressiveRadiosity;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Solution;
+import radiosity.world.StopRule;
+
+/**
+ * One way to have a scene solved.
+ *
+ * @param settings how finely and how exactly
+ * @param stop     when to stop
+ * @param threads  at least 1
+ */
+public record Solve(RadiositySettings settings, StopRule stop, int threads) {
+
+    /** What a user gets who gives no option. */
+    public static Solve byDefault() {
+        return new Solve(RadiositySettings.defaults(), new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT), 2);
+    }
+
+    /** With no more than this part of the emitted flux left unshot. */
+    public Solve unsent(double part) {
+        return new Solve(settings, new StopRule(stop.shots(), part), threads);
+    }
+
+    public Solve threads(int count) {
+        return new Solve(settings, stop, count);
+    }
+
+    /** With an initial mesh of about so many patches. */
+    public Solve patches(Scene scene, int count) {
+        RadiositySettings s = settings;
+        return new Solve(new RadiositySettings(scene.area() / count, s.rays(), s.meshing(), s.schedule()), stop, threads);
+    }
+
+    public Solve rays(int count) {
+        RadiositySettings s = settings;
+        return new Solve(new RadiositySettings(s.patchArea(), count, s.meshing(), s.schedule()), stop, threads);
+    }
+
+    public Solution solution(Scene scene) {
+        try (LocalWorld world = new LocalWorld(scene, settings, threads)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, stop);
+            rounds.run(progress -> true);
+            return rounds.solution();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,116 @@
+package radiosity.accuracy;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import radiosity.scene.Scene;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Schedule;
+import radiosity.world.Solution;
+import radiosity.world.StopRule;
+
+/**
+ * Prints how far the scenes with path-traced truth are from it and what that cost.
+ *
+ * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--schedule S] [--unsent P]
+ * [--threads N] [--repeat N] [scene ...]}
+ */
+public final class TruthTable {
+
+    static final List<String> SCENES = List.of("cornell_empty", "cornell_blocks", "many_occluders", "two_room",
+            "thin_wall", "touching", "high_albedo", "corridor30", "bright_ratio");
+
+    private final Path truth;
+    private RadiositySettings settings = RadiositySettings.defaults();
+    private double unsent = StopRule.DEFAULT_UNSENT;
+    private int patches;
+    private int threads = 1;
+    private int repeat = 1;
+    private final List<String> scenes = new ArrayList<>();
+
+    private TruthTable(Path truth) {
+        this.truth = truth;
+    }
+
+    /** @param arguments the folder of the truth, then options and scenes */
+    public static void main(String[] arguments) throws IOException {
+        Locale.setDefault(Locale.ROOT);
+        TruthTable table = new TruthTable(Path.of(arguments[0]));
+        table.read(arguments);
+        table.print();
+    }
+
+    private void read(String[] arguments) {
+        for (int i = 1; i < arguments.length; i++) {
+            if (arguments[i].startsWith("--")) {
+                option(arguments[i], arguments[++i]);
+            } else {
+                scenes.add(arguments[i]);
+            }
+        }
+        if (scenes.isEmpty()) {
+            scenes.addAll(SCENES);
+        }
+    }
+
+    private void option(String name, String value) {
+        RadiositySettings s = settings;
+        switch (name) {
+            case "--patch-area" -> settings = new RadiositySettings(Double.parseDouble(value), s.rays(), s.meshing(),
+                    s.schedule());
+            case "--rays" -> settings = new RadiositySettings(s.patchArea(), Integer.parseInt(value), s.meshing(),
+                    s.schedule());
+            case "--meshing" -> settings = new RadiositySettings(s.patchArea(), s.rays(), Double.parseDouble(value),
+                    s.schedule());
+            case "--schedule" -> settings = new RadiositySettings(s.patchArea(), s.rays(), s.meshing(),
+                    Schedule.valueOf(value.toUpperCase(Locale.ROOT)));
+            case "--patches" -> patches = Integer.parseInt(value);
+            case "--unsent" -> unsent = Double.parseDouble(value);
+            case "--threads" -> threads = Integer.parseInt(value);
+            case "--repeat" -> repeat = Integer.parseInt(value);
+            default -> throw new IllegalArgumentException("accuracy: expected a known option, got " + name);
+        }
+    }
+
+    private void print() throws IOException {
+        System.out.printf("%-15s %8s %8s %8s %8s %8s %8s %7s %9s %7s%n", "scene", "rmse", "bias", "near", "dark",
+                "max", "noise", "CPU s", "elements", "shots");
+        for (String scene : scenes) {
+            TruthFile points = TruthFile.read(truth.resolve(Path.of("truth", scene + ".csv")));
+            Scene read = Shared.scene(scene, Shared.json(truth.resolve(Path.of("scenes", scene + ".json"))).get("surfaces"));
+            for (int i = 0; i < repeat; i++) {
+                line(scene, read, points);
+            }
+        }
+    }
+
+    private void line(String name, Scene scene, TruthFile truthFile) {
+        Solve solve = new Solve(settings, new StopRule(Integer.MAX_VALUE, unsent), threads);
+        if (patches > 0) {
+            solve = solve.patches(scene, patches);
+        }
+        double start = cpuSeconds();
+        Solution solution = solve.solution(scene);
+        double seconds = cpuSeconds() - start;
+        double[] found = new Evaluate(solution).radiosity(truthFile.places());
+        Score all = Score.rgb(truthFile, PointSet.REFLECTORS, found);
+        Score near = Score.rgb(truthFile, PointSet.NEAR, found);
+        Score dark = Score.rgb(truthFile, PointSet.DARK, found);
+        System.out.printf("%-15s %s %s %s %s %s %s %7.2f %9d %7d%n", name, percent(all.rmse()), percent(all.bias()),
+                percent(near.rmse()), percent(dark.rmse()), percent(all.max()), percent(all.noise()), seconds,
+                solution.elements(), solution.shots());
+    }
+
+    private static String percent(double part) {
+        return Double.isNaN(part) ? "       -" : String.format("%7.3f%%", 100 * part);
+    }
+
+    /** User and system time of all threads of this process so far. */
+    private static double cpuSeconds() {
+        var bean = (com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        return bean.getProcessCpuTime() * 1e-9;
+    }
+}
