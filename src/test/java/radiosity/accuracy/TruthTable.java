@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import radiosity.lightwave.LightWaveOptions;
+import radiosity.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Schedule;
@@ -80,7 +82,8 @@ public final class TruthTable {
                 "max", "noise", "CPU s", "elements", "shots");
         for (String scene : scenes) {
             TruthFile points = TruthFile.read(truth.resolve(Path.of("truth", scene + ".csv")));
-            Scene read = Shared.scene(scene, Shared.json(truth.resolve(Path.of("scenes", scene + ".json"))).get("surfaces"));
+            Scene read = LightWaveReader.read(truth.resolve(Path.of("lightwave", scene + ".lws")),
+                    LightWaveOptions.defaults(), System.err::println);
             for (int i = 0; i < repeat; i++) {
                 line(scene, read, points);
             }
@@ -95,7 +98,7 @@ public final class TruthTable {
         double start = cpuSeconds();
         Solution solution = solve.solution(scene);
         double seconds = cpuSeconds() - start;
-        double[] found = new Evaluate(solution).radiosity(truthFile.places());
+        double[] found = Evaluate.radiosity(solution, truthFile.places());
         Score all = Score.rgb(truthFile, PointSet.REFLECTORS, found);
         Score near = Score.rgb(truthFile, PointSet.NEAR, found);
         Score dark = Score.rgb(truthFile, PointSet.DARK, found);
