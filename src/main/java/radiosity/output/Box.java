@@ -20,6 +20,12 @@ record Box(Vec3 low, Vec3 high) {
         return low.times(0.5).plus(high.times(0.5));
     }
 
+    /** @param i bit 0 for high x, bit 1 for high y, bit 2 for high z */
+    Vec3 corner(int i) {
+        return new Vec3((i & 1) == 0 ? low.x() : high.x(), (i & 2) == 0 ? low.y() : high.y(),
+                (i & 4) == 0 ? low.z() : high.z());
+    }
+
     double diagonal() {
         return high.minus(low).length();
     }
