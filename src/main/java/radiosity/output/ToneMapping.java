@@ -39,7 +39,7 @@ public record ToneMapping(Operator operator, double exposure) {
         };
 
         /** The exposed luminance that becomes white. */
-        private static final double WHITE = 6;
+        private static final double WHITE = 4;
 
         abstract Rgb map(Rgb exposed);
 
@@ -51,7 +51,7 @@ public record ToneMapping(Operator operator, double exposure) {
     /** The exposure brings the scene's log-average luminance here. */
     private static final double MIDDLE = 0.18;
     /** Darker than this, of the mean, counts as this in the log-average. */
-    private static final double DARK = 1e-3;
+    private static final double DARK = 0.03;
 
     public ToneMapping {
         if (!(exposure > 0 && exposure <= Double.MAX_VALUE)) {
@@ -64,9 +64,9 @@ public record ToneMapping(Operator operator, double exposure) {
         return new ToneMapping(operator, new Brightness(solution).exposure(MIDDLE, DARK) * Math.pow(2, stops));
     }
 
-    /** Filmic, automatic exposure. */
+    /** Reinhard's curve, automatic exposure: walls keep their colour. */
     public static ToneMapping automatic(Solution solution) {
-        return automatic(Operator.FILMIC, solution, 0);
+        return automatic(Operator.REINHARD, solution, 0);
     }
 
     /** Linear light in [0, 1] per channel. @param radiosity W/m² */
