@@ -1,0 +1,154 @@
+package radiosity.output;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import radiosity.scene.Camera;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Vec3;
+import radiosity.world.EnergyLedger;
+
+/** What a scene file holds, in lines of text. Nothing but its JSON is read. */
+public final class SceneInfo {
+
+    /** Keys of extras.radiosity that have a line of their own. */
+    private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
+            "ledger", "state", "channels");
+
+    private static final int MOST_NAMES = 20;
+
+    private final SceneFile file;
+    private final Place root;
+    private final List<String> lines = new ArrayList<>();
+
+    private SceneInfo(SceneFile file) {
+        this.file = file;
+        root = file.root();
+    }
+
+    /** The lines that {@code --info} prints. */
+    public static List<String> lines(Path path) throws IOException {
+        try (SceneFile file = SceneFile.open(path)) {
+            SceneInfo info = new SceneInfo(file);
+            info.line("file", path + ", " + Files.size(path) + " bytes");
+            info.program();
+            info.geometry();
+            info.ledger();
+            info.camera();
+            info.rest();
+            return info.lines;
+        }
+    }
+
+    private void line(String name, String value) {
+        lines.add(String.format(Locale.ROOT, "%-12s %s", name, SceneFormatException.escape(value)));
+    }
+
+    private void program() {
+        Map<String, Object> extras = file.extras();
+        line("format", String.valueOf(extras.get("formatVersion")));
+        line("program", String.valueOf(extras.get("program")));
+        line("shots", extras.get("shots") + " in " + extras.get("rounds") + " rounds, unshot "
+                + extras.get("unshotFlux") + " W");
+        line("state", extras.containsKey("state") ? "kept, the render can go on" : "none, the render cannot go on");
+    }
+
+    private void geometry() throws IOException {
+        Range box = new Range();
+        Range radiosity = new Range();
+        Set<String> surfaces = new LinkedHashSet<>();
+        long elements = 0;
+        long vertices = 0;
+        for (int i = 0; root.optional("meshes").isPresent() && i < root.at("meshes").size(); i++) {
+            Place primitive = root.at("meshes").at(i).at("primitives").at(0);
+            Place material = root.at("materials").at(primitive.at("material").integer());
+            surfaces.add(material.at("extras").at("surface").text());
+            elements += accessor(primitive.at("indices")).at("count").integer() / 3;
+            Place position = accessor(primitive.at("attributes").at("POSITION"));
+            vertices += position.at("count").integer();
+            box.include(position);
+            radiosity.include(accessor(primitive.at("attributes").at("_RADIOSITY")));
+        }
+        line("surfaces", surfaces.size() + ": " + String.join(", ", surfaces.stream().limit(MOST_NAMES).toList())
+                + (surfaces.size() > MOST_NAMES ? ", ..." : ""));
+        line("elements", String.valueOf(elements));
+        line("vertices", String.valueOf(vertices));
+        if (elements > 0) {
+            line("box", text(vec(box.low).plus(file.origin())) + " to " + text(vec(box.high).plus(file.origin())));
+            line("radiosity", text(vec(radiosity.low)) + " to " + text(vec(radiosity.high)) + " W/m2");
+        }
+    }
+
+    private static Vec3 vec(double[] v) {
+        return new Vec3(v[0], v[1], v[2]);
+    }
+
+    private Place accessor(Place index) throws IOException {
+        return root.at("accessors").at(index.integer());
+    }
+
+    /** The least and the most of three components over accessors. */
+    private static final class Range {
+
+        final double[] low = new double[3];
+        final double[] high = new double[3];
+        private boolean empty = true;
+
+        void include(Place accessor) throws IOException {
+            double[] min = accessor.at("min").numbers(3);
+            double[] max = accessor.at("max").numbers(3);
+            for (int a = 0; a < 3; a++) {
+                low[a] = empty ? min[a] : Math.min(low[a], min[a]);
+                high[a] = empty ? max[a] : Math.max(high[a], max[a]);
+            }
+            empty = false;
+        }
+    }
+
+    private void ledger() throws IOException {
+        EnergyLedger ledger = file.ledger();
+        line("emitted", watts(ledger.emitted()));
+        line("shot", watts(ledger.shot()));
+        line("received", watts(ledger.received()));
+        line("absorbed", watts(ledger.absorbed()));
+        line("unshot", watts(ledger.unshot()));
+        double[] deficit = new double[ledger.shot().length];
+        Arrays.setAll(deficit, ledger::deficit);
+        line("deficit", watts(deficit));
+    }
+
+    private static String watts(double[] flux) {
+        return Arrays.toString(flux).replaceAll("[\\[\\]]", "") + " W";
+    }
+
+    private void camera() throws IOException {
+        if (file.camera().isEmpty()) {
+            line("camera", "none");
+            return;
+        }
+        Camera camera = file.camera().get();
+        line("camera", "at " + text(camera.position()) + " towards " + text(camera.forward()) + String.format(
+                Locale.ROOT, ", %.1f degrees high, aspect %.3f", 2 * Math.toDegrees(camera.verticalHalfAngle()),
+                camera.aspect()));
+    }
+
+    private static String text(Vec3 v) {
+        return (float) v.x() + "," + (float) v.y() + "," + (float) v.z();
+    }
+
+    private void rest() {
+        new TreeMap<>(file.extras()).forEach((key, value) -> {
+            if (!SHOWN.contains(key)) {
+                line(key, String.valueOf(value));
+            }
+        });
+    }
+}
