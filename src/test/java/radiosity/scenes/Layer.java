@@ -1,6 +1,8 @@
 package radiosity.scenes;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,15 +30,24 @@ final class Layer {
         this.pivot = pivot.length == 3 ? pivot : new double[3];
     }
 
-    /** Adds a polygon; corners x, y, z each. */
+    /** Adds a polygon; corners x, y, z each. Repeated corners are dropped, and with them what has fewer than three. */
     Layer polygon(Material material, double[]... corners) {
-        int[] numbers = new int[corners.length];
-        for (int k = 0; k < corners.length; k++) {
-            numbers[k] = point(corners[k]);
+        int[] numbers = Arrays.stream(corners).mapToInt(this::point).distinct().toArray();
+        if (numbers.length >= 3) {
+            polygons.add(numbers);
+            materials.add(material);
         }
-        polygons.add(numbers);
-        materials.add(material);
         return this;
+    }
+
+    /** Adds a polygon that turns its front to the given direction, x, y, z, whatever the order of its corners. */
+    Layer facing(Material material, double[] direction, double[]... corners) {
+        double[] normal = Vectors.cross(Vectors.minus(corners[1], corners[0]),
+                Vectors.minus(corners[corners.length - 1], corners[0]));
+        if (Vectors.dot(normal, direction) < 0) {
+            Collections.reverse(Arrays.asList(corners));
+        }
+        return polygon(material, corners);
     }
 
     private int point(double[] p) {

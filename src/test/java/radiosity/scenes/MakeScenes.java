@@ -31,6 +31,7 @@ public final class MakeScenes {
         files.put("cornell-box.lwo", CornellBox.object());
         files.put("cornell-box.lws", CornellBox.scene(3));
         files.put("cornell-box-empty.lws", CornellBox.scene(1));
+        files.putAll(Study.files());
         return files;
     }
 }
