@@ -50,12 +50,17 @@ final class KeyListener implements AutoCloseable {
         }
     }
 
-    /** Returns when the terminal is as it was. */
+    /**
+     * Returns when the terminal is as it was.
+     *
+     * <p>On Ctrl-C the terminal library gives it back itself, and the thread may then wait for a whole line; so it is
+     * not waited for without end.
+     */
     @Override
     public void close() {
         closed = true;
         try {
-            thread.join();
+            thread.join(5 * WAIT_MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

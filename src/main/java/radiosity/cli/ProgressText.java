@@ -37,7 +37,8 @@ final class ProgressText {
     }
 
     String of(Progress now) {
-        return now.shots() + (now.shots() == 1 ? " shot, " : " shots, ") + perCent(now.unsent()) + " unsent, " + now.elements() + " elements" + left(now);
+        return now.shots() + (now.shots() == 1 ? " shot, " : " shots, ") + perCent(now.unsent()) + " unsent, "
+                + now.elements() + " elements" + left(now);
     }
 
     private String left(Progress now) {

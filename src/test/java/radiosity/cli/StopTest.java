@@ -1,0 +1,104 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Ended from outside in mid-render, the program saves a scene file from which it can go on. */
+@Timeout(value = 2, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no signals and no pseudo terminals")
+class StopTest {
+
+    private static final String WORD = "unsent";
+    private static final String LONG_RENDER = "-pa 60 foobar.lws foobar.scene";
+
+    @TempDir
+    Path directory;
+
+    private Program program;
+
+    @BeforeEach
+    void makeDirectory() throws IOException {
+        program = new Program(directory);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"TERM, 143", "INT, 130"})
+    void signal_savesAndEndsWithItsCode(String signal, int expected) throws Exception {
+        Process render = program.start(LONG_RENDER);
+        Program.readUntil(render, WORD);
+        new ProcessBuilder("kill", "-" + signal, Long.toString(render.pid())).start().waitFor();
+        String rest = Program.rest(render);
+        assertEquals(expected, render.waitFor(), rest);
+        goesOn();
+    }
+
+    @Test
+    void anyKey_savesAndEndsWell() throws Exception {
+        Process render = program.start(onTerminal("x", Program.command(LONG_RENDER)));
+        String shown = Program.rest(render);
+        assertEquals(ExitCode.DONE, render.waitFor(), shown);
+        assertTrue(shown.contains("Radiosity ") && shown.contains(WORD), shown);
+        goesOn();
+    }
+
+    @Test
+    void controlC_onATerminalIsASignal() throws Exception {
+        Process render = program.start(onTerminal("\u0003", Program.command(LONG_RENDER)));
+        String shown = Program.rest(render);
+        assertEquals(130, render.waitFor(), shown);
+        goesOn();
+    }
+
+    @Test
+    void inputThatIsNoTerminal_isNotRead() throws Exception {
+        Process render = program.start("-pa 5000 -it 30 foobar.lws foobar.scene");
+        render.getOutputStream().write("keys\n".getBytes());
+        render.getOutputStream().close();
+        String shown = Program.rest(render);
+        assertEquals(ExitCode.DONE, render.waitFor(), shown);
+        assertEquals(30, SavedCalculation.read(program.file("foobar.scene")).shots());
+    }
+
+    private List<String> onTerminal(String key, List<String> command) throws Exception {
+        assumeTrue(hasPython(), "needs python3 for a pseudo terminal");
+        Path script = Path.of(StopTest.class.getResource("press-key.py").toURI());
+        List<String> all = new ArrayList<>(List.of("python3", script.toString(), key, WORD));
+        all.addAll(command);
+        return all;
+    }
+
+    private static boolean hasPython() throws InterruptedException {
+        try {
+            return new ProcessBuilder("python3", "-c", "import pty").start().waitFor() == 0;
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    /** The file is whole, and one more shot can be added to it. */
+    private void goesOn() throws IOException {
+        Path file = program.file("foobar.scene");
+        int shots = SavedCalculation.read(file).shots();
+        assertFalse(shots == 0, "stopped before the first shot");
+        Path more = program.file("more.scene");
+        assertEquals(ExitCode.DONE, RadiosityRenderer.run("-q", "-tf", file.toString(), Integer.toString(shots), "-it",
+                Integer.toString(shots + 1), program.file("foobar.lws").toString(), more.toString()));
+        assertEquals(shots + 1, SavedCalculation.read(more).shots());
+    }
+}
