@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import radiosity.output.Points;
 import radiosity.output.SceneFile;
+import radiosity.output.Snapshot;
+import radiosity.scene.Camera;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Solution;
 
@@ -16,6 +18,8 @@ final class OutputFiles {
 
     private final RendererOptions options;
     private final List<String> arguments;
+    /** The same for all pictures of a render; null before the first. */
+    private Camera camera;
 
     /** @param arguments of the command line, for the scene file */
     OutputFiles(RendererOptions options, List<String> arguments) {
@@ -73,5 +77,9 @@ final class OutputFiles {
     }
 
     private void savePicture(Solution solution, Path file) throws IOException {
+        if (camera == null) {
+            camera = options.picture.camera(solution);
+        }
+        Snapshot.write(file, solution, camera, options.picture.width(), options.picture.toneMapping(solution));
     }
 }

@@ -6,10 +6,14 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Option;
 import radiosity.output.ToneMapping;
+import radiosity.output.Viewpoint;
+import radiosity.scene.Camera;
 import radiosity.world.Solution;
 
 /** Pictures without a display. */
 final class PictureOptions {
+
+    private static final int USUAL_WIDTH = 800;
 
     @Option(names = {"-sn", "--snapshot-interval"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
             description = "Snapshot: a JPEG picture <output>-<iteration>.jpg every n:th iteration.")
@@ -20,7 +24,8 @@ final class PictureOptions {
     List<Path> pictures = new ArrayList<>();
 
     @Option(names = "--size", paramLabel = "<WxH>", converter = PictureSize.Parser.class,
-            description = "Size of pictures in pixels.")
+            description = "Size of pictures in pixels. Default: " + USUAL_WIDTH + " wide, as high as the scene's"
+                    + " camera has it.")
     PictureSize size;
 
     @Option(names = "--exposure", paramLabel = "<stops>", converter = Stops.class,
@@ -50,6 +55,18 @@ final class PictureOptions {
             double value = Values.decimal(text);
             return Math.abs(value) <= 100 ? value : null;
         }
+    }
+
+    /** The scene's, or one chosen; where a size is given, as wide as that. */
+    Camera camera(Solution solution) {
+        Camera camera = Viewpoint.of(solution);
+        return size == null ? camera : new Camera(camera.position(), camera.forward(), camera.up(),
+                camera.verticalHalfAngle(), (double) size.width() / size.height());
+    }
+
+    /** Pixels. */
+    int width() {
+        return size == null ? USUAL_WIDTH : size.width();
     }
 
     ToneMapping toneMapping(Solution solution) {

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.List;
 import picocli.CommandLine.ParseResult;
 import radiosity.lightwave.LightWaveReader;
+import radiosity.output.SceneInfo;
 import radiosity.scene.Scene;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
@@ -52,7 +53,8 @@ public final class RadiosityRenderer {
                 } else if (parsed.isVersionHelpRequested()) {
                     System.out.println(Version.text());
                 } else if (options.file.info != null) {
-                    SceneInfo.print(options.file.info, System.out);
+                    new FileChecks().input(options.file.info);
+                    SceneInfo.lines(options.file.info).forEach(System.out::println);
                 } else {
                     options.check();
                     new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
