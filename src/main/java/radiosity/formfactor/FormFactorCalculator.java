@@ -9,14 +9,14 @@ package radiosity.formfactor;
 public interface FormFactorCalculator {
 
     /**
-     * Adds the irradiance at a point that is due to a shooter: the integral over it of form factor times visibility
-     * times radiosity (equation 3).
+     * Finds what a point receives from a shooter: the integral over it of form factor times visibility times radiosity
+     * (equation 3), as a sum over sample points.
      *
      * @param px         receiving point, of the scene brought to size 1, and so on
      * @param nx         its normal, length 1, and so on
      * @param key        what the receiving point is, whoever owns it
-     * @param irradiance modified: W/m², one per channel
+     * @param gathering  told of every sample point that is visible
      */
     void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                double[] irradiance);
+                Gathering gathering);
 }

@@ -21,7 +21,12 @@ public final class RayCaster implements FormFactorCalculator {
     private static final double R2_U = 0.7548776662466927;
     private static final double R2_V = 0.5698402909980532;
     /** Sample points below the receiver's horizon are drawn again, so often per ray. */
-    private static final int DRAWS = 16;
+    private static final int DRAWS = 64;
+    private static final double NEAR_8 = Double.parseDouble(System.getProperty("near8","0.05"));
+    private static final double NEAR_4 = Double.parseDouble(System.getProperty("near4","0.003"));
+    private static final double NEAR = Double.parseDouble(System.getProperty("near","30"));
+    /** Rays at one element. */
+    private static final int MOST_RAYS = 64;
     /** Nearer than this to a shooter's plane nothing is received from it; of the scene's size. */
     private static final float IN_PLANE = 2e-7f;
 
@@ -31,7 +36,8 @@ public final class RayCaster implements FormFactorCalculator {
 
     /**
      * @param rays      sample points per shooting node, at least 1
-     * @param tolerance irradiance that those may carry together before the node is entered, W/m²; infinite: no node is
+     * @param tolerance what those may carry together before the node is entered, or cast more rays at if it is an
+     *                  element: form factor times {@link Shooter}'s strength; infinite: no node is entered
      */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance) {
         this.bounds = bounds;
@@ -41,16 +47,16 @@ public final class RayCaster implements FormFactorCalculator {
 
     @Override
     public void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                       double[] irradiance) {
+                       Gathering gathering) {
         float[] corner = shooter.corner;
         float above = shooter.nx * (px - corner[0]) + shooter.ny * (py - corner[1]) + shooter.nz * (pz - corner[2]);
         if (above > IN_PLANE) {
-            enter(px, py, pz, nx, ny, nz, key, shooter, 0, irradiance);
+            enter(px, py, pz, nx, ny, nz, key, shooter, 0, gathering);
         }
     }
 
     private void enter(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                       int node, double[] irradiance) {
+                       int node, Gathering gathering) {
         double strength = shooter.strength[node];
         if (strength == 0) {
             return;
@@ -59,82 +65,107 @@ public final class RayCaster implements FormFactorCalculator {
         if (factor <= 0) {
             return;
         }
+        float[] extent = shooter.extent;
+        float ex = extent[4 * node] - px;
+        float ey = extent[4 * node + 1] - py;
+        float ez = extent[4 * node + 2] - pz;
+        float near = extent[4 * node + 3] / (ex * ex + ey * ey + ez * ez);
+        double carried = factor * strength * (1 + NEAR * near);
         int first = shooter.child[node];
-        if (first >= 0 && factor * strength > tolerance) {
+        if (first >= 0 && carried > tolerance) {
             for (int k = 0; k < 4; k++) {
-                enter(px, py, pz, nx, ny, nz, key, shooter, first + k, irradiance);
+                enter(px, py, pz, nx, ny, nz, key, shooter, first + k, gathering);
             }
             return;
         }
-        sample(px, py, pz, nx, ny, nz, Hash.mix(key, shooter.key[node]), factor, shooter, node, irradiance);
+        int wanted = carried > tolerance ? (int) Math.min(MOST_RAYS, rays * Math.ceil(carried / tolerance)) : rays;
+        int choices = near > NEAR_8 ? Math.max(1, 8 / wanted) : near > NEAR_4 ? Math.max(1, 4 / wanted) : 1;
+        sample(px, py, pz, nx, ny, nz, Hash.mix(key, shooter.key[node]), factor, wanted, choices, shooter, node,
+                gathering);
     }
 
+    /**
+     * Each ray goes to one of a few sample points, chosen with probability K: what is near counts for more, and counts
+     * so without a ray to each point (J. Talbot, D. Cline, P. Egbert, Importance resampling for global illumination,
+     * 2005).
+     */
     private void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, double factor,
-                        Shooter s, int node, double[] irradiance) {
+                        int wanted, int choices, Shooter s, int node, Gathering gathering) {
         float[] corner = s.corner;
         int at = 9 * node;
-        int channels = s.channels;
         double u = (rotation >>> 40) * 0x1p-24;
         double v = (rotation >>> 16 & 0xFFFFFF) * 0x1p-24;
-        double sumK = 0;
-        double sum0 = 0;
-        double sum1 = 0;
-        double sum2 = 0;
+        double choice = ((rotation & 0xFFFF) + 0.5) * 0x1p-16;
+        double sum = 0;
+        double group = 0;
+        int drawn = 0;
         int cast = 0;
-        for (int draw = 0; cast < rays && draw < DRAWS * rays; draw++) {
+        float a = 0;
+        float b = 0;
+        float c = 0;
+        for (int draw = 0; cast < wanted && draw < DRAWS * wanted; draw++) {
             u += R2_U;
             u -= (int) u;
             v += R2_V;
             v -= (int) v;
             boolean fold = u + v > 1;
-            float b = (float) (fold ? 1 - u : u);
-            float c = (float) (fold ? 1 - v : v);
-            float a = 1 - b - c;
-            float tx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6];
-            float ty = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7];
-            float tz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8];
-            float dx = tx - px;
-            float dy = ty - py;
-            float dz = tz - pz;
+            float wb = (float) (fold ? 1 - u : u);
+            float wc = (float) (fold ? 1 - v : v);
+            float wa = 1 - wb - wc;
+            float dx = wa * corner[at] + wb * corner[at + 3] + wc * corner[at + 6] - px;
+            float dy = wa * corner[at + 1] + wb * corner[at + 4] + wc * corner[at + 7] - py;
+            float dz = wa * corner[at + 2] + wb * corner[at + 5] + wc * corner[at + 8] - pz;
             float up = nx * dx + ny * dy + nz * dz;
-            if (up <= 0) {
-                continue;
-            }
-            cast++;
-            float d2 = dx * dx + dy * dy + dz * dz;
-            double k = -(double) up * (s.nx * dx + s.ny * dy + s.nz * dz) / ((double) d2 * d2);
-            sumK += k;
-            if (bounds.blocked(px, py, pz, tx, ty, tz)) {
-                continue;
-            }
-            int leaf = node;
-            while (s.child[leaf] >= 0) {
-                int step = a > 0.5f ? 0 : b > 0.5f ? 1 : c > 0.5f ? 2 : 3;
-                if (step == 3) {
-                    a = 1 - 2 * a;
-                    b = 1 - 2 * b;
-                    c = 1 - 2 * c;
+            if (up > 0) {
+                float d2 = dx * dx + dy * dy + dz * dz;
+                double k = -(double) up * (s.nx * dx + s.ny * dy + s.nz * dz) / ((double) d2 * d2);
+                group += k;
+                drawn++;
+                double threshold = choice * group;
+                if (threshold < k) {
+                    a = wa;
+                    b = wb;
+                    c = wc;
+                    choice = threshold / k;
                 } else {
-                    a = step == 0 ? 2 * a - 1 : 2 * a;
-                    b = step == 1 ? 2 * b - 1 : 2 * b;
-                    c = step == 2 ? 2 * c - 1 : 2 * c;
+                    choice = (threshold - k) / (group - k);
                 }
-                leaf = s.child[leaf] + step;
             }
-            int r = 3 * channels * leaf;
-            sum0 += k * (a * s.radiosity[r] + b * s.radiosity[r + channels] + c * s.radiosity[r + 2 * channels]);
-            if (channels == 3) {
-                sum1 += k * (a * s.radiosity[r + 1] + b * s.radiosity[r + 4] + c * s.radiosity[r + 7]);
-                sum2 += k * (a * s.radiosity[r + 2] + b * s.radiosity[r + 5] + c * s.radiosity[r + 8]);
-            }
-        }
-        if (sumK > 0) {
-            double scale = factor / sumK;
-            irradiance[0] += scale * sum0;
-            if (channels == 3) {
-                irradiance[1] += scale * sum1;
-                irradiance[2] += scale * sum2;
+            if (drawn == choices || drawn > 0 && draw == DRAWS * wanted - 1) {
+                float tx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6];
+                float ty = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7];
+                float tz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8];
+                if (!bounds.blocked(px, py, pz, tx, ty, tz)) {
+                    reach(s, node, a, b, c, group, gathering);
+                }
+                sum += group;
+                group = 0;
+                drawn = 0;
+                cast++;
             }
         }
+        gathering.close(sum > 0 ? factor / sum : 0);
+    }
+
+    /** Finds the element under a sample point. */
+    private static void reach(Shooter s, int node, float wa, float wb, float wc, double k, Gathering gathering) {
+        float a = wa;
+        float b = wb;
+        float c = wc;
+        int leaf = node;
+        while (s.child[leaf] >= 0) {
+            int step = a > 0.5f ? 0 : b > 0.5f ? 1 : c > 0.5f ? 2 : 3;
+            if (step == 3) {
+                a = 1 - 2 * a;
+                b = 1 - 2 * b;
+                c = 1 - 2 * c;
+            } else {
+                a = step == 0 ? 2 * a - 1 : 2 * a;
+                b = step == 1 ? 2 * b - 1 : 2 * b;
+                c = step == 2 ? 2 * c - 1 : 2 * c;
+            }
+            leaf = s.child[leaf] + step;
+        }
+        gathering.add(s, leaf, a * k, b * k, c * k);
     }
 }

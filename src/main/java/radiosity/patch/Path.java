@@ -24,7 +24,7 @@ public final class Path {
     }
 
     /** The child taken at a level, 1 being the first below the face. */
-    static int step(long path, int level) {
+    public static int step(long path, int level) {
         return (int) (path >>> 2 * (level(path) - level)) & 3;
     }
 

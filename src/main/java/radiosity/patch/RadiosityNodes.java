@@ -22,10 +22,12 @@ public final class RadiosityNodes {
     private int[] face = new int[64];
     /** 1 per node, see {@link Path}. */
     private long[] path = new long[64];
+    /** 1 per node: what it is a part of, or -1. */
+    private int[] parent = new int[64];
     /** 1 per node: first of four consecutive children, or -1. */
     private int[] child = new int[64];
-    /** 1 per node: index of its block in this tree. */
-    private int[] block = new int[64];
+    /** 1 per node: with which others it shares vertices; 0 in the initial mesh. */
+    private int[] share = new int[64];
     /** 3 per node: vertices. */
     private int[] corner = new int[3 * 64];
     /** 3 x channels per node: radiosity S that has been shot at each corner; of leaves only. W/m². */
@@ -51,7 +53,7 @@ public final class RadiosityNodes {
     private int topCount;
     private int[] patches = new int[64];
     private int patchCount;
-    /** Vertices of the initial mesh by key, and of later ones by key and block. */
+    /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
     private final LongIndex index = new LongIndex(256);
     private final int[] weights = new int[9];
 
@@ -62,14 +64,14 @@ public final class RadiosityNodes {
         channels = faces.channels();
         shot = new double[3 * channels * 64];
         irradiance = new double[channels * 64];
-        for (int b = 0; b < blocks.size(); b++) {
-            for (int i = 0; i < blocks.get(b).face().length; i++) {
-                plant(b, blocks.get(b).face()[i], blocks.get(b).path()[i]);
+        for (Block block : blocks) {
+            for (int i = 0; i < block.face().length; i++) {
+                plant(block.face()[i], block.path()[i]);
             }
         }
     }
 
-    private void plant(int b, int f, long top) {
+    private void plant(int f, long top) {
         float[] at = new float[9];
         for (int k = 0; k < 9; k++) {
             at[k] = faces.corner(f, k / 3, k % 3);
@@ -78,7 +80,7 @@ public final class RadiosityNodes {
             Subdivision.descend(at, Path.step(top, level));
         }
         Path.weights(top, weights);
-        int node = addNode(f, top, b);
+        int node = addNode(f, top, -1, 0);
         int depth = patcher.level(f);
         for (int k = 0; k < 3; k++) {
             corner[3 * node + k] = vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
@@ -110,14 +112,14 @@ public final class RadiosityNodes {
     /**
      * Divides an element in four (section 2.5). What its new corners had received and shot is what stood there before.
      *
+     * @param with new vertices are shared with those of all splits of the same number, above 0
      * @return the first of the four
      */
-    public int split(int node) {
-        return divide(node, Path.level(path[node]) + 1, 1L + block[node]);
+    public int split(int node, int with) {
+        return divide(node, Path.level(path[node]) + 1, with);
     }
 
-    /** @param share 0: vertices are shared with all blocks of this tree; else within one block only */
-    private int divide(int node, int depth, long share) {
+    private int divide(int node, int depth, int with) {
         int[] w = new int[9];
         Path.weights(path[node], w);
         int[] mid = new int[3];
@@ -133,7 +135,7 @@ public final class RadiosityNodes {
                 between[a] = (w[3 * p + a] + w[3 * q + a]) >> 1;
             }
             int known = vertices;
-            mid[k] = vertex(face[node], between, 0, depth, at, 0, share);
+            mid[k] = vertex(face[node], between, 0, depth, at, 0, with);
             if (mid[k] == known) {
                 for (int c = 0; c < channels; c++) {
                     irradiance[channels * known + c] =
@@ -143,7 +145,7 @@ public final class RadiosityNodes {
         }
         int first = nodes;
         for (int k = 0; k < 4; k++) {
-            addNode(face[node], Path.child(path[node], k), block[node]);
+            addNode(face[node], Path.child(path[node], k), node, with);
         }
         for (int k = 0; k < 3; k++) {
             int c = 3 * (first + k);
@@ -152,35 +154,35 @@ public final class RadiosityNodes {
             corner[c + (k + 2) % 3] = mid[(k + 1) % 3];
             corner[3 * (first + 3) + k] = mid[k];
         }
-        for (int c = 0; c < channels; c++) {
-            Subdivision.shareShot(shot, channels, c, node, first);
-        }
+        Subdivision.shareShot(shot, channels, node, first);
         child[node] = first;
         elements += 3;
         return first;
     }
 
-    private int addNode(int f, long where, int b) {
+    private int addNode(int f, long where, int under, int with) {
         if (nodes == face.length) {
             int more = nodes + nodes / 2;
             face = Arrays.copyOf(face, more);
             path = Arrays.copyOf(path, more);
+            parent = Arrays.copyOf(parent, more);
             child = Arrays.copyOf(child, more);
-            block = Arrays.copyOf(block, more);
+            share = Arrays.copyOf(share, more);
             corner = Arrays.copyOf(corner, 3 * more);
             shot = Arrays.copyOf(shot, 3 * channels * more);
         }
         face[nodes] = f;
         path[nodes] = where;
-        block[nodes] = b;
+        share[nodes] = with;
+        parent[nodes] = under;
         child[nodes] = -1;
         return nodes++;
     }
 
     /** The vertex with these weights of the face's corners; made where it is not there yet. */
-    private int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, long share) {
+    private int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with) {
         long id = VertexKey.of(faces, f, w, wAt);
-        int v = index.findOrAdd(share == 0 ? id : Hash.mix(id, share), vertices);
+        int v = index.findOrAdd(with == 0 ? id : Hash.mix(id, with), vertices);
         if (v < vertices) {
             return v;
         }
@@ -292,6 +294,11 @@ public final class RadiosityNodes {
         return child[node];
     }
 
+    /** With which splits a node shares vertices; 0 in the initial mesh. */
+    public int share(int node) {
+        return share[node];
+    }
+
     public boolean isElement(int node) {
         return child[node] < 0;
     }
@@ -361,14 +368,47 @@ public final class RadiosityNodes {
         return seen == 0 ? 0 : sum / seen;
     }
 
+    /**
+     * By how much the mean of H over an element exceeds that of its corners, W/m²: where light is curved, straight
+     * lines between vertices lose some.
+     *
+     * <p>Seen from its parent (L. F. Richardson, The deferred approach to the limit, 1927): an edge of half the length
+     * bulges a quarter as much, and the mean over a parabolic triangle is a third of the sum of its edges' bulges.
+     */
+    public double bulge(int node, int channel) {
+        double sum = 0;
+        for (int k = 0; k < 3 && parent[node] >= 0; k++) {
+            sum += bulge(parent[node], k, channel);
+        }
+        return sum / 12;
+    }
+
+    /** H at the middle of the edge opposite corner k of an inner node less the mean of the edge's ends, W/m². */
+    private double bulge(int node, int k, int channel) {
+        int p = corner[3 * node + (k + 1) % 3];
+        int q = corner[3 * node + (k + 2) % 3];
+        int middle = corner[3 * (child[node] + 3) + k];
+        if (buried[p] || buried[q] || buried[middle]) {
+            return 0;
+        }
+        return irradiance[channels * middle + channel]
+                - 0.5 * (irradiance[channels * p + channel] + irradiance[channels * q + channel]);
+    }
+
     /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
     public double radiosity(int node, int k, int channel) {
         return faces.exitance(face[node], channel)
                 + faces.reflectance(face[node], channel) * irradiance(node, k, channel);
     }
 
-    /** Unshot radiosity U = B - S at corner k of an element, W/m²; signed. */
+    /** Radiosity S that was shot at corner k of an element, W/m². */
+    public double shot(int node, int k, int channel) {
+        return shot[channels * (3 * node + k) + channel];
+    }
+
+    /** Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. */
     public double unshot(int node, int k, int channel) {
-        return radiosity(node, k, channel) - shot[channels * (3 * node + k) + channel];
+        return radiosity(node, k, channel) - shot(node, k, channel)
+                + faces.reflectance(face[node], channel) * bulge(node, channel);
     }
 }

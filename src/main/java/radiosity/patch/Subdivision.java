@@ -1,5 +1,7 @@
 package radiosity.patch;
 
+import java.util.Arrays;
+
 /** A triangle in four: its corners, and what stands at them. */
 public final class Subdivision {
 
@@ -34,20 +36,29 @@ public final class Subdivision {
         }
     }
 
-    /** Gives four children at {@code first} what their parent had shot, linear between its corners. */
-    static void shareShot(double[] shot, int channels, int c, int node, int first) {
-        double[] s = new double[3];
-        for (int k = 0; k < 3; k++) {
-            s[k] = shot[channels * (3 * node + k) + c];
+    /**
+     * What stands at the corners of a child, linear between those of its parent.
+     *
+     * @param values n values per corner; not modified
+     * @return the same of the child
+     */
+    public static double[] values(double[] values, int n, int child) {
+        double[] of = new double[3 * n];
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < 3; k++) {
+                int p = child == 3 ? (k + 1) % 3 : k;
+                int q = child == 3 ? (k + 2) % 3 : child;
+                of[n * k + i] = 0.5 * (values[n * p + i] + values[n * q + i]);
+            }
         }
-        for (int k = 0; k < 3; k++) {
-            int at = 3 * (first + k);
-            double next = 0.5 * (s[k] + s[(k + 1) % 3]);
-            double last = 0.5 * (s[k] + s[(k + 2) % 3]);
-            shot[channels * (at + k) + c] = s[k];
-            shot[channels * (at + (k + 1) % 3) + c] = next;
-            shot[channels * (at + (k + 2) % 3) + c] = last;
-            shot[channels * (3 * (first + 3) + k) + c] = 0.5 * (s[(k + 1) % 3] + s[(k + 2) % 3]);
+        return of;
+    }
+
+    /** Gives four children at {@code first} what their parent had shot, 3 x channels per node in {@code shot}. */
+    static void shareShot(double[] shot, int channels, int node, int first) {
+        double[] parent = Arrays.copyOfRange(shot, 3 * channels * node, 3 * channels * (node + 1));
+        for (int k = 0; k < 4; k++) {
+            System.arraycopy(values(parent, channels, k), 0, shot, 3 * channels * (first + k), 3 * channels);
         }
     }
 }

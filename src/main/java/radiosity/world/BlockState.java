@@ -9,7 +9,7 @@ import java.util.Set;
 import radiosity.patch.RadiosityNodes;
 
 /**
- * A block as bytes. For each subtree, nodes in preorder: 1 for an inner one; for an element 0, then what it has shot at
+ * A block as bytes. For each subtree, nodes in preorder: for an inner one the number under which it was split; for an element -1, then what it has shot at
  * its corners, and for each corner whose vertex was not met before whether it is
  * buried and what it has received.
  */
@@ -28,7 +28,7 @@ final class BlockState {
 
     private static void write(RadiosityNodes nodes, int node, Set<Integer> met, DataOutputStream out)
             throws IOException {
-        out.writeByte(nodes.isElement(node) ? 0 : 1);
+        out.writeInt(nodes.isElement(node) ? -1 : nodes.share(nodes.child(node)));
         if (!nodes.isElement(node)) {
             for (int k = 0; k < 4; k++) {
                 write(nodes, nodes.child(node) + k, met, out);
@@ -55,19 +55,19 @@ final class BlockState {
         DataInputStream in = Wire.input(state);
         try {
             for (int top : tops) {
-                grow(nodes, top, in.readByte() == 1, met, in);
+                grow(nodes, top, in.readInt(), met, in);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    private static void grow(RadiosityNodes nodes, int node, boolean inner, Set<Integer> met, DataInputStream in)
+    private static void grow(RadiosityNodes nodes, int node, int share, Set<Integer> met, DataInputStream in)
             throws IOException {
-        if (inner) {
-            int first = nodes.isElement(node) ? nodes.split(node) : nodes.child(node);
+        if (share >= 0) {
+            int first = nodes.isElement(node) ? nodes.split(node, share) : nodes.child(node);
             for (int k = 0; k < 4; k++) {
-                grow(nodes, first + k, in.readByte() == 1, met, in);
+                grow(nodes, first + k, in.readInt(), met, in);
             }
             return;
         }

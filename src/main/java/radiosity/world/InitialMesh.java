@@ -12,8 +12,12 @@ import radiosity.scene.Scene;
 /** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
 final class InitialMesh {
 
-    /** Patches of a scene for which no patch area is given. */
-    private static final int DEFAULT_PATCHES = 6000;
+    /** Patches of a scene for which no patch area is given: for the paper's schedule, and for prediction. */
+    private static final int PATCHES = 6000;
+    private static final int COARSE_PATCHES = 600;
+    /** Sample points per shooter where no number is given, likewise. */
+    private static final int RAYS = 4;
+    private static final int FEW_RAYS = 1;
 
     final Scene scene;
     final RadiositySettings settings;
@@ -29,7 +33,7 @@ final class InitialMesh {
         faces = new Faces(scene);
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
-                : Patcher.areaFor(faces, DEFAULT_PATCHES);
+                : Patcher.areaFor(faces, predicts() ? COARSE_PATCHES : PATCHES);
         patcher = new Patcher(faces, area);
         blocks = Partitioner.blocks(patcher);
         emitted = new double[faces.channels()];
@@ -38,6 +42,15 @@ final class InitialMesh {
                 emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
             }
         }
+    }
+
+    boolean predicts() {
+        return settings.schedule() == Schedule.PREDICT;
+    }
+
+    /** Sample points per shooting node. */
+    int rays() {
+        return settings.rays() > 0 ? settings.rays() : predicts() ? FEW_RAYS : RAYS;
     }
 
     /** Largest area of a patch, square scene units. */
@@ -57,7 +70,7 @@ final class InitialMesh {
     /** What two calculations must have in common for one to go on from the other. */
     String fingerprint() {
         return String.format(Locale.ROOT, "scene %016x, -pa %s -nr %d -mt %s --schedule %s", digest(), patchArea(),
-                settings.rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT));
+                rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT));
     }
 
     private long digest() {

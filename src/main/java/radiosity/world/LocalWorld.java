@@ -28,14 +28,13 @@ public final class LocalWorld extends World {
     }
 
     @Override
-    Answer shoot(byte[] shots, int most) throws IOException {
-        Answer all = new Answer(channels(), mesh.totalEmitted());
+    List<byte[]> round(Order order) throws IOException {
+        byte[] bytes = order.encode();
+        List<byte[]> answers = new ArrayList<>();
         for (Partition partition : partitions) {
-            Answer one = new Answer(channels(), mesh.totalEmitted());
-            one.read(Wire.input(partition.shoot(shots, most)));
-            all.add(one, most);
+            answers.add(partition.round(bytes));
         }
-        return all;
+        return answers;
     }
 
     @Override

@@ -12,13 +12,12 @@ import java.rmi.RemoteException;
 public interface Partition extends Remote {
 
     /**
-     * Updates all elements for the shots of a round, and says what could shoot next.
+     * One round.
      *
-     * @param shots shots in the order in which they are applied, as written by {@link Wire}; none: only answer
-     * @param most  how many candidates to name
-     * @return the answer, as written by {@link Wire}
+     * @param order what to do, as written by {@link Order}
+     * @return an {@link Answer}, or what else the order asks for
      */
-    byte[] shoot(byte[] shots, int most) throws RemoteException;
+    byte[] round(byte[] order) throws RemoteException;
 
     /** Everything about a block: its trees, what their vertices have received, what their elements have shot. */
     byte[] block(int id) throws RemoteException;

@@ -2,9 +2,12 @@ package radiosity.world;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.PriorityQueue;
+import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.AdaptiveMeshing;
@@ -30,11 +33,15 @@ final class PartitionImpl implements Partition {
     private final double scale;
     private final double squaredSize;
     private final Crew crew;
-    private final FormFactorCalculator calculator;
+    private final RadiosityBounds bounds;
+    private final int rays;
     private final Burial burial;
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
-    /** 1 per patch: sum of |U| A over its elements and the channels, W. */
+    private final int initialVertices;
+    /** The nodes that shoot: patches in the paper's schedule, else what they are parts of. */
+    private final int[] shooters;
+    /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
 
     PartitionImpl(InitialMesh mesh, List<Block> mine, int threads) {
@@ -44,12 +51,14 @@ final class PartitionImpl implements Partition {
         scale = mesh.totalEmitted();
         squaredSize = faces.size() * faces.size();
         crew = new Crew(threads);
-        RadiosityBounds bounds = new RadiosityBounds(faces.occluders());
-        calculator = new RayCaster(bounds, mesh.settings.rays(), Double.POSITIVE_INFINITY);
+        bounds = new RadiosityBounds(faces.occluders());
+        rays = mesh.rays();
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         burial = new Burial(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
-        flux = new double[nodes.patches()];
+        initialVertices = nodes.vertices();
+        shooters = mesh.settings.schedule() == Schedule.PAPER ? patches() : nodes.tops();
+        flux = new double[shooters.length];
         bury(0);
     }
 
@@ -59,83 +68,141 @@ final class PartitionImpl implements Partition {
                 burial.look(nodes, first + i * RUN, Math.min(nodes.vertices(), first + (i + 1) * RUN)));
     }
 
+    private int[] patches() {
+        int[] all = new int[nodes.patches()];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = nodes.patch(i);
+        }
+        return all;
+    }
+
     @Override
-    public byte[] shoot(byte[] shots, int most) {
+    public byte[] round(byte[] bytes) {
         try {
-            Answer answer = update(Wire.shots(shots), most);
+            Order order = Order.decode(bytes);
+            switch (order.kind()) {
+                case SHOOT -> shoot(order);
+                case REFINE -> refine(order);
+                case TOTALS -> {
+                    return Wire.encode(totals());
+                }
+                case ROWS -> {
+                    return rows(order);
+                }
+                default -> { }
+            }
+            Answer answer = answer(order.most());
             return Wire.bytes(answer::write);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    /** One round: mark what has shot, gather, subdivide, and see who has most to shoot. */
-    private Answer update(List<Shot> shots, int most) {
-        if (!shots.isEmpty()) {
-            markShot(shots);
-            gather(shots);
-            subdivide();
-        }
-        return answer(most);
-    }
-
-    private void markShot(List<Shot> shots) {
-        for (Shot shot : shots) {
+    /** Mark what has shot, gather, subdivide. */
+    private void shoot(Order order) {
+        for (Shot shot : order.shots()) {
             int patch = nodes.find(shot.face(), shot.path());
             if (patch >= 0) {
                 shot.markShot(nodes, patch);
             }
         }
+        gather(order, 0);
+        subdivide(order.number());
+    }
+
+    /** Subdivide where it pays, and give the new vertices what the old ones have: the light of all that was shot. */
+    private void refine(Order order) {
+        int known = nodes.vertices();
+        new MeshRefinement(nodes, order.weight(), order.meshError()).splitAll(order.number());
+        bury(known);
+        Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
+        gather(order, known);
+    }
+
+    private List<Shot> totals() {
+        return IntStream.of(shooters).mapToObj(top -> Shot.total(nodes, top)).toList();
     }
 
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
-    private void gather(List<Shot> shots) {
-        Shooter[] shooters = shots.stream().map(shot -> shot.shooter(faces)).toArray(Shooter[]::new);
-        crew.run((nodes.vertices() + RUN - 1) / RUN, i -> {
-            int first = i * RUN;
+    private void gather(Order order, int from) {
+        Shooter[] source = shooters(order);
+        RayCaster calculator = new RayCaster(bounds, rays, order.tolerance());
+        crew.run((nodes.vertices() - from + RUN - 1) / RUN, i -> {
+            int first = from + i * RUN;
             int last = Math.min(nodes.vertices(), first + RUN);
-            for (Shooter shooter : shooters) {
-                gather(shooter, first, last);
+            for (Shooter shooter : source) {
+                gather(calculator, shooter, first, last);
             }
         });
     }
 
-    private void gather(Shooter shooter, int first, int last) {
-        float[] x = nodes.receivers();
+    private Shooter[] shooters(Order order) {
+        return order.shots().stream().map(shot -> shot.shooter(faces, order.weight())).toArray(Shooter[]::new);
+    }
+
+    private void gather(FormFactorCalculator calculator, Shooter shooter, int first, int last) {
         double[] irradiance = nodes.irradiance();
-        double[] sum = new double[channels];
+        Gathering.Irradiance sum = new Gathering.Irradiance(channels);
         for (int v = first; v < last; v++) {
-            if (nodes.isBuried(v)) {
-                continue;
+            if (!nodes.isBuried(v)) {
+                System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
+                gather(calculator, shooter, v, sum);
+                System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
             }
-            int f = nodes.vertexFace(v);
-            System.arraycopy(irradiance, channels * v, sum, 0, channels);
-            calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
-                    faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), nodes.vertexKey(v), shooter, sum);
-            System.arraycopy(sum, 0, irradiance, channels * v, channels);
         }
     }
 
-    private void subdivide() {
+    private void gather(FormFactorCalculator calculator, Shooter shooter, int v, Gathering sum) {
+        float[] x = nodes.receivers();
+        int f = nodes.vertexFace(v);
+        calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
+                faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), nodes.vertexKey(v), shooter, sum);
+    }
+
+    /** Rows of the coarse system for the vertices of the initial mesh. */
+    private byte[] rows(Order order) {
+        Shooter[] all = shooters(order);
+        RayCaster calculator = new RayCaster(bounds, rays, order.tolerance());
+        byte[][] row = new byte[initialVertices][];
+        crew.run(initialVertices, v -> {
+            Rows seen = new Rows();
+            for (int i = 0; i < all.length && !nodes.isBuried(v); i++) {
+                gather(calculator, all[i], v, seen);
+            }
+            row[v] = Wire.bytes(out -> {
+                out.writeLong(nodes.vertexKey(v));
+                out.writeBoolean(nodes.isBuried(v));
+                seen.write(out);
+            });
+        });
+        return Wire.bytes(out -> {
+            out.writeInt(initialVertices);
+            for (byte[] bytes : row) {
+                out.write(bytes);
+            }
+        });
+    }
+
+    private void subdivide(int round) {
         if (!meshing.isOn()) {
             return;
         }
         int known = nodes.vertices();
         for (int node = 0, last = nodes.nodes(); node < last; node++) {
             if (meshing.wants(nodes, node)) {
-                nodes.split(node);
+                nodes.split(node, round);
             }
         }
         bury(known);
     }
 
     private Answer answer(int most) {
-        int runs = (nodes.patches() + RUN - 1) / RUN;
+        int runs = (shooters.length + RUN - 1) / RUN;
         Answer[] parts = new Answer[runs];
         crew.run(runs, i -> {
             parts[i] = new Answer(channels, scale);
-            for (int p = i * RUN; p < Math.min(nodes.patches(), (i + 1) * RUN); p++) {
-                flux[p] = measure(nodes.patch(p), parts[i]);
+            for (int p = i * RUN; p < Math.min(shooters.length, (i + 1) * RUN); p++) {
+                flux[p] = measure(shooters[p], parts[i]);
             }
         });
         Answer answer = new Answer(channels, scale);
@@ -143,7 +210,7 @@ final class PartitionImpl implements Partition {
             answer.addSums(part);
         }
         for (int p : largest(most)) {
-            answer.candidates.add(Shot.of(nodes, nodes.patch(p), flux[p]));
+            answer.candidates.add(Shot.of(nodes, shooters[p], flux[p]));
         }
         return answer;
     }
@@ -166,7 +233,7 @@ final class PartitionImpl implements Partition {
                 h += nodes.irradiance(node, k, c);
             }
             u *= area / 3;
-            h *= area / 3;
+            h = (h / 3 + nodes.bulge(node, c)) * area;
             total += Math.abs(u);
             sums.unshot[c].add(u);
             sums.received[c].add(h);
@@ -192,8 +259,8 @@ final class PartitionImpl implements Partition {
 
     private int order(int p, int q) {
         int order = Double.compare(flux[q], flux[p]);
-        order = order != 0 ? order : Integer.compare(nodes.face(nodes.patch(p)), nodes.face(nodes.patch(q)));
-        return order != 0 ? order : Long.compare(nodes.path(nodes.patch(p)), nodes.path(nodes.patch(q)));
+        order = order != 0 ? order : Integer.compare(nodes.face(shooters[p]), nodes.face(shooters[q]));
+        return order != 0 ? order : Long.compare(nodes.path(shooters[p]), nodes.path(shooters[q]));
     }
 
     @Override

@@ -8,15 +8,11 @@ import java.util.List;
 import radiosity.scene.SceneFormatException;
 
 /**
- * The loop of figure 7: whoever has most unshot flux shoots, everybody receives, until little enough is left.
+ * The loop of figure 7: who has unshot flux shoots, everybody receives, until little enough is left.
  *
- * <p>A round may hold several shots: as many as a thirty-second of those already done, so that the first are single and
- * later ones do not wait for each other.
+ * <p>Who shoots is the schedule's choice, see {@link Schedule}.
  */
 public final class ProgressiveRadiosity {
-
-    private static final int MOST_IN_ROUND = 64;
-    private static final int SHOTS_PER_SHOT = 32;
 
     private final World world;
     private final StopRule stop;
@@ -24,8 +20,9 @@ public final class ProgressiveRadiosity {
     private int rounds;
     /** One per channel: flux that left shooters, W. */
     private final double[] shotFlux;
-    /** What a round that was cut short has still to shoot. */
-    private List<Shot> pending = new ArrayList<>();
+    /** What a round that was cut short has still to shoot; null where there is none. */
+    private Order pending;
+    private Planner planner;
     private Answer answer;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
@@ -40,25 +37,31 @@ public final class ProgressiveRadiosity {
      * @throws IOException where a partition cannot be reached
      */
     public void run(RoundListener listener) throws IOException {
-        answer = world.shoot(Wire.encode(List.of()), batch());
+        prepare();
+        answer = world.answer(new Order(Order.Kind.ASK, 0, List.of(), 0, new double[0], 0, Integer.MAX_VALUE));
         while (!isDone() && round() && listener.afterRound(progress())) {
             continue;
         }
     }
 
+    private void prepare() throws IOException {
+        if (planner == null) {
+            planner = world.mesh.predicts() ? new Prediction(world) : new ShootAndSort(world.channels());
+        }
+    }
+
     /** @return whether anything was left to shoot */
     private boolean round() throws IOException {
-        List<Shot> next = pending.isEmpty() ? answer.candidates : pending;
-        int now = Math.min(next.size(), stop.shots() - shots);
-        if (now == 0) {
+        Order order = pending != null ? pending : planner.next(answer, shots);
+        int size = Math.min(order.shots().size(), stop.shots() - shots);
+        if (size == 0) {
             return false;
         }
-        List<Shot> shooting = next.subList(0, now);
-        pending = new ArrayList<>(next.subList(now, next.size()));
-        shooting.forEach(this::count);
-        shots += now;
-        rounds++;
-        answer = world.shoot(Wire.encode(shooting), batch());
+        pending = size == order.shots().size() ? null : order.with(rounds, order.shots().subList(size, order.shots().size()));
+        Order now = order.with(++rounds, order.shots().subList(0, size));
+        now.shots().forEach(this::count);
+        shots += size;
+        answer = world.answer(now);
         return true;
     }
 
@@ -70,13 +73,8 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    /** How many may shoot in the next round; follows from the number of shots done, so that everybody agrees. */
-    private int batch() {
-        return Math.max(1, Math.min(MOST_IN_ROUND, shots / SHOTS_PER_SHOT));
-    }
-
     private boolean isDone() {
-        return shots >= stop.shots() || unsent() <= stop.unsent();
+        return shots >= stop.shots() || pending == null && planner.isEnough(unsent(), stop.unsent());
     }
 
     private double unsent() {
@@ -119,7 +117,8 @@ public final class ProgressiveRadiosity {
             for (double flux : shotFlux) {
                 out.writeDouble(flux);
             }
-            byte[] rest = Wire.encode(pending);
+            planner.write(out);
+            byte[] rest = pending == null ? new byte[0] : pending.encode();
             out.writeInt(rest.length);
             out.write(rest);
             for (byte[] block : blocks) {
@@ -148,7 +147,10 @@ public final class ProgressiveRadiosity {
             for (int c = 0; c < shotFlux.length; c++) {
                 shotFlux[c] = in.readDouble();
             }
-            pending = Wire.shots(in.readNBytes(in.readInt()));
+            prepare();
+            planner.read(in);
+            byte[] rest = in.readNBytes(in.readInt());
+            pending = rest.length == 0 ? null : Order.decode(rest);
             for (int b = 0; b < world.mesh.blocks.size(); b++) {
                 world.restore(b, in.readNBytes(in.readInt()));
             }

@@ -3,15 +3,22 @@ package radiosity.world;
 /**
  * How finely and how exactly to compute. Equal settings give equal bits on any machines.
  *
- * @param patchArea   no patch of the initial mesh is larger, square scene units ({@code -pa}); 0: chosen from the scene
- * @param rays        sample points for the visible share of a shooter, at least 1 ({@code -nr})
- * @param meshing     radiosity difference between an element's vertices above which it is subdivided, W/m²
- *                    ({@code -mt}); infinite: never
- * @param schedule    in which order patches shoot
+ * @param patchArea no patch of the initial mesh is larger, square scene units ({@code -pa}); 0: chosen from the scene
+ * @param rays      sample points for the visible share of a shooter ({@code -nr}); 0: chosen by the schedule
+ * @param meshing   radiosity difference between an element's vertices above which it is subdivided, W/m²
+ *                  ({@code -mt}); infinite: never
+ * @param schedule  in which order patches shoot
+ * @param tolerance with prediction: irradiance that one ray may carry, relative to the mean; 0: chosen
+ * @param meshError with prediction: error of interpolation that one element may add to the whole; 0: chosen
  */
-public record RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule) {
+public record RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
+                                double meshError) {
+
+    public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule) {
+        this(patchArea, rays, meshing, schedule, 0, 0);
+    }
 
     public static RadiositySettings defaults() {
-        return new RadiositySettings(0, 4, Double.POSITIVE_INFINITY, Schedule.PAPER);
+        return new RadiositySettings(0, 0, Double.POSITIVE_INFINITY, Schedule.PREDICT);
     }
 }

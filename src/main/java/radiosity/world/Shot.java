@@ -3,10 +3,12 @@ package radiosity.world;
 import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
+import java.util.Arrays;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.Faces;
 import radiosity.patch.Path;
 import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Subdivision;
 
 /**
  * One patch shooting: which node, the tree of elements below it, and the unshot radiosity at their corners. What goes
@@ -22,6 +24,20 @@ record Shot(int face, long path, int[] child, double[] radiosity, double flux) i
 
     /** What a patch has to shoot. */
     static Shot of(RadiosityNodes nodes, int patch, double flux) {
+        return of(nodes, patch, flux, nodes::unshot);
+    }
+
+    /** What a patch has ever shot. */
+    static Shot total(RadiosityNodes nodes, int patch) {
+        return of(nodes, patch, 0, nodes::shot);
+    }
+
+    /** A quantity at corner k of an element. */
+    interface Quantity {
+        double at(int node, int k, int channel);
+    }
+
+    static Shot of(RadiosityNodes nodes, int patch, double flux, Quantity quantity) {
         int[] order = breadthFirst(nodes, patch);
         int[] child = new int[order.length];
         int channels = nodes.channels();
@@ -36,21 +52,31 @@ record Shot(int face, long path, int[] child, double[] radiosity, double flux) i
             }
             for (int k = 0; k < 3; k++) {
                 for (int c = 0; c < channels; c++) {
-                    radiosity[channels * (3 * i + k) + c] = nodes.unshot(order[i], k, c);
+                    radiosity[channels * (3 * i + k) + c] = quantity.at(order[i], k, c);
                 }
             }
         }
         return new Shot(nodes.face(patch), nodes.path(patch), child, radiosity, flux);
     }
 
-    /** Adds what a patch shoots to what it has shot. */
+    /** Adds what a patch shoots to what it has shot; the patch may have been subdivided further since. */
     void markShot(RadiosityNodes nodes, int patch) {
-        int[] order = breadthFirst(nodes, patch);
+        mark(nodes, patch, 0, null);
+    }
+
+    /** @param values 3 x channels at the corners, where this tree goes no deeper; else null */
+    private void mark(RadiosityNodes nodes, int node, int i, double[] values) {
         int n = 3 * nodes.channels();
-        for (int i = 0; i < order.length; i++) {
-            for (int j = 0; j < n && child[i] < 0; j++) {
-                nodes.shot()[n * order[i] + j] += radiosity[n * i + j];
+        double[] here = values != null || child[i] >= 0 ? values : Arrays.copyOfRange(radiosity, n * i, n * i + n);
+        if (nodes.isElement(node)) {
+            for (int j = 0; j < n; j++) {
+                nodes.shot()[n * node + j] += here[j];
             }
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            mark(nodes, nodes.child(node) + k, here == null ? child[i] + k : i,
+                    here == null ? null : Subdivision.values(here, nodes.channels(), k));
         }
     }
 
@@ -74,8 +100,9 @@ record Shot(int face, long path, int[] child, double[] radiosity, double flux) i
         return n;
     }
 
-    Shooter shooter(Faces faces) {
-        return new Shooter(faces, face, path, child, radiosity);
+    /** @param weight one per channel, see {@link Shooter} */
+    Shooter shooter(Faces faces, double[] weight) {
+        return new Shooter(faces, face, path, child, radiosity, weight);
     }
 
     /** U A summed over the elements, one per channel, of the scene's squared size; signed. */

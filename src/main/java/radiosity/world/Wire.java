@@ -9,7 +9,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Shots and answers as bytes. */
+/** To bytes and back. */
 final class Wire {
 
     private Wire() { }
@@ -42,8 +42,7 @@ final class Wire {
         });
     }
 
-    static List<Shot> shots(byte[] bytes) throws IOException {
-        DataInputStream in = input(bytes);
+    static List<Shot> shots(DataInputStream in) throws IOException {
         List<Shot> shots = new ArrayList<>();
         for (int n = in.readInt(); n > 0; n--) {
             shots.add(Shot.read(in));

@@ -2,6 +2,9 @@ package radiosity.world;
 
 import java.io.IOException;
 import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import radiosity.scene.Scene;
 
 /**
@@ -46,12 +49,29 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld {
         return mesh.faces.channels();
     }
 
-    /**
-     * One round on all partitions.
-     *
-     * @param shots as written by {@link Wire}
-     */
-    abstract Answer shoot(byte[] shots, int most) throws IOException;
+    /** One round on all partitions: what each of them answers. */
+    abstract List<byte[]> round(Order order) throws IOException;
+
+    /** One round on all partitions: their answers added up. */
+    final Answer answer(Order order) throws IOException {
+        Answer all = new Answer(channels(), mesh.totalEmitted());
+        for (byte[] bytes : round(order)) {
+            Answer one = new Answer(channels(), mesh.totalEmitted());
+            one.read(Wire.input(bytes));
+            all.add(one, order.most());
+        }
+        return all;
+    }
+
+    /** What all shooters have ever shot. */
+    final List<Shot> totals() throws IOException {
+        List<Shot> totals = new ArrayList<>();
+        for (byte[] bytes : round(new Order(Order.Kind.TOTALS, 0, List.of(), 0, new double[0], 0, 0))) {
+            totals.addAll(Wire.shots(Wire.input(bytes)));
+        }
+        Collections.sort(totals);
+        return totals;
+    }
 
     /** The state of a block, from whoever owns it. */
     abstract byte[] block(int id) throws RemoteException;

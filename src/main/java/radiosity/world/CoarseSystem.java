@@ -1,0 +1,242 @@
+package radiosity.world;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import radiosity.patch.Faces;
+import radiosity.patch.LongIndex;
+import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Subdivision;
+
+/**
+ * The linear system of the initial mesh (equation 2), by which is foreseen what light will become of unshot light.
+ *
+ * <p>Unknowns are irradiances at vertices: H = K (U + rho H), where U is given on patches. Each row of K is made by the
+ * partition that owns the vertex, once; the system is solved here as often as there is a round.
+ */
+final class CoarseSystem {
+
+    private static final int MOST_SWEEPS = 2000;
+    private static final double ENOUGH = 1e-5;
+
+    private final Faces faces;
+    private final RadiosityNodes nodes;
+    private final int channels;
+    /** Number of a vertex by its key. */
+    private final LongIndex index;
+    /** Per vertex: the patches that it sees; null until known. */
+    private final int[][] column;
+    /** Per vertex: weights of the three corners of each of them. */
+    private final float[][] entry;
+
+    CoarseSystem(InitialMesh mesh) {
+        faces = mesh.faces;
+        channels = faces.channels();
+        nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
+        index = new LongIndex(nodes.vertices());
+        for (int v = 0; v < nodes.vertices(); v++) {
+            index.findOrAdd(nodes.vertexKey(v), v);
+        }
+        column = new int[nodes.vertices()][];
+        entry = new float[nodes.vertices()][];
+    }
+
+    /** @param rows of each partition: number of vertices, then for each its key, whether it is buried, its elements */
+    void take(List<byte[]> rows) throws IOException {
+        for (byte[] part : rows) {
+            read(Wire.input(part));
+        }
+    }
+
+    /** For each vertex its key, whether it is buried, and its {@link Rows}. */
+    private void read(DataInputStream in) throws IOException {
+        for (int n = in.readInt(); n > 0; n--) {
+            int v = index.find(in.readLong());
+            if (in.readBoolean()) {
+                nodes.bury(v);
+            }
+            int size = in.readInt();
+            column[v] = new int[size];
+            entry[v] = new float[3 * size];
+            for (int i = 0; i < size; i++) {
+                column[v][i] = nodes.find(in.readInt(), in.readLong());
+                for (int k = 0; k < 3; k++) {
+                    entry[v][3 * i + k] = in.readFloat();
+                }
+            }
+        }
+    }
+
+    /**
+     * All of the initial mesh as shots, with what it matters for light to come as radiosity: 1, and more for what
+     * emits.
+     */
+    List<Shot> importance() {
+        double mean = 0;
+        for (int f = 0; f < faces.count(); f++) {
+            mean += faces.area(f) * brightest(f) / faces.area();
+        }
+        List<Shot> shots = new ArrayList<>();
+        for (int top : nodes.tops()) {
+            double value = 1 + (mean == 0 ? 0 : brightest(nodes.face(top)) / mean);
+            shots.add(Shot.of(nodes, top, 0, (node, k, c) -> value));
+        }
+        return shots;
+    }
+
+    private double brightest(int face) {
+        double e = 0;
+        for (int c = 0; c < channels; c++) {
+            e = Math.max(e, faces.exitance(face, c));
+        }
+        return e;
+    }
+
+    /**
+     * Irradiance that will come of unshot radiosity.
+     *
+     * @param unshot channels per node of the initial mesh, for patches, W/m²; not modified
+     * @return channels per vertex, W/m²
+     */
+    double[] irradiance(double[] unshot) {
+        double[] h = new double[channels * nodes.vertices()];
+        for (int c = 0; c < channels; c++) {
+            solve(unshot, h, c);
+        }
+        return h;
+    }
+
+    /** Gauss-Seidel (section 2.1 of the paper). */
+    private void solve(double[] unshot, double[] h, int c) {
+        double change = Double.POSITIVE_INFINITY;
+        double size = 0;
+        for (int sweep = 0; sweep < MOST_SWEEPS && change > ENOUGH * size; sweep++) {
+            change = 0;
+            size = 0;
+            for (int v = 0; v < column.length; v++) {
+                double sum = 0;
+                for (int i = 0; i < column[v].length; i++) {
+                    int patch = column[v][i];
+                    double rho = faces.reflectance(nodes.face(patch), c);
+                    double u = unshot[channels * patch + c];
+                    for (int k = 0; k < 3; k++) {
+                        sum += entry[v][3 * i + k] * (u + rho * corner(patch, k, h, c));
+                    }
+                }
+                change += Math.abs(sum - h[channels * v + c]);
+                size += Math.abs(sum);
+                h[channels * v + c] = sum;
+            }
+        }
+    }
+
+    /** A buried corner takes the mean of the others. */
+    private double corner(int patch, int k, double[] h, int c) {
+        if (!nodes.isBuried(nodes.corner(patch, k))) {
+            return h[channels * nodes.corner(patch, k) + c];
+        }
+        double sum = 0;
+        int seen = 0;
+        for (int j = 0; j < 3; j++) {
+            int v = nodes.corner(patch, j);
+            if (!nodes.isBuried(v)) {
+                sum += h[channels * v + c];
+                seen++;
+            }
+        }
+        return seen == 0 ? 0 : sum / seen;
+    }
+
+    /** Area mean of reflected radiosity over all that reflects, W/m². */
+    double meanReflected(double[] h, int c) {
+        double sum = 0;
+        double area = 0;
+        for (int p = 0; p < nodes.patches(); p++) {
+            int patch = nodes.patch(p);
+            double rho = faces.reflectance(nodes.face(patch), c);
+            if (rho > 0) {
+                area += nodes.area(patch);
+                for (int k = 0; k < 3; k++) {
+                    sum += nodes.area(patch) * rho * corner(patch, k, h, c) / 3;
+                }
+            }
+        }
+        return area == 0 ? 0 : sum / area;
+    }
+
+    /** E, channels per node, as {@link #irradiance} takes it. */
+    double[] exitance() {
+        double[] e = noUnshot();
+        for (int i = 0; i < e.length; i++) {
+            e[i] = faces.exitance(nodes.face(i / channels), i % channels);
+        }
+        return e;
+    }
+
+    /** Room for {@link #restrict}. */
+    double[] noUnshot() {
+        return new double[channels * nodes.nodes()];
+    }
+
+    /** Adds to a shot what its patches will reflect of an irradiance: linear between the vertices of the mesh. */
+    Shot with(Shot shot, double[] h) {
+        double[] radiosity = shot.radiosity().clone();
+        spread(shot, 0, nodes.find(shot.face(), shot.path()), null, h, radiosity);
+        return new Shot(shot.face(), shot.path(), shot.child(), radiosity, shot.flux());
+    }
+
+    /**
+     * @param coarse node of the initial mesh, or -1 below a patch
+     * @param values below a patch: 3 x channels at the corners
+     */
+    private void spread(Shot shot, int node, int coarse, double[] values, double[] h, double[] radiosity) {
+        double[] here = values;
+        boolean patch = coarse >= 0 && nodes.isElement(coarse);
+        if (patch) {
+            here = new double[3 * channels];
+            for (int i = 0; i < here.length; i++) {
+                here[i] = faces.reflectance(shot.face(), i % channels) * corner(coarse, i / channels, h, i % channels);
+            }
+        }
+        int first = shot.child()[node];
+        if (first < 0) {
+            for (int i = 0; i < 3 * channels; i++) {
+                radiosity[3 * channels * node + i] += here[i];
+            }
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            spread(shot, first + k, coarse < 0 || patch ? -1 : nodes.child(coarse) + k,
+                    here == null ? null : Subdivision.values(here, channels, k), h, radiosity);
+        }
+    }
+
+    /** Adds, to the patches below a shot, the mean of what it shoots. */
+    void restrict(Shot shot, double[] unshot) {
+        restrict(shot, 0, nodes.find(shot.face(), shot.path()), unshot);
+    }
+
+    private void restrict(Shot shot, int node, int coarse, double[] unshot) {
+        if (!nodes.isElement(coarse)) {
+            for (int k = 0; k < 4; k++) {
+                restrict(shot, shot.child()[node] + k, nodes.child(coarse) + k, unshot);
+            }
+            return;
+        }
+        double[] mean = new double[channels];
+        mean(shot, node, 1, mean);
+        for (int c = 0; c < channels; c++) {
+            unshot[channels * coarse + c] += mean[c];
+        }
+    }
+
+    private void mean(Shot shot, int node, double share, double[] mean) {
+        for (int k = 0; k < 4 && shot.child()[node] >= 0; k++) {
+            mean(shot, shot.child()[node] + k, share / 4, mean);
+        }
+        for (int i = 0; i < 3 * channels && shot.child()[node] < 0; i++) {
+            mean[i % channels] += share / 3 * shot.radiosity()[3 * channels * node + i];
+        }
+    }
+}

@@ -1,0 +1,109 @@
+package radiosity.world;
+
+import radiosity.patch.Faces;
+import radiosity.patch.RadiosityNodes;
+
+/**
+ * Where the mesh is too coarse for the light on it: where the middle of an edge has not what lies between its ends.
+ *
+ * <p>The middles of a parent's edges are vertices of its children. By how much they differ from the mean of the edge's
+ * ends is the error that the parent would have had; a child that touches such a middle is divided. Decided from the
+ * element's own surroundings only.
+ */
+final class MeshRefinement {
+
+    /** At a sharp shadow the error per element falls with its size only; below this area it is left. Of all area. */
+    private static final double LEAST_AREA = 1e-7;
+
+    private final RadiosityNodes nodes;
+    private final Faces faces;
+    private final double[] weight;
+    private final double meshError;
+    private final double area;
+
+    /**
+     * @param weight    one per channel: 1 / mean radiosity, m²/W
+     * @param meshError error times square root of area that an element may have, relative to mean and whole area
+     */
+    MeshRefinement(RadiosityNodes nodes, double[] weight, double meshError) {
+        this.nodes = nodes;
+        faces = nodes.faces();
+        this.weight = weight;
+        this.meshError = meshError;
+        area = faces.area();
+    }
+
+    /** @param round what the new vertices are shared by */
+    void splitAll(int round) {
+        for (int node = 0, last = nodes.nodes(); node < last; node++) {
+            if (!nodes.isElement(node)) {
+                splitChildren(node, round);
+            }
+        }
+        for (int top : nodes.tops()) {
+            if (nodes.isElement(top) && wants(top, ofFace(top))) {
+                nodes.split(top, round);
+            }
+        }
+    }
+
+    private void splitChildren(int parent, int round) {
+        int first = nodes.child(parent);
+        double largest = 0;
+        double[] error = new double[3];
+        for (int k = 0; k < 3; k++) {
+            error[k] = ofMiddle(parent, nodes.corner(first + 3, k), k);
+            largest = Math.max(largest, error[k]);
+        }
+        for (int k = 0; k < 4; k++) {
+            double touched = k == 3 ? largest : Math.max(error[(k + 1) % 3], error[(k + 2) % 3]);
+            if (nodes.isElement(first + k) && wants(first + k, touched)) {
+                nodes.split(first + k, round);
+            }
+        }
+    }
+
+    private boolean wants(int element, double error) {
+        double share = nodes.area(element) / area;
+        return share > LEAST_AREA && error * Math.sqrt(share) > meshError;
+    }
+
+    /** Difference of radiosity between the middle of an edge and the mean of its ends, relative to the scene's mean. */
+    private double ofMiddle(int parent, int middle, int k) {
+        int p = nodes.corner(parent, (k + 1) % 3);
+        int q = nodes.corner(parent, (k + 2) % 3);
+        boolean hidden = nodes.isBuried(middle) || nodes.isBuried(p) || nodes.isBuried(q);
+        double largest = 0;
+        for (int c = 0; c < nodes.channels(); c++) {
+            double m = at(middle, c);
+            double a = at(p, c);
+            double b = at(q, c);
+            double difference = hidden ? Math.max(m, Math.max(a, b)) / 2 : Math.abs(m - (a + b) / 2);
+            largest = Math.max(largest, weigh(parent, c, difference));
+        }
+        return largest;
+    }
+
+    /** An original triangle has no parent: a quarter of the difference between its corners. */
+    private double ofFace(int node) {
+        double largest = 0;
+        for (int c = 0; c < nodes.channels(); c++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = 0;
+            for (int k = 0; k < 3; k++) {
+                low = Math.min(low, nodes.irradiance(node, k, c));
+                high = Math.max(high, nodes.irradiance(node, k, c));
+            }
+            largest = Math.max(largest, weigh(node, c, (high - low) / 4));
+        }
+        return largest;
+    }
+
+    private double weigh(int node, int c, double irradiance) {
+        return irradiance * faces.reflectance(nodes.face(node), c) * weight[c];
+    }
+
+    private double at(int vertex, int c) {
+        return nodes.isBuried(vertex) ? 0 : nodes.irradiance()[nodes.channels() * vertex + c];
+    }
+}

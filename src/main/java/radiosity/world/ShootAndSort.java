@@ -1,0 +1,48 @@
+package radiosity.world;
+
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
+import java.util.Arrays;
+
+/**
+ * Shooting and sorting (section 2.2 of the paper): whoever has most unshot flux shoots.
+ *
+ * <p>A round may hold several shots: as many as a thirty-second of those already done, so that the first are single and
+ * later ones do not wait for each other.
+ */
+final class ShootAndSort implements Planner {
+
+    private static final int MOST_IN_ROUND = 64;
+    private static final int SHOTS_PER_SHOT = 32;
+
+    private final double[] weight;
+
+    ShootAndSort(int channels) {
+        weight = new double[channels];
+        Arrays.fill(weight, 1);
+    }
+
+    @Override
+    public Order next(Answer last, int shots) {
+        int size = Math.min(last.candidates.size(), batch(shots));
+        return new Order(Order.Kind.SHOOT, 0, last.candidates.subList(0, size), Double.POSITIVE_INFINITY, weight, 0,
+                batch(shots + size));
+    }
+
+    /** How many may shoot in the next round; follows from the number of shots done, so that everybody agrees. */
+    private static int batch(int shots) {
+        return Math.max(1, Math.min(MOST_IN_ROUND, shots / SHOTS_PER_SHOT));
+    }
+
+    @Override
+    public boolean isEnough(double unsent, double wanted) {
+        return unsent <= wanted;
+    }
+
+    @Override
+    public void write(DataOutput out) throws IOException { }
+
+    @Override
+    public void read(DataInput in) throws IOException { }
+}
