@@ -24,6 +24,8 @@ record Order(Kind kind, int number, List<Shot> shots, double tolerance, double[]
         ASK,
         /** Mark who shoots, gather at every vertex; subdivide by the paper's rule where that is on. */
         SHOOT,
+        /** The same without subdivision: the rest of the round follows. */
+        SHOOT_ON,
         /** Subdivide where interpolation errs, and gather at the new vertices all that was ever shot. */
         REFINE,
         /** Say what was ever shot. */
@@ -32,9 +34,10 @@ record Order(Kind kind, int number, List<Shot> shots, double tolerance, double[]
         ROWS
     }
 
-    /** The same for other shots. */
-    Order with(int otherNumber, List<Shot> otherShots) {
-        return new Order(kind, otherNumber, otherShots, tolerance, weight, meshError, most);
+    /** A part of this round; only the last part ends it. */
+    Order cut(int round, int from, int to) {
+        return new Order(to == shots.size() ? Kind.SHOOT : Kind.SHOOT_ON, round, shots.subList(from, to), tolerance,
+                weight, meshError, most);
     }
 
     byte[] encode() {

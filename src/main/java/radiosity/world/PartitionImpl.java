@@ -81,7 +81,7 @@ final class PartitionImpl implements Partition {
         try {
             Order order = Order.decode(bytes);
             switch (order.kind()) {
-                case SHOOT -> shoot(order);
+                case SHOOT, SHOOT_ON -> shoot(order);
                 case REFINE -> refine(order);
                 case TOTALS -> {
                     return Wire.encode(totals());
@@ -107,7 +107,9 @@ final class PartitionImpl implements Partition {
             }
         }
         gather(order, 0);
-        subdivide(order.number());
+        if (order.kind() == Order.Kind.SHOOT) {
+            subdivide(order.number());
+        }
     }
 
     /** Subdivide where it pays, and give the new vertices what the old ones have: the light of all that was shot. */

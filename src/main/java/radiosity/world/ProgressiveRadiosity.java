@@ -52,13 +52,15 @@ public final class ProgressiveRadiosity {
 
     /** @return whether anything was left to shoot */
     private boolean round() throws IOException {
-        Order order = pending != null ? pending : planner.next(answer, shots);
+        boolean begun = pending != null;
+        Order order = begun ? pending : planner.next(answer, shots);
         int size = Math.min(order.shots().size(), stop.shots() - shots);
         if (size == 0) {
             return false;
         }
-        pending = size == order.shots().size() ? null : order.with(rounds, order.shots().subList(size, order.shots().size()));
-        Order now = order.with(++rounds, order.shots().subList(0, size));
+        rounds += begun ? 0 : 1;
+        Order now = order.cut(rounds, 0, size);
+        pending = now.kind() == Order.Kind.SHOOT ? null : order.cut(rounds, size, order.shots().size());
         now.shots().forEach(this::count);
         shots += size;
         answer = world.answer(now);

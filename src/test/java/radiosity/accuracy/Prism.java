@@ -11,7 +11,7 @@ import radiosity.scene.Vec3;
  */
 public record Prism(double height, double[] base) {
 
-    void addTo(SceneBuilder builder, Surface surface) {
+    public void addTo(SceneBuilder builder, Surface surface) {
         int n = base.length / 2;
         Vec3[] top = new Vec3[n];
         for (int i = 0; i < n; i++) {

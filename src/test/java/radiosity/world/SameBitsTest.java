@@ -1,0 +1,94 @@
+package radiosity.world;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import radiosity.accuracy.Box;
+import radiosity.accuracy.Rooms;
+import radiosity.accuracy.SceneBuilder;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/**
+ * The law of the house: the answer is the same to the last bit on any number of threads and partitions, and through a
+ * stop and a resumption.
+ */
+class SameBitsTest {
+
+    private static final Scene SCENE = scene();
+
+    /** A coloured room with two blocks, of which the higher one glows. */
+    private static Scene scene() {
+        SceneBuilder builder = new SceneBuilder();
+        Box room = new Box(Vec3.ZERO, new Vec3(0.556, 0.5488, 0.5592));
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(new Surface("wall " + side, Rgb.BLACK, new Rgb(0.2 + 0.1 * side, 0.6, 0.5), false),
+                    room.inside(side));
+        }
+        Rooms.CORNELL_BLOCKS.get(0).addTo(builder, Rooms.grey("block", 0, 0.7));
+        Rooms.CORNELL_BLOCKS.get(1).addTo(builder, Rooms.grey("lamp", 1, 0.3));
+        return builder.scene("coloured room");
+    }
+
+    private static RadiositySettings settings(Schedule schedule) {
+        double meshing = schedule == Schedule.PAPER ? 0.1 : Double.POSITIVE_INFINITY;
+        return new RadiositySettings(SCENE.area() / 150, 0, meshing, schedule);
+    }
+
+    private static Solution solve(LocalWorld world, StopRule stop) throws IOException {
+        ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, stop);
+        rounds.run(progress -> true);
+        return rounds.solution();
+    }
+
+    private static StopRule shots(int n) {
+        return new StopRule(n, 1e-3);
+    }
+
+    private static void assertSame(Solution expected, Solution got) {
+        assertEquals(expected.shots(), got.shots());
+        assertEquals(expected.unshotFlux(), got.unshotFlux());
+        assertArrayEquals(expected.corners(), got.corners());
+        assertArrayEquals(expected.positions(), got.positions());
+        assertArrayEquals(expected.irradiance(), got.irradiance());
+        assertArrayEquals(expected.state(), got.state());
+    }
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void dealtWorld_givesTheSameBitsAsLocal(Schedule schedule) throws IOException {
+        Solution local = solve(new LocalWorld(SCENE, settings(schedule), 1), shots(250));
+        assertTrue(local.elements() > 400, "the mesh was subdivided");
+        assertSame(local, solve(new LocalWorld(SCENE, settings(schedule), 2, 1), shots(250)));
+        assertSame(local, solve(new LocalWorld(SCENE, settings(schedule), 1, 3), shots(250)));
+        assertSame(local, solve(new LocalWorld(SCENE, settings(schedule), 2, 7), shots(250)));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void resumed_givesTheSameBitsAsAtOnce(Schedule schedule) throws IOException {
+        Solution atOnce = solve(new LocalWorld(SCENE, settings(schedule), 2), shots(250));
+        Solution first = solve(new LocalWorld(SCENE, settings(schedule), 2), shots(133));
+        assertEquals(133, first.shots());
+        ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(SCENE, settings(schedule), 1, 3), shots(250));
+        rest.resume(first.state());
+        rest.run(progress -> true);
+        assertSame(atOnce, rest.solution());
+    }
+
+    @Test
+    void ledger_closes() throws IOException {
+        for (Schedule schedule : Schedule.values()) {
+            Solution solution = solve(new LocalWorld(SCENE, settings(schedule), 2), shots(200));
+            assertEquals(0, solution.ledger().imbalance(0), 1e-12);
+            assertTrue(solution.ledger().shot()[0] > 0);
+        }
+    }
+}
