@@ -146,7 +146,7 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"-q, PAPER", "-it 5, PAPER", "-se .1, PAPER", "--schedule predict -it 5, PREDICT",
+    @CsvSource({"-q, PREDICT", "-it 5, PAPER", "-se .1, PAPER", "--schedule predict -it 5, PREDICT",
         "--schedule paper, PAPER"})
     void schedule_isThePapersWhereItsStopRulesAreGiven(String options, Schedule expected) {
         CalculationOptions calculation = parse(options + " a b").calculation;
