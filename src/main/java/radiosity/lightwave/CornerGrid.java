@@ -1,19 +1,26 @@
 package radiosity.lightwave;
 
-/** The corners of an outline that are not convex, in the cells of a grid, to find those in a triangle's box. */
+/**
+ * The corners of an outline that are not convex, in the cells of a grid, to find those in a triangle's box.
+ *
+ * <p>Corners that have become convex or were taken off are dropped when they are met, so each is met in vain but once.
+ */
 final class CornerGrid {
 
     private static final int MOST_CELLS_PER_SIDE = 256;
 
     private final Outline outline;
+    private final Work work;
     private int side = 1;
     private double left;
     private double bottom;
     private double cellsPerWidth;
     private double cellsPerHeight;
-    /** Index of the first corner of each cell, one more than cells. */
-    private int[] starts = new int[2];
+    /** Index of the first corner of each cell, and behind the last one it still has. */
+    private int[] starts = new int[1];
+    private int[] ends = new int[1];
     private int[] corners = new int[16];
+    private boolean[] convex = new boolean[0];
 
     /* The cells of the box looked at, and the place in them. */
     private int firstColumn;
@@ -22,14 +29,15 @@ final class CornerGrid {
     private int column;
     private int row;
     private int at;
-    private int end;
 
-    CornerGrid(Outline outline) {
+    CornerGrid(Outline outline, Work work) {
         this.outline = outline;
+        this.work = work;
     }
 
-    /** Takes the corners that are not convex. */
-    void fill(boolean[] convex) {
+    /** Takes the corners that are not convex; {@code flags} are read again with each search. */
+    void fill(boolean[] flags) {
+        convex = flags;
         int n = 0;
         for (int i = 0; i < outline.size(); i++) {
             n += convex[i] ? 0 : 1;
@@ -46,7 +54,13 @@ final class CornerGrid {
             counts[c + 1] += counts[c];
         }
         starts = counts;
-        deal(convex, n);
+        ends = counts.clone();
+        corners = new int[n];
+        for (int i = 0; i < outline.size(); i++) {
+            if (!convex[i]) {
+                corners[ends[cell(i)]++] = i;
+            }
+        }
     }
 
     private void measure() {
@@ -62,16 +76,6 @@ final class CornerGrid {
         }
         cellsPerWidth = side / (right - left);
         cellsPerHeight = side / (top - bottom);
-    }
-
-    private void deal(boolean[] convex, int n) {
-        corners = new int[n];
-        int[] places = starts.clone();
-        for (int i = 0; i < outline.size(); i++) {
-            if (!convex[i]) {
-                corners[places[cell(i)]++] = i;
-            }
-        }
     }
 
     private int cell(int corner) {
@@ -93,30 +97,46 @@ final class CornerGrid {
         lastRow = row(Math.max(outline.y[a], Math.max(outline.y[b], outline.y[c])));
         row = row(Math.min(outline.y[a], Math.min(outline.y[b], outline.y[c])));
         column = firstColumn;
-        enterCell();
+        at = starts[cell()];
     }
 
-    private void enterCell() {
-        at = starts[row * side + column];
-        end = starts[row * side + column + 1];
+    private int cell() {
+        return row * side + column;
     }
 
-    boolean hasNext() {
-        while (at == end) {
-            if (column < lastColumn) {
-                column++;
-            } else if (row < lastRow) {
-                row++;
-                column = firstColumn;
-            } else {
+    /** Moves to the next corner in the box that is not convex; false at the end. */
+    boolean next() {
+        while (true) {
+            work.spend(1);
+            int cell = cell();
+            while (at < ends[cell] && convex[corners[at]]) {
+                corners[at] = corners[--ends[cell]];
+            }
+            if (at < ends[cell]) {
+                at++;
+                return true;
+            }
+            if (!nextCell()) {
                 return false;
             }
-            enterCell();
         }
-        return true;
     }
 
-    int next() {
-        return corners[at++];
+    /** The corner moved to. */
+    int corner() {
+        return corners[at - 1];
+    }
+
+    private boolean nextCell() {
+        if (column < lastColumn) {
+            column++;
+        } else if (row < lastRow) {
+            row++;
+            column = firstColumn;
+        } else {
+            return false;
+        }
+        at = starts[cell()];
+        return true;
     }
 }

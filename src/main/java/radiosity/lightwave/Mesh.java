@@ -27,8 +27,8 @@ record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> 
     }
 
     /** Cuts the polygons of the layers; what is wrong with them is noted. */
-    static Mesh of(ObjectModel object, List<Layer> layers, Notes notes) {
-        Builder builder = new Builder(object, notes);
+    static Mesh of(ObjectModel object, List<Layer> layers, Work work, Notes notes) {
+        Builder builder = new Builder(object, work, notes);
         layers.forEach(builder::add);
         double[] pivot = layers.size() == 1 ? layers.get(0).pivot : new double[3];
         return builder.build(pivot);
@@ -38,6 +38,7 @@ record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> 
     private static final class Builder {
 
         private final ObjectModel object;
+        private final Work work;
         private final Notes notes;
         private final Floats points = new Floats();
         private final Ints corners = new Ints();
@@ -46,13 +47,14 @@ record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> 
         private final Map<String, Integer> surfaceIndex = new HashMap<>();
         private final List<SurfaceValues> surfaces = new java.util.ArrayList<>();
 
-        Builder(ObjectModel object, Notes notes) {
+        Builder(ObjectModel object, Work work, Notes notes) {
             this.object = object;
+            this.work = work;
             this.notes = notes;
         }
 
         void add(Layer layer) {
-            Triangulation triangulation = new Triangulation(layer, notes);
+            Triangulation triangulation = new Triangulation(layer, work, notes);
             int[] newPoint = new int[layer.pointCount()];
             Arrays.fill(newPoint, -1);
             Ints triangles = new Ints();

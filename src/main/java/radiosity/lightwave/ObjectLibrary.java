@@ -14,6 +14,7 @@ final class ObjectLibrary {
     private final FileSearch search;
     private final LightWaveOptions options;
     private final Notes notes;
+    private final Work work = new Work();
     private final Map<Path, Optional<ObjectModel>> objects = new HashMap<>();
     private final Map<PartKey, Optional<Part>> parts = new HashMap<>();
 
@@ -60,7 +61,7 @@ final class ObjectLibrary {
 
     private Optional<Part> cut(ObjectModel object, int layer, SceneItem item, String name, Notes objectNotes) {
         if (layer == SceneItem.WHOLE_FILE) {
-            return Optional.of(new Part(Mesh.of(object, object.layers, objectNotes), fileName(name)));
+            return Optional.of(new Part(Mesh.of(object, object.layers, work, objectNotes), fileName(name)));
         }
         List<Layer> layers = object.layers.stream().filter(l -> l.number == layer).toList();
         if (layers.isEmpty()) {
@@ -68,7 +69,7 @@ final class ObjectLibrary {
                     "layer " + (layer + 1) + " of " + name);
             return Optional.empty();
         }
-        return Optional.of(new Part(Mesh.of(object, layers, objectNotes), fileName(name)));
+        return Optional.of(new Part(Mesh.of(object, layers, work, objectNotes), fileName(name)));
     }
 
     private static String fileName(String path) {
@@ -85,10 +86,5 @@ final class ObjectLibrary {
             notes.note("", "objects that cannot be read are left out", e.getMessage());
             return Optional.empty();
         }
-    }
-
-    /** All layers of an object that is looked at alone. */
-    Mesh visible(ObjectModel object, Notes objectNotes) {
-        return Mesh.of(object, object.layers, objectNotes);
     }
 }

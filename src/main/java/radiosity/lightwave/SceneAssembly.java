@@ -52,15 +52,15 @@ final class SceneAssembly {
         if (SceneParser.isScene(bytes)) {
             assembly.addScene(SceneParser.parse(bytes, notes), library);
         } else if (ObjectFile.isObject(bytes)) {
-            assembly.addObject(ObjectFile.read(bytes, name, notes), library);
+            assembly.addObject(ObjectFile.read(bytes, name, notes));
         } else {
             throw notes.error("", "a LightWave scene or object", Foreign.describe(bytes));
         }
         return new Reading(assembly.toScene(), assembly.description, assembly.placement);
     }
 
-    private void addObject(ObjectModel object, ObjectLibrary library) {
-        instances.add(new Instance(library.visible(object, notes), Matrix.IDENTITY, name));
+    private void addObject(ObjectModel object) {
+        instances.add(new Instance(Mesh.of(object, object.layers, new Work(), notes), Matrix.IDENTITY, name));
     }
 
     private void addScene(SceneDescription scene, ObjectLibrary library) throws IOException {
@@ -86,7 +86,7 @@ final class SceneAssembly {
 
     private static boolean isSeen(SceneItem object, Motion.Instant instant) {
         String keyword = object.has("ObjectDissolve") ? "ObjectDissolve" : "ObjDissolve";
-        return !object.isNull() && object.number(keyword, instant, 0) < 1;
+        return object.isLoaded() && object.number(keyword, instant, 0) < 1;
     }
 
     private void addInstance(ObjectLibrary.Part part, Matrix world, SceneItem object) {

@@ -24,8 +24,8 @@ final class SceneItem {
     final String place;
     /** As written in LWSC 4 and later; -1 where there is none. */
     final long id;
-    /** Path of an object as written; empty for a null object and all others. */
-    String file = "";
+    /** Path of an object as written; null for a null object and all others. */
+    String file;
     /** Number of the layer in its file. */
     int layer = WHOLE_FILE;
     Motion motion = Motion.NONE;
@@ -78,7 +78,8 @@ final class SceneItem {
         return numbers(keyword, instant, otherwise)[0];
     }
 
-    boolean isNull() {
-        return kind == Kind.OBJECT && file.isEmpty();
+    /** Whether it is an object with a file, and no null object. */
+    boolean isLoaded() {
+        return file != null;
     }
 }

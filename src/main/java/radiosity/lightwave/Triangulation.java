@@ -13,11 +13,11 @@ final class Triangulation {
     private final PolygonSet seen;
     private final Ints local = new Ints();
 
-    Triangulation(Layer layer, Notes notes) {
+    Triangulation(Layer layer, Work work, Notes notes) {
         this.layer = layer;
         this.notes = notes;
         this.outline = new Outline(layer);
-        this.ears = new EarClipping(outline);
+        this.ears = new EarClipping(outline, work);
         this.seen = new PolygonSet(layer);
     }
 
