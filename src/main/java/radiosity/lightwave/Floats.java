@@ -5,7 +5,9 @@ import java.util.Arrays;
 /** A growing array of single-precision numbers. */
 final class Floats {
 
-    private float[] values = new float[16];
+    private static final float[] NONE = {};
+
+    private float[] values = NONE;
     private int size;
 
     void add(float value) {

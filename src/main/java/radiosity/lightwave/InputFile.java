@@ -9,6 +9,9 @@ import radiosity.scene.SceneFormatException;
 /** Reads a file into memory once, if it is one and not too large. */
 final class InputFile {
 
+    /** What is read from a file may take this many times its size. */
+    private static final int GROWTH = 16;
+
     private InputFile() {
     }
 
@@ -21,10 +24,10 @@ final class InputFile {
             throw new SceneFormatException(name, "", "a file", "a directory or a device");
         }
         try (InputStream in = Files.newInputStream(file)) {
-            byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, options.maxBytes() + 1));
-            if (bytes.length > options.maxBytes()) {
-                throw new SceneFormatException(name, "", "at most " + options.maxBytes() + " bytes",
-                        Files.size(file) + " bytes");
+            long most = Math.min(options.maxBytes(), Runtime.getRuntime().maxMemory() / GROWTH);
+            byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, most + 1));
+            if (bytes.length > most) {
+                throw new SceneFormatException(name, "", "at most " + most + " bytes", Files.size(file) + " bytes");
             }
             return bytes;
         }

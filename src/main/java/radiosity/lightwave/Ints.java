@@ -5,7 +5,9 @@ import java.util.Arrays;
 /** A growing array of whole numbers. */
 final class Ints {
 
-    private int[] values = new int[16];
+    private static final int[] NONE = {};
+
+    private int[] values = NONE;
     private int size;
 
     void add(int value) {

@@ -25,14 +25,14 @@ final class Lwo2Reader {
 
     private void chunk(String id, Bytes data, String place) {
         switch (id) {
-            case "TAGS" -> tags(data);
+            case "TAGS" -> tags(data, place);
             case "LAYR" -> layer(data, place);
             case "PNTS" -> object.currentLayer().readPoints(data, place, notes);
             case "POLS" -> polygons(data, place);
             case "PTAG" -> polygonTags(data, place);
             case "VMAP" -> pointMap(data, place);
             case "VMAD" -> cornerMap(data, place);
-            case "CLIP" -> clip(data);
+            case "CLIP" -> clip(data, place);
             case "SURF" -> object.addSurface(new Lwo2Surface(notes).read(data), place, notes);
             case "FORM" -> form(data, place);
             default -> { }
@@ -43,14 +43,14 @@ final class Lwo2Reader {
     private void form(Bytes data, String place) {
         switch (data.id()) {
             case "SURF" -> object.addSurface(new Lwo3Surface(notes).read(data, place), place, notes);
-            case "CLIP" -> Lwo3Surface.readClip(data, object.clips, notes);
+            case "CLIP" -> Lwo3Surface.readClip(data, object, place, notes);
             default -> { }
         }
     }
 
-    private void tags(Bytes data) {
+    private void tags(Bytes data, String place) {
         while (data.has(1)) {
-            object.tags.add(data.s0());
+            object.addTag(data.s0(), place, notes);
         }
     }
 
@@ -62,7 +62,7 @@ final class Lwo2Reader {
             notes.note(place, "the pivot of a layer is missing or no number, the origin is taken");
             pivot = new double[3];
         }
-        object.layers.add(new Layer(number, hidden, pivot));
+        object.addLayer(new Layer(number, hidden, pivot), place, notes);
     }
 
     private void polygons(Bytes data, String place) {
@@ -124,7 +124,7 @@ final class Lwo2Reader {
             map.points.add(layer.firstPoint + data.vx());
             coordinates(map, dimension, data);
         }
-        keep(layer, map, place);
+        keep(map, place);
     }
 
     private void cornerMap(Bytes data, String place) {
@@ -139,7 +139,7 @@ final class Lwo2Reader {
             map.polygons.add(layer.firstPolygon + data.vx());
             coordinates(map, dimension, data);
         }
-        keep(layer, map, place);
+        keep(map, place);
     }
 
     private static void coordinates(VertexMap map, int dimension, Bytes data) {
@@ -148,20 +148,20 @@ final class Lwo2Reader {
         data.skip(4 * (dimension - 2));
     }
 
-    private void keep(Layer layer, VertexMap map, String place) {
+    private void keep(VertexMap map, String place) {
         if (map.points.size() == 0) {
             notes.note(place, "texture coordinates without content are left out", map.name);
         } else {
-            layer.maps.add(map);
+            object.addMap(map, place, notes);
         }
     }
 
-    private void clip(Bytes data) {
+    private void clip(Bytes data, String place) {
         int number = (int) data.u4();
         Chunks parts = new Chunks(data, 2, notes);
         while (parts.next()) {
             if (parts.id().equals("STIL")) {
-                object.clips.put(number, parts.data().s0());
+                object.addClip(number, parts.data().s0(), place, notes);
             }
         }
     }

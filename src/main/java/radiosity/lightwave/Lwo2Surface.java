@@ -20,7 +20,7 @@ final class Lwo2Surface {
         while (chunks.next()) {
             value(surface, chunks.id(), chunks.data(), chunks.place(), notes);
             if (chunks.id().equals("BLOK")) {
-                Lwo2Texture.read(chunks.data(), notes).ifPresent(surface.textures::add);
+                Lwo2Texture.read(chunks.data(), notes).ifPresent(surface::addTexture);
             }
         }
         return surface;

@@ -1,7 +1,5 @@
 package radiosity.lightwave;
 
-import java.util.Map;
-
 /** Reads the SURF and CLIP forms of LWO3 objects: chunks with sizes of 4 bytes, the name in one of four spaces. */
 final class Lwo3Surface {
 
@@ -44,23 +42,23 @@ final class Lwo3Surface {
     }
 
     /** Reads the number and the path of an image. */
-    static void readClip(Bytes data, Map<Integer, String> clips, Notes notes) {
+    static void readClip(Bytes data, ObjectModel object, String place, Notes notes) {
         int number = 0;
         Chunks chunks = new Chunks(data, 4, notes);
         while (chunks.next()) {
             if (chunks.id().equals(HEAD)) {
                 number = (int) chunks.data().u4();
             } else if (chunks.id().equals("FORM") && chunks.data().id().equals("STIL")) {
-                still(chunks.data(), number, clips, notes);
+                still(chunks.data(), number, object, place, notes);
             }
         }
     }
 
-    private static void still(Bytes data, int number, Map<Integer, String> clips, Notes notes) {
+    private static void still(Bytes data, int number, ObjectModel object, String place, Notes notes) {
         Chunks chunks = new Chunks(data, 4, notes);
         while (chunks.next()) {
             if (chunks.id().equals(HEAD)) {
-                clips.put(number, chunks.data().s0());
+                object.addClip(number, chunks.data().s0(), place, notes);
             }
         }
     }

@@ -15,9 +15,9 @@ final class LwobReader {
         Chunks chunks = new Chunks(file, 4, notes);
         while (chunks.next()) {
             switch (chunks.id()) {
-                case "LAYR" -> layer(chunks.data());
+                case "LAYR" -> layer(chunks.data(), chunks.place());
                 case "PNTS" -> object.currentLayer().readPoints(chunks.data(), chunks.place(), notes);
-                case "SRFS" -> surfaceNames(chunks.data());
+                case "SRFS" -> surfaceNames(chunks.data(), chunks.place());
                 case "POLS" -> polygons(chunks.data(), chunks.place());
                 case "PCHS" -> patches(chunks.data(), chunks.place());
                 case "SURF" -> object.addSurface(new LwobSurface(notes).read(chunks.data(), chunks.place()),
@@ -27,15 +27,15 @@ final class LwobReader {
         }
     }
 
-    private void layer(Bytes data) {
+    private void layer(Bytes data, String place) {
         int number = data.u2();
         boolean hidden = (data.u2() & 1) == 1;
-        object.layers.add(new Layer(number, hidden, new double[3]));
+        object.addLayer(new Layer(number, hidden, new double[3]), place, notes);
     }
 
-    private void surfaceNames(Bytes data) {
+    private void surfaceNames(Bytes data, String place) {
         while (data.has(1)) {
-            object.tags.add(data.s0());
+            object.addTag(data.s0(), place, notes);
         }
     }
 

@@ -69,7 +69,7 @@ final class LwobSurface {
     void startTexture(String channel) {
         texture = new TextureBlock();
         texture.channel = channel;
-        surface.textures.add(texture);
+        surface.addTexture(texture);
     }
 
     /** The one that is being described; null before the first. */

@@ -34,7 +34,7 @@ final class ObjectLibrary {
     Optional<Part> part(SceneItem item) throws IOException {
         Optional<Path> file = search.object(item.file);
         if (file.isEmpty()) {
-            notes.note(item.place, "objects that are not found are left out", item.file);
+            notes.note(item.place(), "objects that are not found are left out", item.file);
             return Optional.empty();
         }
         PartKey key = new PartKey(file.get(), item.layer);
@@ -65,7 +65,7 @@ final class ObjectLibrary {
         }
         List<Layer> layers = object.layers.stream().filter(l -> l.number == layer).toList();
         if (layers.isEmpty()) {
-            notes.note(item.place, "layers that their object does not have are left out",
+            notes.note(item.place(), "layers that their object does not have are left out",
                     "layer " + (layer + 1) + " of " + name);
             return Optional.empty();
         }

@@ -9,6 +9,10 @@ import java.util.Map;
 /** What an object file holds, as it lists it. */
 final class ObjectModel {
 
+    /** Polygons number surfaces and layers with 2 bytes: what is beyond cannot be meant. */
+    static final int MOST = 65_536;
+    private static final int MOST_MAPS = 10_000;
+
     final String name;
     /** LWOB, LWLO, LWO2 or LWO3. */
     final String format;
@@ -24,6 +28,8 @@ final class ObjectModel {
         this.format = format;
     }
 
+    private int maps;
+
     /** The layer to which data belong that stand before any layer's head. */
     Layer currentLayer() {
         if (layers.isEmpty()) {
@@ -32,8 +38,42 @@ final class ObjectModel {
         return layers.get(layers.size() - 1);
     }
 
+    void addLayer(Layer layer, String place, Notes notes) {
+        if (layers.size() < MOST) {
+            layers.add(layer);
+        } else {
+            notes.note(place, "layers beyond " + MOST + " are taken as one");
+        }
+    }
+
+    void addTag(String tag, String place, Notes notes) {
+        if (tags.size() < MOST) {
+            tags.add(tag);
+        } else {
+            notes.note(place, "names beyond " + MOST + " are left out");
+        }
+    }
+
+    void addClip(int number, String path, String place, Notes notes) {
+        if (clips.size() < MOST) {
+            clips.put(number, path);
+        } else {
+            notes.note(place, "images beyond " + MOST + " are left out");
+        }
+    }
+
+    void addMap(VertexMap map, String place, Notes notes) {
+        if (maps++ < MOST_MAPS) {
+            currentLayer().maps.add(map);
+        } else {
+            notes.note(place, "texture coordinates beyond " + MOST_MAPS + " maps are left out");
+        }
+    }
+
     void addSurface(SurfaceValues surface, String place, Notes notes) {
-        if (surfaces.put(surface.name, surface) != null) {
+        if (surfaces.size() >= MOST) {
+            notes.note(place, "surfaces beyond " + MOST + " are left out");
+        } else if (surfaces.put(surface.name, surface) != null) {
             notes.note(place, "a surface is described twice, the last time counts", surface.name);
         }
     }

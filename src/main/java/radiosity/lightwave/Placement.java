@@ -35,7 +35,7 @@ final class Placement {
         }
         for (SceneItem item : scene.items) {
             if (item.id >= 0 && byId.putIfAbsent(item.id, item) != null) {
-                notes.note(item.place, "two items have the same identity, the first counts", Long.toHexString(item.id));
+                notes.note(item.place(), "two items have the same identity, the first counts", Long.toHexString(item.id));
             }
         }
     }
@@ -52,7 +52,7 @@ final class Placement {
         SceneItem link = item;
         while (link != null && !worlds.containsKey(link)) {
             if (inChain.put(link, true) != null) {
-                notes.note(link.place, "parents form a circle, which is opened here");
+                notes.note(link.place(), "parents form a circle, which is opened here");
                 break;
             }
             chain.push(link);
@@ -154,7 +154,7 @@ final class Placement {
     }
 
     private SceneItem missing(SceneItem item, String keyword, String text) {
-        notes.note(item.place, keyword + " names an item that does not exist", text);
+        notes.note(item.place(), keyword + " names an item that does not exist", text);
         return null;
     }
 }

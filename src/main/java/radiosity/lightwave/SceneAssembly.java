@@ -101,7 +101,7 @@ final class SceneAssembly {
         if (factor * Math.max(1, reach) < FARTHEST) {
             instances.add(new Instance(part.mesh(), world, part.name()));
         } else {
-            notes.note(object.place, "objects too large or too far away for their numbers are left out", part.name());
+            notes.note(object.place(), "objects too large or too far away for their numbers are left out", part.name());
         }
     }
 

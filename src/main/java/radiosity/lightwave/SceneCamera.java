@@ -44,7 +44,7 @@ final class SceneCamera {
         boolean sound = position.isFinite() && forward.length() > 0.5 && up.length() > 0.5 && forward.isFinite()
                 && up.isFinite();
         if (!sound || !(zoom > 1e-6 && zoom < 1e9) || !(aspect > 1e-6 && aspect < 1e6)) {
-            notes.note(item.place, "a camera without a sound position, zoom or picture size is left out");
+            notes.note(item.place(), "a camera without a sound position, zoom or picture size is left out");
             return Optional.empty();
         }
         return Optional.of(new Camera(position, forward, up, Math.atan(1 / zoom), aspect));

@@ -21,7 +21,7 @@ final class SceneItem {
     static final int WHOLE_FILE = -1;
 
     final Kind kind;
-    final String place;
+    private final int line;
     /** As written in LWSC 4 and later; -1 where there is none. */
     final long id;
     /** Path of an object as written; null for a null object and all others. */
@@ -29,20 +29,27 @@ final class SceneItem {
     /** Number of the layer in its file. */
     int layer = WHOLE_FILE;
     Motion motion = Motion.NONE;
-    private final Map<String, String> values = new HashMap<>(4);
-    private final Map<String, Motion> envelopes = new HashMap<>(2);
+    private Map<String, String> values = Map.of();
+    private Map<String, Motion> envelopes = Map.of();
 
-    SceneItem(Kind kind, long id, String place) {
+    SceneItem(Kind kind, long id, int line) {
         this.kind = kind;
         this.id = id;
-        this.place = place;
+        this.line = line;
+    }
+
+    /** Where it is described, for messages. */
+    String place() {
+        return "line " + line;
     }
 
     void put(String keyword, String value) {
+        values = values.isEmpty() ? new HashMap<>(4) : values;
         values.put(keyword, value);
     }
 
     void put(String keyword, Motion envelope) {
+        envelopes = envelopes.isEmpty() ? new HashMap<>(2) : envelopes;
         envelopes.put(keyword, envelope);
     }
 

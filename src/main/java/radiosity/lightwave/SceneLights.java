@@ -69,10 +69,10 @@ final class SceneLights {
             case 2 -> lights.add(make(item, Light.Kind.SPOT, power));
             case 4 -> lights.add(make(item, Light.Kind.AREA, power.times(Math.PI)));
             case 3 -> {
-                notes.note(item.place, "linear lights are taken as point lights at their middle");
+                notes.note(item.place(), "linear lights are taken as point lights at their middle");
                 lights.add(make(item, Light.Kind.POINT, power));
             }
-            default -> notes.note(item.place, "lights of a kind that is not known are left out", String.valueOf(type));
+            default -> notes.note(item.place(), "lights of a kind that is not known are left out", String.valueOf(type));
         }
     }
 

@@ -103,6 +103,11 @@ final class SceneLines {
         return -1;
     }
 
+    /** Number of the line, from 1. */
+    int number() {
+        return lineNumber;
+    }
+
     String place() {
         return "line " + lineNumber;
     }

@@ -16,6 +16,9 @@ final class SceneParser {
     private static final Set<String> MOVED_BY_PLUGINS = Set.of("ItemMotionHandler", "DisplacementHandler",
             "ObjReplacementHandler", "ChannelHandler");
 
+    /** As many as memory allows at a kilobyte for each. */
+    private static final long MOST_ITEMS = Runtime.getRuntime().maxMemory() >> 10;
+
     private final SceneLines lines;
     private final Notes notes;
     private final MotionParser motions;
@@ -63,8 +66,11 @@ final class SceneParser {
         return (int) version;
     }
 
-    private void parse() {
+    private void parse() throws SceneFormatException {
         while (lines.next()) {
+            if (scene.items.size() > MOST_ITEMS) {
+                throw notes.error(lines.place(), "at most " + MOST_ITEMS + " objects, lights and cameras", "more");
+            }
             line(lines.keyword(), lines.value());
         }
     }
@@ -115,7 +121,7 @@ final class SceneParser {
     }
 
     private SceneItem begin(SceneItem.Kind kind, long id) {
-        item = new SceneItem(kind, id, lines.place());
+        item = new SceneItem(kind, id, lines.number());
         scene.items.add(item);
         camera = kind == SceneItem.Kind.CAMERA ? item : camera;
         return item;

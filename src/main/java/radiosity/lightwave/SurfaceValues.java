@@ -13,6 +13,7 @@ final class SurfaceValues {
 
     /** LightWave's own grey. */
     private static final Rgb DEFAULT_COLOUR = Rgb.grey(200 / 255.0);
+    private static final int MOST_TEXTURES = 16;
 
     final String name;
     /** Name of the surface whose values hold where this one has none; empty if there is none. */
@@ -25,7 +26,7 @@ final class SurfaceValues {
     /** Colour of the emitted light where it is not the surface's own. */
     Rgb luminousColour;
     Boolean twoSided;
-    final List<TextureBlock> textures = new ArrayList<>();
+    final List<TextureBlock> textures = new ArrayList<>(0);
 
     SurfaceValues(String name, String source) {
         this.name = name;
@@ -37,6 +38,13 @@ final class SurfaceValues {
         SurfaceValues standard = new SurfaceValues(name, "");
         standard.complete(false);
         return standard;
+    }
+
+    /** Adds an image; LightWave itself is not known to have used so many. */
+    void addTexture(TextureBlock texture) {
+        if (textures.size() < MOST_TEXTURES) {
+            textures.add(texture);
+        }
     }
 
     /** Takes from another surface what this one does not say. */

@@ -1,0 +1,79 @@
+package radiosity.lightwave;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import radiosity.scene.SceneFormatException;
+
+/** Mutants of sound files end in a scene or in the one exception; nothing else is thrown and nothing hangs. */
+@Timeout(value = 120, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class FuzzTest {
+
+    private static final int MUTANTS = 2000;
+    private static final int LARGEST = 60_000;
+
+    @TempDir
+    Path folder;
+
+    private final LightWaveOptions options = LightWaveOptions.defaults().withMaxTriangles(1_000_000);
+
+    @ParameterizedTest
+    @MethodSource("sound")
+    void mutantsOfOwnFiles_endInASceneOrTheOneException(byte[] sound, String name) throws IOException {
+        Files.write(folder.resolve("room.lwo"), Objects.square());
+        mutate(sound, folder.resolve(name), MUTANTS, new Random(sound.length));
+    }
+
+    static Stream<Arguments> sound() {
+        return Stream.of(
+                Arguments.of(Objects.square(), "a.lwo"),
+                Arguments.of(SoundFiles.texturedLwo2(), "a.lwo"),
+                Arguments.of(SoundFiles.lwo3(), "a.lwo"),
+                Arguments.of(Iff.text(SoundFiles.scene1()), "a.lws"),
+                Arguments.of(Iff.text(SoundFiles.scene5()), "a.lws"));
+    }
+
+    @Test
+    void mutantsOfRealFiles_endInASceneOrTheOneException() throws IOException {
+        List<Path> files;
+        try (Stream<Path> all = Files.walk(Shared.path("lightwave"))) {
+            files = all.filter(p -> p.toString().toLowerCase(java.util.Locale.ROOT).matches(".*\\.lw[os]"))
+                    .filter(p -> p.toFile().length() < LARGEST).sorted().toList();
+        }
+        assertTrue(files.size() > 50, files.size() + " files");
+        Random random = new Random(11);
+        for (Path file : files) {
+            mutate(Files.readAllBytes(file), folder.resolve(file.getFileName()), 40, random);
+        }
+    }
+
+    private void mutate(byte[] sound, Path file, int times, Random random) throws IOException {
+        for (int i = 0; i < times; i++) {
+            byte[] mutant = Mutation.of(sound, random);
+            Files.write(file, mutant);
+            List<String> told = new ArrayList<>();
+            try {
+                LightWaveReader.read(file, options, told::add);
+            } catch (SceneFormatException e) {
+                told.add(e.getMessage());
+            }
+            for (String line : told) {
+                assertTrue(line.chars().noneMatch(Character::isISOControl), line);
+            }
+        }
+        Files.delete(file);
+    }
+}
