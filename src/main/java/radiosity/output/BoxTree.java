@@ -31,7 +31,11 @@ final class BoxTree {
         }
     }
 
-    /** A tree over points. @param points x, y, z, 3 per point; not modified, not kept */
+    /**
+     * A tree over points.
+     *
+     * @param points x, y, z, 3 per point; not modified, not kept
+     */
     static BoxTree ofPoints(double[] points) {
         double[] boxes = new double[2 * points.length];
         for (int i = 0; i < points.length / 3; i++) {

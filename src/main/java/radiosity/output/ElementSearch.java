@@ -34,7 +34,11 @@ final class ElementSearch {
         tree = new BoxTree(boxes);
     }
 
-    /** The element, or -1; between several the nearest whose normal agrees best. @param normal unit direction */
+    /**
+     * The element, or -1; between several the nearest whose normal agrees best.
+     *
+     * @param normal unit direction
+     */
     int find(Vec3 point, Vec3 normal) {
         double[] p = {point.x(), point.y(), point.z()};
         Best best = new Best();

@@ -60,7 +60,12 @@ final class GlbReader implements Closeable {
         return header.position(12).slice().order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** The length of a chunk. @param head its first 8 bytes @param at where they stand */
+    /**
+     * The length of a chunk.
+     *
+     * @param head its first 8 bytes
+     * @param at where they stand
+     */
     private long chunk(ByteBuffer head, long at, int type, String what) throws IOException {
         long length = Integer.toUnsignedLong(head.getInt(0));
         long rest = channel.size() - at - 8;

@@ -21,7 +21,7 @@ final class LitView {
     private final Vec3 centre;
     private final double scale;
     private final RadiosityBounds bounds;
-    /** Mean luminance of each side of each original triangle, 1 where it is the scene's mean or more; 2 per triangle. */
+    /** Mean luminance of each side of an original triangle, 1 where it is the scene's mean or more; 2 per triangle. */
     private final double[] lit;
     private final Vec3[] normals;
 

@@ -37,7 +37,11 @@ final class OpenEdges {
         return Arrays.binarySearch(edges, key(a, b)) >= 0;
     }
 
-    /** The vertices at their ends, ascending. @param vertices number of vertices */
+    /**
+     * The vertices at their ends, ascending.
+     *
+     * @param vertices number of vertices
+     */
     int[] ends(int vertices) {
         BitSet ends = new BitSet(vertices);
         for (long edge : edges) {

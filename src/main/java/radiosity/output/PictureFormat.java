@@ -40,7 +40,11 @@ public enum PictureFormat {
 
     private static final float QUALITY = 0.95f;
 
-    /** The format that a file's name asks for. @throws IOException if it asks for none of these */
+    /**
+     * The format that a file's name asks for.
+     *
+     * @throws IOException if it asks for none of these
+     */
     public static PictureFormat of(Path file) throws IOException {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return switch (name.substring(name.lastIndexOf('.') + 1)) {

@@ -53,7 +53,11 @@ final class SceneDocument {
         return mapper.writeValueAsBytes(root);
     }
 
-    /** The asset's extras. @param content of JSON's types, or records of them */
+    /**
+     * The asset's extras.
+     *
+     * @param content of JSON's types, or records of them
+     */
     void extras(String name, Map<String, ?> content) {
         ObjectNode extras = root.withObjectProperty("asset").putObject("extras");
         extras.set(name, mapper.valueToTree(content));
@@ -136,7 +140,11 @@ final class SceneDocument {
         return view;
     }
 
-    /** Adds an array that no accessor names; returns its buffer view. @param array as {@link GlbWriter} takes it */
+    /**
+     * Adds an array that no accessor names; returns its buffer view.
+     *
+     * @param array as {@link GlbWriter} takes it
+     */
     int view(Object array) {
         long bytes = GlbWriter.bytes(array);
         list("bufferViews").addObject().put("buffer", 0).put("byteOffset", binLength).put("byteLength", bytes);
@@ -145,7 +153,11 @@ final class SceneDocument {
         return list("bufferViews").size() - 1;
     }
 
-    /** @param near distance of the near plane, above 0 @param origin as in the constructor */
+    /**
+     * @param near distance of the near plane, above 0
+     *
+     * @param origin as in the constructor
+     */
     void camera(Camera camera, double near, Vec3 origin) {
         ObjectNode node = list("cameras").addObject().put("type", "perspective");
         node.putObject("perspective").put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect())

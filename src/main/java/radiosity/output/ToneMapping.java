@@ -59,7 +59,11 @@ public record ToneMapping(Operator operator, double exposure) {
         }
     }
 
-    /** The automatic choice for a solution, made brighter by some stops. @param stops EV, 0 for the choice itself */
+    /**
+     * The automatic choice for a solution, made brighter by some stops.
+     *
+     * @param stops EV, 0 for the choice itself
+     */
     public static ToneMapping automatic(Operator operator, Solution solution, double stops) {
         return new ToneMapping(operator, new Brightness(solution).exposure(MIDDLE, DARK) * Math.pow(2, stops));
     }
@@ -69,7 +73,11 @@ public record ToneMapping(Operator operator, double exposure) {
         return automatic(Operator.REINHARD, solution, 0);
     }
 
-    /** Linear light in [0, 1] per channel. @param radiosity W/m² */
+    /**
+     * Linear light in [0, 1] per channel.
+     *
+     * @param radiosity W/m²
+     */
     public Rgb map(Rgb radiosity) {
         Rgb y = operator.map(new Rgb(expose(radiosity.r()), expose(radiosity.g()), expose(radiosity.b())));
         return new Rgb(Math.min(1, y.r()), Math.min(1, y.g()), Math.min(1, y.b()));

@@ -89,7 +89,12 @@ public final class Viewpoint {
         return new Camera(eye, forward, right.cross(forward), halfAngle, ASPECT);
     }
 
-    /** Unit direction through a place in the picture. @param x from -1, left, to 1 @param y from -1, below, to 1 */
+    /**
+     * Unit direction through a place in the picture.
+     *
+     * @param x from -1, left, to 1
+     * @param y from -1, below, to 1
+     */
     static Vec3 direction(Camera camera, double x, double y) {
         double tangent = Math.tan(camera.verticalHalfAngle());
         Vec3 right = camera.forward().cross(camera.up());

@@ -23,7 +23,11 @@ final class Node {
     private Node() {
     }
 
-    /** What a script among the test resources prints as JSON. @param npm the package that it needs, with its version */
+    /**
+     * What a script among the test resources prints as JSON.
+     *
+     * @param npm the package that it needs, with its version
+     */
     static JsonNode run(String script, String npm, Path file) throws IOException, InterruptedException {
         install(npm);
         Path copy = HOME.resolve(script);

@@ -360,6 +360,15 @@ class SceneFileTest {
     }
 
     @Test
+    void symbolicLink_isFollowed() throws IOException {
+        Path target = Files.writeString(folder.resolve("target.scene"), "old");
+        Files.createSymbolicLink(file, target);
+        write(room(Vec3.ZERO).solution());
+        assertTrue(Files.isSymbolicLink(file));
+        assertTrue(Files.size(target) > 1000);
+    }
+
+    @Test
     void openFile_staysWhatItWas_whenItIsReplaced() throws IOException {
         write(room(Vec3.ZERO).solution());
         try (SceneFile scene = SceneFile.open(file)) {
