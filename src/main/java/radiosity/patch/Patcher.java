@@ -1,5 +1,7 @@
 package radiosity.patch;
 
+import java.util.List;
+
 /**
  * How deep the initial mesh goes, and where its receiving points lie (section 4.2.1 of the paper).
  *
@@ -20,17 +22,37 @@ public final class Patcher {
 
     /** @param patchArea largest area of a patch, of the scene's squared size, above 0 */
     public Patcher(Faces faces, double patchArea) {
+        this(faces, patchArea, levels(faces, patchArea));
+    }
+
+    private Patcher(Faces faces, double patchArea, byte[] level) {
         this.faces = faces;
         this.patchArea = patchArea;
-        level = new byte[faces.count()];
+        this.level = level;
+        cornerPull = new CornerPull(faces, level).displacements();
+    }
+
+    private static byte[] levels(Faces faces, double patchArea) {
+        byte[] level = new byte[faces.count()];
         for (int f = 0; f < level.length; f++) {
-            double a = faces.area(f);
-            while (a > patchArea && level[f] < Path.MAX_LEVEL) {
-                a /= 4;
+            for (double a = faces.area(f); a > patchArea && level[f] < Path.MAX_LEVEL; a /= 4) {
                 level[f]++;
             }
         }
-        cornerPull = new CornerPull(faces, level).displacements();
+        return level;
+    }
+
+    /** A mesh of about so many patches or of fewer, but with all the subtrees of these blocks. */
+    public Patcher coarser(List<Block> blocks, int patches) {
+        double largest = Math.max(patchArea, areaFor(faces, patches));
+        byte[] coarse = levels(faces, largest);
+        for (Block block : blocks) {
+            for (int i = 0; i < block.face().length; i++) {
+                int f = block.face()[i];
+                coarse[f] = (byte) Math.max(coarse[f], Path.level(block.path()[i]));
+            }
+        }
+        return new Patcher(faces, largest, coarse);
     }
 
     /** A patch area that gives about so many patches. */

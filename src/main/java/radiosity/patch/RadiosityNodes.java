@@ -2,6 +2,7 @@ package radiosity.patch;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The patch trees of some blocks and their light, in arrays (section 4.5.7 of the paper); a node is an index.
@@ -42,6 +43,8 @@ public final class RadiosityNodes {
     private int[] vertexFace = new int[64];
     /** 1 per vertex: what it is, whoever owns it. */
     private long[] key = new long[64];
+    /** 1 per vertex: number of the split that made it; 0 in the initial mesh. */
+    private int[] made = new int[64];
     /** 1 per vertex: inside another object; its elements do without it. */
     private boolean[] buried = new boolean[64];
     /** channels per vertex: H in W/m². */
@@ -192,6 +195,7 @@ public final class RadiosityNodes {
             receiver = Arrays.copyOf(receiver, 3 * more);
             vertexFace = Arrays.copyOf(vertexFace, more);
             key = Arrays.copyOf(key, more);
+            made = Arrays.copyOf(made, more);
             buried = Arrays.copyOf(buried, more);
             irradiance = Arrays.copyOf(irradiance, channels * more);
         }
@@ -199,6 +203,7 @@ public final class RadiosityNodes {
         patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);
         vertexFace[v] = f;
         key[v] = id;
+        made[v] = with;
         vertices++;
         return v;
     }
@@ -331,6 +336,16 @@ public final class RadiosityNodes {
     /** What a vertex is, whoever owns it. */
     public long vertexKey(int vertex) {
         return key[vertex];
+    }
+
+    /** Number of the split that made a vertex; 0 in the initial mesh. */
+    public int made(int vertex) {
+        return made[vertex];
+    }
+
+    /** The vertices that were made by splits of this number. */
+    public int[] verticesMade(int with) {
+        return IntStream.range(0, vertices).filter(v -> made[v] == with).toArray();
     }
 
     public boolean isBuried(int vertex) {

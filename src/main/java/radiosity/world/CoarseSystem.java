@@ -10,7 +10,7 @@ import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Subdivision;
 
 /**
- * The linear system of the initial mesh (equation 2), by which is foreseen what light will become of unshot light.
+ * The linear system of a coarse mesh (equation 2), by which is foreseen what light will become of unshot light.
  *
  * <p>Unknowns are irradiances at vertices: H = K (U + rho H), where U is given on patches. Each row of K is made by the
  * partition that owns the vertex, once; the system is solved here as often as there is a round.
@@ -33,7 +33,7 @@ final class CoarseSystem {
     CoarseSystem(InitialMesh mesh) {
         faces = mesh.faces;
         channels = faces.channels();
-        nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
+        nodes = new RadiosityNodes(mesh.coarse, mesh.blocks);
         index = new LongIndex(nodes.vertices());
         for (int v = 0; v < nodes.vertices(); v++) {
             index.findOrAdd(nodes.vertexKey(v), v);
@@ -148,21 +148,17 @@ final class CoarseSystem {
         return seen == 0 ? 0 : sum / seen;
     }
 
-    /** Area mean of reflected radiosity over all that reflects, W/m². */
-    double meanReflected(double[] h, int c) {
+    /** Flux that is reflected where this irradiance arrives, scene units. */
+    double reflected(double[] h, int c) {
         double sum = 0;
-        double area = 0;
         for (int p = 0; p < nodes.patches(); p++) {
             int patch = nodes.patch(p);
             double rho = faces.reflectance(nodes.face(patch), c);
-            if (rho > 0) {
-                area += nodes.area(patch);
-                for (int k = 0; k < 3; k++) {
-                    sum += nodes.area(patch) * rho * corner(patch, k, h, c) / 3;
-                }
+            for (int k = 0; k < 3; k++) {
+                sum += nodes.area(patch) * rho * corner(patch, k, h, c) / 3;
             }
         }
-        return area == 0 ? 0 : sum / area;
+        return sum * faces.size() * faces.size();
     }
 
     /** E, channels per node, as {@link #irradiance} takes it. */

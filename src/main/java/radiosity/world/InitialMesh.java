@@ -24,6 +24,8 @@ final class InitialMesh {
     final Faces faces;
     final Patcher patcher;
     final List<Block> blocks;
+    /** A mesh that goes no deeper than is needed to foresee what light will become. */
+    final Patcher coarse;
     /** Flux emitted, one per channel, W. */
     final double[] emitted;
 
@@ -36,6 +38,7 @@ final class InitialMesh {
                 : Patcher.areaFor(faces, predicts() ? COARSE_PATCHES : PATCHES);
         patcher = new Patcher(faces, area);
         blocks = Partitioner.blocks(patcher);
+        coarse = patcher.coarser(blocks, COARSE_PATCHES);
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {

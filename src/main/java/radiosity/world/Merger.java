@@ -9,6 +9,7 @@ import radiosity.patch.RadiosityNodes;
 final class Merger {
 
     private final InitialMesh mesh;
+    private final int dark;
     private final int channels;
     private final LongIndex index = new LongIndex(1024);
     private double[] position = new double[3 * 1024];
@@ -20,8 +21,10 @@ final class Merger {
     private int[] faceOf = new int[1024];
     private int elements;
 
-    Merger(InitialMesh mesh, List<byte[]> states) {
+    /** @param dark number of the split whose vertices have not gathered yet: they take what stands beside them */
+    Merger(InitialMesh mesh, List<byte[]> states, int dark) {
         this.mesh = mesh;
+        this.dark = dark;
         channels = mesh.faces.channels();
         irradiance = new double[channels * 1024];
         for (int b = 0; b < states.size(); b++) {
@@ -62,7 +65,7 @@ final class Merger {
             irradiance = Arrays.copyOf(irradiance, 2 * channels * v);
         }
         nodes.position(node, k, position, 3 * v);
-        if (!nodes.isBuried(from)) {
+        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {
             copies[v]++;
             for (int c = 0; c < channels; c++) {
                 irradiance[channels * v + c] += nodes.irradiance()[channels * from + c];

@@ -6,38 +6,54 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * What every partition does in a round.
+ * What every partition does in a round, or in a part of one.
  *
  * @param kind      what it is
  * @param number    counts the rounds of a calculation from 1
+ * @param more      whether the rest of the round follows
  * @param shots     who shoots, in the order in which it is applied
  * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
  * @param weight    one per channel: what a W/m² counts for in that
  * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
  * @param most      how many candidates for the next round to name
  */
-record Order(Kind kind, int number, List<Shot> shots, double tolerance, double[] weight, double meshError, int most) {
+record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
+             double meshError, int most) {
 
     /** The kinds of round. */
     enum Kind {
         /** Say who could shoot. */
         ASK,
-        /** Mark who shoots, gather at every vertex; subdivide by the paper's rule where that is on. */
+        /** Mark who shoots, gather at every vertex; at the end subdivide by the paper's rule where that is on. */
         SHOOT,
-        /** The same without subdivision: the rest of the round follows. */
-        SHOOT_ON,
-        /** Subdivide where interpolation errs, and gather at the new vertices all that was ever shot. */
-        REFINE,
+        /** Subdivide where interpolation errs; new vertices are dark. */
+        SPLIT,
+        /** Gather at the vertices that were made in the round before: nobody is marked. */
+        GATHER,
         /** Say what was ever shot. */
         TOTALS,
-        /** Say, for the initial mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
+        /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
         ROWS
     }
 
-    /** A part of this round; only the last part ends it. */
-    Order cut(int round, int from, int to) {
-        return new Order(to == shots.size() ? Kind.SHOOT : Kind.SHOOT_ON, round, shots.subList(from, to), tolerance,
-                weight, meshError, most);
+    /** An order without shots. */
+    static Order plain(Kind kind, int most) {
+        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, most);
+    }
+
+    Order numbered(int round) {
+        return new Order(kind, round, more, shots, tolerance, weight, meshError, most);
+    }
+
+    /** The first shots of this round; candidates are named when it ends. */
+    Order first(int size) {
+        boolean all = size == shots.size();
+        return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, all ? most : 0);
+    }
+
+    /** What is left of this round without its first shots. */
+    Order after(int size) {
+        return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, most);
     }
 
     byte[] encode() {
@@ -47,6 +63,7 @@ record Order(Kind kind, int number, List<Shot> shots, double tolerance, double[]
     private void write(DataOutputStream out) throws IOException {
         out.writeByte(kind.ordinal());
         out.writeInt(number);
+        out.writeBoolean(more);
         out.writeInt(shots.size());
         for (Shot shot : shots) {
             shot.write(out);
@@ -64,12 +81,13 @@ record Order(Kind kind, int number, List<Shot> shots, double tolerance, double[]
         DataInputStream in = Wire.input(bytes);
         Kind kind = Kind.values()[in.readByte()];
         int number = in.readInt();
+        boolean more = in.readBoolean();
         List<Shot> shots = Wire.shots(in);
         double tolerance = in.readDouble();
         double[] weight = new double[in.readInt()];
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
-        return new Order(kind, number, shots, tolerance, weight, in.readDouble(), in.readInt());
+        return new Order(kind, number, more, shots, tolerance, weight, in.readDouble(), in.readInt());
     }
 }

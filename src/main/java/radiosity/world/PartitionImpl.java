@@ -27,6 +27,7 @@ final class PartitionImpl implements Partition {
     /** Vertices that a thread takes at a time. */
     private static final int RUN = 64;
 
+    private final InitialMesh mesh;
     private final Faces faces;
     private final int channels;
     private final List<Block> mine;
@@ -38,13 +39,13 @@ final class PartitionImpl implements Partition {
     private final Burial burial;
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
-    private final int initialVertices;
     /** The nodes that shoot: patches in the paper's schedule, else what they are parts of. */
     private final int[] shooters;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
 
     PartitionImpl(InitialMesh mesh, List<Block> mine, int threads) {
+        this.mesh = mesh;
         this.mine = mine;
         faces = mesh.faces;
         channels = faces.channels();
@@ -56,7 +57,6 @@ final class PartitionImpl implements Partition {
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         burial = new Burial(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
-        initialVertices = nodes.vertices();
         shooters = mesh.settings.schedule() == Schedule.PAPER ? patches() : nodes.tops();
         flux = new double[shooters.length];
         bury(0);
@@ -81,8 +81,9 @@ final class PartitionImpl implements Partition {
         try {
             Order order = Order.decode(bytes);
             switch (order.kind()) {
-                case SHOOT, SHOOT_ON -> shoot(order);
-                case REFINE -> refine(order);
+                case SHOOT -> shoot(order);
+                case SPLIT -> split(order);
+                case GATHER -> gather(order, nodes.verticesMade(order.number() - 1));
                 case TOTALS -> {
                     return Wire.encode(totals());
                 }
@@ -106,19 +107,18 @@ final class PartitionImpl implements Partition {
                 shot.markShot(nodes, patch);
             }
         }
-        gather(order, 0);
-        if (order.kind() == Order.Kind.SHOOT) {
+        gather(order, IntStream.range(0, nodes.vertices()).toArray());
+        if (!order.more()) {
             subdivide(order.number());
         }
     }
 
-    /** Subdivide where it pays, and give the new vertices what the old ones have: the light of all that was shot. */
-    private void refine(Order order) {
+    /** Subdivide where it pays. */
+    private void split(Order order) {
         int known = nodes.vertices();
         new MeshRefinement(nodes, order.weight(), order.meshError()).splitAll(order.number());
         bury(known);
         Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
-        gather(order, known);
     }
 
     private List<Shot> totals() {
@@ -126,14 +126,13 @@ final class PartitionImpl implements Partition {
     }
 
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
-    private void gather(Order order, int from) {
+    private void gather(Order order, int[] vertices) {
         Shooter[] source = shooters(order);
         RayCaster calculator = new RayCaster(bounds, rays, order.tolerance());
-        crew.run((nodes.vertices() - from + RUN - 1) / RUN, i -> {
-            int first = from + i * RUN;
-            int last = Math.min(nodes.vertices(), first + RUN);
+        crew.run((vertices.length + RUN - 1) / RUN, i -> {
+            int[] run = Arrays.copyOfRange(vertices, i * RUN, Math.min(vertices.length, (i + 1) * RUN));
             for (Shooter shooter : source) {
-                gather(calculator, shooter, first, last);
+                gather(calculator, shooter, run);
             }
         });
     }
@@ -142,43 +141,45 @@ final class PartitionImpl implements Partition {
         return order.shots().stream().map(shot -> shot.shooter(faces, order.weight())).toArray(Shooter[]::new);
     }
 
-    private void gather(FormFactorCalculator calculator, Shooter shooter, int first, int last) {
+    private void gather(FormFactorCalculator calculator, Shooter shooter, int[] run) {
         double[] irradiance = nodes.irradiance();
         Gathering.Irradiance sum = new Gathering.Irradiance(channels);
-        for (int v = first; v < last; v++) {
+        for (int v : run) {
             if (!nodes.isBuried(v)) {
                 System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
-                gather(calculator, shooter, v, sum);
+                gather(calculator, shooter, nodes, v, sum);
                 System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
             }
         }
     }
 
-    private void gather(FormFactorCalculator calculator, Shooter shooter, int v, Gathering sum) {
-        float[] x = nodes.receivers();
-        int f = nodes.vertexFace(v);
+    private void gather(FormFactorCalculator calculator, Shooter shooter, RadiosityNodes of, int v, Gathering sum) {
+        float[] x = of.receivers();
+        int f = of.vertexFace(v);
         calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
-                faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), nodes.vertexKey(v), shooter, sum);
+                faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), of.vertexKey(v), shooter, sum);
     }
 
-    /** Rows of the coarse system for the vertices of the initial mesh. */
+    /** Rows of the coarse system for the vertices that this partition's blocks have in it. */
     private byte[] rows(Order order) {
+        RadiosityNodes coarse = new RadiosityNodes(mesh.coarse, mine);
         Shooter[] all = shooters(order);
         RayCaster calculator = new RayCaster(bounds, rays, order.tolerance());
-        byte[][] row = new byte[initialVertices][];
-        crew.run(initialVertices, v -> {
+        byte[][] row = new byte[coarse.vertices()][];
+        crew.run(row.length, v -> {
+            burial.look(coarse, v, v + 1);
             Rows seen = new Rows();
-            for (int i = 0; i < all.length && !nodes.isBuried(v); i++) {
-                gather(calculator, all[i], v, seen);
+            for (int i = 0; i < all.length && !coarse.isBuried(v); i++) {
+                gather(calculator, all[i], coarse, v, seen);
             }
             row[v] = Wire.bytes(out -> {
-                out.writeLong(nodes.vertexKey(v));
-                out.writeBoolean(nodes.isBuried(v));
+                out.writeLong(coarse.vertexKey(v));
+                out.writeBoolean(coarse.isBuried(v));
                 seen.write(out);
             });
         });
         return Wire.bytes(out -> {
-            out.writeInt(initialVertices);
+            out.writeInt(row.length);
             for (byte[] bytes : row) {
                 out.write(bytes);
             }

@@ -10,11 +10,13 @@ sealed interface Planner permits ShootAndSort, Prediction {
     /**
      * The next round.
      *
-     * @param last  what the partitions answered to the last one
-     * @param shots patches that have shot
-     * @return an order to shoot, its list empty where nothing is left
+     * @param last what the partitions answered to the last one
+     * @return what to do, or null where nothing is left
      */
-    Order next(Answer last, int shots) throws IOException;
+    Order next(Answer last) throws IOException;
+
+    /** Told that so many patches have shot. */
+    void shot(int patches);
 
     /** Whether so little unshot flux, relative to the emitted, is the end. */
     boolean isEnough(double unsent, double wanted);

@@ -9,57 +9,98 @@ import java.util.List;
 /**
  * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
  *
- * <p>The linear system of the initial mesh is made once; it turns unshot radiosity into the radiosity that will come of
+ * <p>The linear system of a coarse mesh is made once; it turns unshot radiosity into the radiosity that will come of
  * it. What is shot is both together (overshooting: M. Feda, W. Purgathofer, Accelerating radiosity by overshooting,
  * 1992), so what is left after a round is small, and signed, at any reflectance. As soon as it is, the mesh is
- * subdivided where the light on it requires it.
+ * subdivided where the light on it requires it, and the new vertices gather all that was shot before.
  */
 final class Prediction implements Planner {
 
     /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
     private static final double SETTLED = 0.05;
-    private static final int MOST_REFINEMENTS = 12;
+    private static final int MOST_SPLITS = 12;
     private static final double TOLERANCE = 0.05;
     private static final double MESH_ERROR = 4e-4;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.01;
 
+    /** What the last round was. */
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER }
+
     private final World world;
+    /** Of the scene, scene units squared. */
+    private final double area;
     private final CoarseSystem coarse;
     private final double tolerance;
     private final double meshError;
     /** One per channel: 1 / mean reflected radiosity. */
     private final double[] weight;
-    private int refinements;
+    private Stage stage = Stage.NOTHING;
+    private int splits;
+    private int elements;
     private boolean refined;
 
     Prediction(World world) throws IOException {
         this.world = world;
-        coarse = new CoarseSystem(world.mesh);
+        area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
         RadiositySettings settings = world.settings();
         tolerance = settings.tolerance() > 0 ? settings.tolerance() : TOLERANCE;
         meshError = settings.meshError() > 0 ? settings.meshError() : MESH_ERROR;
         weight = new double[world.channels()];
         Arrays.fill(weight, 1);
-        coarse.take(world.round(new Order(Order.Kind.ROWS, 0, coarse.importance(), ROW_TOLERANCE, weight, 0, 0)));
+        coarse = new CoarseSystem(world.mesh);
+        coarse.take(world.round(new Order(Order.Kind.ROWS, 0, false, coarse.importance(), ROW_TOLERANCE, weight, 0, 0)));
         double[] h = coarse.irradiance(coarse.exitance());
         for (int c = 0; c < weight.length; c++) {
-            double mean = coarse.meanReflected(h, c);
-            weight[c] = mean > 0 ? 1 / mean : 0;
+            weigh(c, coarse.reflected(h, c));
         }
     }
 
+    /** @param flux reflected so far, W */
+    private void weigh(int c, double flux) {
+        weight[c] = flux > 0 ? area / flux : 0;
+    }
+
     @Override
-    public Order next(Answer last, int shots) throws IOException {
-        Answer answer = last;
-        while (shots > 0 && !refined && unsent(answer) <= SETTLED) {
-            answer = refine(answer);
+    public Order next(Answer last) throws IOException {
+        boolean look = !refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent(last) <= SETTLED;
+        if (look) {
+            return split(last);
+        }
+        if (stage == Stage.SPLIT) {
+            refined = last.elements == elements || splits == MOST_SPLITS;
+            if (last.elements > elements) {
+                return gather();
+            }
+        }
+        return shoot(last);
+    }
+
+    private Order split(Answer last) {
+        stage = Stage.SPLIT;
+        splits++;
+        elements = last.elements;
+        return order(Order.Kind.SPLIT, List.of());
+    }
+
+    private Order gather() throws IOException {
+        stage = Stage.GATHER;
+        return order(Order.Kind.GATHER, world.totals());
+    }
+
+    private Order shoot(Answer last) {
+        stage = Stage.SHOOT;
+        if (last.candidates.isEmpty()) {
+            return null;
         }
         double[] unshot = coarse.noUnshot();
-        answer.candidates.forEach(shot -> coarse.restrict(shot, unshot));
+        last.candidates.forEach(shot -> coarse.restrict(shot, unshot));
         double[] h = coarse.irradiance(unshot);
-        List<Shot> predicted = answer.candidates.stream().map(shot -> coarse.with(shot, h)).toList();
-        return new Order(Order.Kind.SHOOT, 0, predicted, tolerance, weight, 0, Integer.MAX_VALUE);
+        return order(Order.Kind.SHOOT, last.candidates.stream().map(shot -> coarse.with(shot, h)).toList());
+    }
+
+    private Order order(Order.Kind kind, List<Shot> shots) {
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, Integer.MAX_VALUE);
     }
 
     private double unsent(Answer answer) {
@@ -67,14 +108,8 @@ final class Prediction implements Planner {
         return emitted == 0 ? 0 : answer.unshotFlux.value() / emitted;
     }
 
-    private Answer refine(Answer before) throws IOException {
-        List<Shot> totals = world.totals();
-        refinements++;
-        Answer after = world.answer(new Order(Order.Kind.REFINE, refinements, totals, tolerance, weight, meshError,
-                Integer.MAX_VALUE));
-        refined = after.elements == before.elements || refinements == MOST_REFINEMENTS;
-        return after;
-    }
+    @Override
+    public void shot(int patches) { }
 
     @Override
     public boolean isEnough(double unsent, double wanted) {
@@ -83,13 +118,17 @@ final class Prediction implements Planner {
 
     @Override
     public void write(DataOutput out) throws IOException {
-        out.writeInt(refinements);
+        out.writeByte(stage.ordinal());
+        out.writeInt(splits);
+        out.writeInt(elements);
         out.writeBoolean(refined);
     }
 
     @Override
     public void read(DataInput in) throws IOException {
-        refinements = in.readInt();
+        stage = Stage.values()[in.readByte()];
+        splits = in.readInt();
+        elements = in.readInt();
         refined = in.readBoolean();
     }
 }

@@ -14,16 +14,23 @@ import radiosity.scene.SceneFormatException;
  */
 public final class ProgressiveRadiosity {
 
+    /** How long a step may take: a stop is never farther away. */
+    private static final double STEP_SECONDS = 0.3;
+
     private final World world;
     private final StopRule stop;
     private int shots;
     private int rounds;
     /** One per channel: flux that left shooters, W. */
     private final double[] shotFlux;
-    /** What a round that was cut short has still to shoot; null where there is none. */
+    /** What is left of the present round; null where there is none. */
     private Order pending;
     private Planner planner;
     private Answer answer;
+    /** The round whose new vertices have not gathered yet; 0 where there is none. */
+    private int dark;
+    /** Shots per step, from how long the last one took; without influence on the result. */
+    private double pace = 1;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this.world = world;
@@ -38,9 +45,18 @@ public final class ProgressiveRadiosity {
      */
     public void run(RoundListener listener) throws IOException {
         prepare();
-        answer = world.answer(new Order(Order.Kind.ASK, 0, List.of(), 0, new double[0], 0, Integer.MAX_VALUE));
-        while (!isDone() && round() && listener.afterRound(progress())) {
-            continue;
+        answer = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE));
+        boolean goOn = true;
+        while (goOn && !isDone()) {
+            if (pending == null) {
+                pending = planner.next(answer);
+                if (pending == null) {
+                    return;
+                }
+                pending = pending.numbered(++rounds);
+            }
+            step();
+            goOn = listener.afterRound(progress());
         }
     }
 
@@ -50,21 +66,30 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    /** @return whether anything was left to shoot */
-    private boolean round() throws IOException {
-        boolean begun = pending != null;
-        Order order = begun ? pending : planner.next(answer, shots);
-        int size = Math.min(order.shots().size(), stop.shots() - shots);
-        if (size == 0) {
-            return false;
+    private boolean isDone() {
+        return shots >= stop.shots() || pending == null && planner.isEnough(unsent(), stop.unsent());
+    }
+
+    /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
+    private void step() throws IOException {
+        boolean counts = pending.kind() == Order.Kind.SHOOT;
+        int left = pending.shots().size();
+        int size = Math.min(left, (int) Math.max(1, pace));
+        if (counts) {
+            size = Math.min(size, stop.shots() - shots);
         }
-        rounds += begun ? 0 : 1;
-        Order now = order.cut(rounds, 0, size);
-        pending = now.kind() == Order.Kind.SHOOT ? null : order.cut(rounds, size, order.shots().size());
-        now.shots().forEach(this::count);
-        shots += size;
+        Order now = pending.first(size);
+        long begin = System.nanoTime();
         answer = world.answer(now);
-        return true;
+        double seconds = (System.nanoTime() - begin) * 1e-9;
+        pace = Math.min(1e6, Math.max(1, size) * Math.min(4, STEP_SECONDS / seconds));
+        pending = now.more() ? pending.after(size) : null;
+        dark = now.kind() == Order.Kind.SPLIT ? now.number() : now.more() ? dark : 0;
+        if (counts) {
+            shots += size;
+            now.shots().forEach(this::count);
+            planner.shot(size);
+        }
     }
 
     private void count(Shot shot) {
@@ -73,10 +98,6 @@ public final class ProgressiveRadiosity {
         for (int c = 0; c < shotFlux.length; c++) {
             shotFlux[c] += flux[c] * area;
         }
-    }
-
-    private boolean isDone() {
-        return shots >= stop.shots() || pending == null && planner.isEnough(unsent(), stop.unsent());
     }
 
     private double unsent() {
@@ -108,7 +129,7 @@ public final class ProgressiveRadiosity {
         for (int b = 0; b < world.mesh.blocks.size(); b++) {
             blocks.add(world.block(b));
         }
-        return new Merger(world.mesh, blocks).solution(shots, rounds, answer.unshotFlux.value(), ledger(), state(blocks));
+        return new Merger(world.mesh, blocks, dark).solution(shots, rounds, answer.unshotFlux.value(), ledger(), state(blocks));
     }
 
     private byte[] state(List<byte[]> blocks) {
@@ -116,6 +137,7 @@ public final class ProgressiveRadiosity {
             out.writeUTF(world.mesh.fingerprint());
             out.writeInt(shots);
             out.writeInt(rounds);
+            out.writeInt(dark);
             for (double flux : shotFlux) {
                 out.writeDouble(flux);
             }
@@ -146,6 +168,7 @@ public final class ProgressiveRadiosity {
             }
             shots = in.readInt();
             rounds = in.readInt();
+            dark = in.readInt();
             for (int c = 0; c < shotFlux.length; c++) {
                 shotFlux[c] = in.readDouble();
             }

@@ -17,6 +17,7 @@ final class ShootAndSort implements Planner {
     private static final int SHOTS_PER_SHOT = 32;
 
     private final double[] weight;
+    private int shots;
 
     ShootAndSort(int channels) {
         weight = new double[channels];
@@ -24,10 +25,15 @@ final class ShootAndSort implements Planner {
     }
 
     @Override
-    public Order next(Answer last, int shots) {
+    public Order next(Answer last) {
         int size = Math.min(last.candidates.size(), batch(shots));
-        return new Order(Order.Kind.SHOOT, 0, last.candidates.subList(0, size), Double.POSITIVE_INFINITY, weight, 0,
-                batch(shots + size));
+        return size == 0 ? null : new Order(Order.Kind.SHOOT, 0, false, last.candidates.subList(0, size),
+                Double.POSITIVE_INFINITY, weight, 0, batch(shots + size));
+    }
+
+    @Override
+    public void shot(int patches) {
+        shots += patches;
     }
 
     /** How many may shoot in the next round; follows from the number of shots done, so that everybody agrees. */
@@ -41,8 +47,12 @@ final class ShootAndSort implements Planner {
     }
 
     @Override
-    public void write(DataOutput out) throws IOException { }
+    public void write(DataOutput out) throws IOException {
+        out.writeInt(shots);
+    }
 
     @Override
-    public void read(DataInput in) throws IOException { }
+    public void read(DataInput in) throws IOException {
+        shots = in.readInt();
+    }
 }

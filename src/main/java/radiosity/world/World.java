@@ -66,7 +66,7 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld {
     /** What all shooters have ever shot. */
     final List<Shot> totals() throws IOException {
         List<Shot> totals = new ArrayList<>();
-        for (byte[] bytes : round(new Order(Order.Kind.TOTALS, 0, List.of(), 0, new double[0], 0, 0))) {
+        for (byte[] bytes : round(Order.plain(Order.Kind.TOTALS, 0))) {
             totals.addAll(Wire.shots(Wire.input(bytes)));
         }
         Collections.sort(totals);
