@@ -90,7 +90,8 @@ final class Lwo2Texture {
         return number < all.length ? all[number] : TextureBlock.Projection.PLANAR;
     }
 
-    private static Wrap wrap(int number) {
+    /** 0 nothing, 1 again, 2 mirrored, 3 the edge. */
+    static Wrap wrap(int number) {
         return switch (number) {
             case 0 -> Wrap.NONE;
             case 2 -> Wrap.MIRROR;

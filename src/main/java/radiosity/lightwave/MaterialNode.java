@@ -2,6 +2,7 @@ package radiosity.lightwave;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import radiosity.scene.Rgb;
 
@@ -11,8 +12,9 @@ import radiosity.scene.Rgb;
  * @param server what kind of node it is
  * @param name   its name among the nodes
  * @param values the numbers of each of its attributes by name
+ * @param image  what it lays on a surface, if it is an image
  */
-record MaterialNode(String server, String name, Map<String, double[]> values) {
+record MaterialNode(String server, String name, Map<String, double[]> values, Optional<TextureBlock> image) {
 
     private static final int MOST_NUMBERS = 3;
 
@@ -20,16 +22,18 @@ record MaterialNode(String server, String name, Map<String, double[]> values) {
     static MaterialNode read(String server, Bytes data, Notes notes) {
         String name = "";
         Map<String, double[]> values = new HashMap<>();
+        Optional<TextureBlock> image = Optional.empty();
         Chunks chunks = new Chunks(data, 4, notes);
         while (chunks.next()) {
             if (chunks.id().equals("NNME")) {
                 name = chunks.data().s0();
             } else if (chunks.id().equals("FORM") && chunks.data().id().equals("NDTA")) {
+                image = server.equals("Image") ? ImageNode.read(chunks.data().copy(), notes) : image;
                 Bytes material = enter(chunks.data(), Set.of("ATTR", "SATR"), notes);
                 attributes(enter(enter(material, Set.of("META"), notes), Set.of("ADAT"), notes), values, notes);
             }
         }
-        return new MaterialNode(server, name, values);
+        return new MaterialNode(server, name, values, image);
     }
 
     /** The content of the first form of one of some types; empty if there is none. */

@@ -1,9 +1,12 @@
 package radiosity.lightwave;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * The triangles of some layers of an object, in its own left-handed coordinates; made once for all its instances.
@@ -44,16 +47,20 @@ record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> 
         private final Ints corners = new Ints();
         private final Ints surfaceOf = new Ints();
         private final Floats coordinates = new Floats();
+        private final Map<SurfaceValues, Optional<TextureMapping>> mappings = new IdentityHashMap<>();
+        private final boolean textured;
         private final Map<String, Integer> surfaceIndex = new HashMap<>();
-        private final List<SurfaceValues> surfaces = new java.util.ArrayList<>();
+        private final List<SurfaceValues> surfaces = new ArrayList<>();
 
         Builder(ObjectModel object, Work work, Notes notes) {
             this.object = object;
             this.work = work;
             this.notes = notes;
+            this.textured = object.surfaces.values().stream().anyMatch(s -> !s.textures.isEmpty());
         }
 
         void add(Layer layer) {
+            mappings.clear();
             Triangulation triangulation = new Triangulation(layer, work, notes);
             int[] newPoint = new int[layer.pointCount()];
             Arrays.fill(newPoint, -1);
@@ -69,10 +76,27 @@ record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> 
 
         private void addTriangles(Layer layer, int polygon, Ints triangles, int[] newPoint) {
             int surface = surface(layer, polygon);
+            if (textured) {
+                addCoordinates(layer, polygon, triangles, surfaces.get(surface));
+            }
             for (int i = 0; i < triangles.size(); i++) {
                 corners.add(point(layer, layer.polygons.point(triangles.get(i)), newPoint));
                 if (i % 3 == 0) {
                     surfaceOf.add(surface);
+                }
+            }
+        }
+
+        private void addCoordinates(Layer layer, int polygon, Ints triangles, SurfaceValues surface) {
+            Optional<TextureMapping> mapping = mappings.computeIfAbsent(surface, s -> s.textures.stream().findFirst()
+                    .map(t -> new TextureMapping(t, layer)));
+            double[] uv = new double[6];
+            for (int i = 0; i < triangles.size(); i += 3) {
+                Arrays.fill(uv, Double.NaN);
+                int[] three = {triangles.get(i), triangles.get(i + 1), triangles.get(i + 2)};
+                mapping.ifPresent(m -> m.map(polygon, three, uv));
+                for (double coordinate : uv) {
+                    coordinates.add((float) coordinate);
                 }
             }
         }

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -16,7 +17,13 @@ import java.util.Set;
  */
 final class NodeGraph {
 
+    /** Inputs that matter here, and what an image there varies. */
+    private static final Map<String, String> CHANNELS = Map.of("Color", "COLR", "Diffuse", "DIFF", "Luminosity", "LUMI",
+            "Luminous", "LUMI", "Luminous Color", "LUMC");
+
     private final Notes notes;
+    /** By node: the nodes at its inputs by the inputs' names. */
+    private final Map<String, Map<String, String>> inputs = new HashMap<>();
     private final Map<String, MaterialNode> materials = new HashMap<>();
     /** Names of the nodes at the inputs of a node, in the file's order. */
     private final Map<String, Deque<String>> sources = new HashMap<>();
@@ -41,6 +48,7 @@ final class NodeGraph {
         Optional<MaterialNode> material = material();
         if (material.isPresent()) {
             material.get().apply(surface);
+            inputs.getOrDefault(material.get().name(), Map.of()).forEach((i, s) -> input(surface, i, s));
         } else {
             notes.note(place, "no material is found among the nodes of a surface", surface.name);
         }
@@ -79,10 +87,20 @@ final class NodeGraph {
         if (node.equals("Surface") && input.equals("Material")) {
             materialOfSurface = source;
         }
-        MaterialNode target = materials.get(node);
-        if (target != null && target.isMaterial()) {
-            notes.note("", "inputs of materials that come from other nodes are taken as their base values",
-                    node + "." + input);
+        inputs.computeIfAbsent(node, n -> new LinkedHashMap<>()).put(input, source);
+    }
+
+    /** What another node gives to an input of the material: an image, or something that is not evaluated. */
+    private void input(SurfaceValues surface, String input, String source) {
+        String channel = CHANNELS.get(input);
+        MaterialNode node = materials.get(source);
+        if (channel != null && node != null && node.image().isPresent()) {
+            TextureBlock texture = node.image().get();
+            texture.channel = channel;
+            surface.addTexture(texture);
+        } else if (channel != null) {
+            notes.note("", "inputs of materials that nodes other than images give are taken as their base values",
+                    surface.name + "." + input);
         }
     }
 

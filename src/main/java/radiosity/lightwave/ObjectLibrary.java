@@ -78,7 +78,9 @@ final class ObjectLibrary {
 
     private Optional<ObjectModel> load(Path file, String name, Notes objectNotes) throws IOException {
         try {
-            return Optional.of(ObjectFile.read(InputFile.read(file, name, options), name, objectNotes));
+            ObjectModel object = ObjectFile.read(InputFile.read(file, name, options), name, objectNotes);
+            SurfaceImages.find(object, search, objectNotes);
+            return Optional.of(object);
         } catch (SceneFormatException e) {
             if (options.strict()) {
                 throw e;

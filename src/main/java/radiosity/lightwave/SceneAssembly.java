@@ -48,11 +48,13 @@ final class SceneAssembly {
         Notes notes = new Notes(name, warnings, options.strict());
         SceneAssembly assembly = new SceneAssembly(name, options, notes);
         byte[] bytes = InputFile.read(file, name, options);
-        ObjectLibrary library = new ObjectLibrary(new FileSearch(file, options, notes), options, notes);
+        FileSearch search = new FileSearch(file, options, notes);
         if (SceneParser.isScene(bytes)) {
-            assembly.addScene(SceneParser.parse(bytes, notes), library);
+            assembly.addScene(SceneParser.parse(bytes, notes), new ObjectLibrary(search, options, notes));
         } else if (ObjectFile.isObject(bytes)) {
-            assembly.addObject(ObjectFile.read(bytes, name, notes));
+            ObjectModel object = ObjectFile.read(bytes, name, notes);
+            SurfaceImages.find(object, search, notes);
+            assembly.addObject(object);
         } else {
             throw notes.error("", "a LightWave scene or object", Foreign.describe(bytes));
         }

@@ -74,7 +74,8 @@ final class SurfaceTable {
         if (values.transparency > 0) {
             notes.note("", "transparent surfaces are taken as opaque", name);
         }
-        return new Surface(name, exitance, clipped(reflectance), values.twoSided);
+        return new Surface(name, exitance, clipped(reflectance), values.twoSided,
+                SurfaceImages.maps(values, options));
     }
 
     private static Rgb clipped(Rgb rgb) {

@@ -88,7 +88,8 @@ final class SurfaceValues {
         return sound(linear(colour, srgb).times(specular));
     }
 
-    private static Rgb sound(Rgb rgb) {
+    /** What is not a number or negative is 0, what is infinite the largest there is. */
+    static Rgb sound(Rgb rgb) {
         return new Rgb(sound(rgb.r()), sound(rgb.g()), sound(rgb.b()));
     }
 
