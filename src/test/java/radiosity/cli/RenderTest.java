@@ -1,0 +1,242 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.output.SceneFile;
+
+/** What a render does with its options, its files and what goes wrong, on a coarse Cornell box. */
+class RenderTest {
+
+    private static final Path BOX = Path.of("scenes/cornell-box.lws");
+    private static final String COARSE = "20000";
+
+    @TempDir
+    Path directory;
+
+    private Path output;
+
+    @BeforeEach
+    void nameOutput() {
+        output = directory.resolve("box.scene");
+    }
+
+    private Run render(Object... options) {
+        Object[] all = new Object[options.length + 4];
+        System.arraycopy(options, 0, all, 0, options.length);
+        System.arraycopy(new Object[] {"-pa", COARSE, BOX, output}, 0, all, options.length, 4);
+        return Run.of(all);
+    }
+
+    private static void succeeds(Run run) {
+        assertEquals(ExitCode.DONE, run.exitCode(), run.err());
+    }
+
+    private static void fails(int exitCode, String line, Run run) {
+        assertEquals(line + System.lineSeparator(), run.err());
+        assertEquals(exitCode, run.exitCode());
+        assertEquals("", run.out());
+    }
+
+    @Test
+    void iterations_areCountedExactly() throws IOException {
+        succeeds(render("-q", "-it", 37));
+        assertEquals(37, SavedCalculation.read(output).shots());
+    }
+
+    @Test
+    void stopError_isReached() throws IOException {
+        succeeds(render("-q", "-se", 0.3, "--report", directory.resolve("r.json")));
+        JsonNode report = new ObjectMapper().readTree(directory.resolve("r.json").toFile());
+        assertTrue(report.get("unsent").doubleValue() <= 0.3);
+        assertTrue(report.get("shots").intValue() > 1);
+    }
+
+    @Test
+    void disableRendering_savesWhatIsThereBeforeTheFirstShot() throws IOException {
+        succeeds(render("-dr"));
+        assertEquals(0, SavedCalculation.read(output).shots());
+        try (SceneFile scene = SceneFile.open(output)) {
+            assertEquals(0, scene.ledger().shot()[0]);
+        }
+    }
+
+    @Test
+    void resuming_givesTheSameStateAsNoStop() throws IOException {
+        succeeds(render("-q", "-it", 30, "-mt", 5));
+        Path more = directory.resolve("more.scene");
+        succeeds(Run.of("-q", "-tf", output, 30, "-it", 60, BOX, more));
+        succeeds(render("-q", "-it", 60, "-mt", 5));
+        assertArrayEquals(SavedCalculation.read(output).state(), SavedCalculation.read(more).state());
+    }
+
+    @Test
+    void resuming_mayOverwriteTheFileItComesFrom() throws IOException {
+        succeeds(render("-q", "-it", 10));
+        succeeds(Run.of("-q", "-tf", output, 10, "-it", 20, BOX, output));
+        assertEquals(20, SavedCalculation.read(output).shots());
+    }
+
+    @Test
+    void resuming_needsTheSameNumberAndSettings() {
+        succeeds(render("-q", "-it", 10));
+        Path more = directory.resolve("more.scene");
+        fails(ExitCode.COMMAND_LINE, "-tf: expected 10, with which " + output + " was saved, got 11",
+                Run.of("-tf", output, 11, BOX, more));
+        fails(ExitCode.COMMAND_LINE, "-pa: expected 20000.0, with which " + output + " was made, got 1000.0",
+                Run.of("-pa", 1000, "-tf", output, 10, BOX, more));
+        fails(ExitCode.COMMAND_LINE, "-nr: expected 4, with which " + output + " was made, got 9",
+                Run.of("-nr", 9, "-tf", output, 10, BOX, more));
+        assertFalse(Files.exists(more));
+    }
+
+    @Test
+    void resumingAnotherScene_isExitCode3() {
+        succeeds(render("-q", "-it", 10));
+        Run run = Run.of("-tf", output, 10, "scenes/cornell-box-empty.lws", directory.resolve("more.scene"));
+        assertEquals(ExitCode.FILE, run.exitCode());
+        assertTrue(run.err().startsWith("the saved calculation: expected the same scene and settings"), run.err());
+    }
+
+    @Test
+    void resumingWhatIsNoSceneFile_isExitCode3() throws IOException {
+        Path other = Files.writeString(directory.resolve("other"), "no scene");
+        Run run = Run.of("-tf", other, 10, BOX, output);
+        assertEquals(ExitCode.FILE, run.exitCode());
+        assertEquals(1, run.err().lines().count(), run.err());
+    }
+
+    @Test
+    void saveInterval_savesAtEveryNthShot() throws IOException {
+        succeeds(render("-q", "-si", 10, "-it", 35, "-sn", 15, "--size", "40x30"));
+        assertEquals(35, SavedCalculation.read(output).shots());
+        assertTrue(Files.exists(directory.resolve("box.scene-15.jpg")));
+        assertTrue(Files.exists(directory.resolve("box.scene-30.jpg")));
+        assertFalse(Files.exists(directory.resolve("box.scene-35.jpg")));
+    }
+
+    @Test
+    void pictures_areWrittenInEveryFormat() throws IOException {
+        succeeds(render("-q", "-it", 10, "--size", "40x30", "--picture", directory.resolve("a.png"), "--picture",
+                directory.resolve("a.jpg"), "--picture", directory.resolve("a.hdr")));
+        byte[] png = Files.readAllBytes(directory.resolve("a.png"));
+        assertEquals(40, ByteBuffer.wrap(png).getInt(16));
+        assertEquals(30, ByteBuffer.wrap(png).getInt(20));
+        assertEquals((byte) 0xD8, Files.readAllBytes(directory.resolve("a.jpg"))[1]);
+        assertTrue(Files.readString(directory.resolve("a.hdr"), java.nio.charset.StandardCharsets.ISO_8859_1)
+                .startsWith("#?RADIANCE"));
+    }
+
+    @Test
+    void points_getTheLightThatIsThere() throws IOException {
+        Path in = Files.writeString(directory.resolve("in.csv"), "278,0,-280,0,1,0\n");
+        Path out = directory.resolve("out.csv");
+        succeeds(render("-q", "-it", 10, "--points", in, out));
+        String[] values = Files.readAllLines(out).get(1).split(",");
+        assertTrue(Double.parseDouble(values[6]) > 0, "irradiance on the floor");
+    }
+
+    @Test
+    void wrongPoints_areToldBeforeTheRender() throws IOException {
+        Path in = Files.writeString(directory.resolve("in.csv"), "1,2,3\n");
+        Run run = render("--points", in, directory.resolve("out.csv"));
+        assertEquals(ExitCode.FILE, run.exitCode(), run.err());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertFalse(Files.exists(output));
+    }
+
+    @Test
+    void quiet_silencesProgressOnly() {
+        Run run = render("-q", "-it", 5);
+        assertEquals("", run.err());
+        assertTrue(run.out().contains("5 shots in 5 rounds"), run.out());
+        assertTrue(render("-it", 5).err().startsWith("1 shot, "));
+    }
+
+    @Test
+    void info_tellsWhatASceneFileHolds() {
+        succeeds(render("-q", "-it", 5));
+        Run info = Run.of("--info", output);
+        succeeds(info);
+        assertTrue(info.out().contains("5 in 5 rounds"), info.out());
+    }
+
+    @Test
+    void missingInput_isExitCode3() {
+        Path missing = directory.resolve("missing.lws");
+        fails(ExitCode.FILE, missing + ": expected a readable file, got none", Run.of(missing, output));
+        fails(ExitCode.FILE, missing + ": expected a readable file, got none", Run.of("--info", missing));
+    }
+
+    @Test
+    void inputThatIsNoScene_isExitCode3() throws IOException {
+        Path text = Files.writeString(directory.resolve("text.lws"), "not a scene");
+        Run run = Run.of(text, output);
+        assertEquals(ExitCode.FILE, run.exitCode());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertFalse(Files.exists(output));
+    }
+
+    @Test
+    void sceneWithoutLight_isWarnedOfAndBlack() throws IOException {
+        Path dark = dark();
+        Run run = Run.of("-q", "-pa", COARSE, dark, output);
+        succeeds(run);
+        assertEquals("warning: dark.lws: expected a light or a surface that emits, got none: all will be black"
+                + System.lineSeparator(), run.err());
+        try (SceneFile scene = SceneFile.open(output)) {
+            assertEquals(0, scene.ledger().emitted()[0]);
+        }
+    }
+
+    @Test
+    void strict_makesAWarningExitCode3() throws IOException {
+        Run run = Run.of("-q", "--strict", "-pa", COARSE, dark(), output);
+        fails(ExitCode.FILE, "dark.lws: expected a light or a surface that emits, got none: all will be black", run);
+        assertFalse(Files.exists(output));
+    }
+
+    /** The Cornell box with its lamp switched off: the luminosity of its one luminous surface set to 0. */
+    private Path dark() throws IOException {
+        byte[] object = Files.readAllBytes(Path.of("scenes/cornell-box.lwo"));
+        for (int i = 0; i + 10 < object.length; i++) {
+            if (object[i] == 'L' && object[i + 1] == 'U' && object[i + 2] == 'M' && object[i + 3] == 'I') {
+                ByteBuffer.wrap(object).putFloat(i + 6, 0);
+            }
+        }
+        Files.write(directory.resolve("cornell-box.lwo"), object);
+        return Files.copy(BOX, directory.resolve("dark.lws"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--help", "--version"})
+    void helpAndVersion_needNothingElse(String option) {
+        Run run = Run.of(option);
+        succeeds(run);
+        assertFalse(run.out().isBlank());
+        assertEquals("", run.err());
+    }
+
+    @Test
+    void sceneFile_remembersItsCommandLine() throws IOException {
+        succeeds(render("-q", "-it", 3));
+        try (SceneFile scene = SceneFile.open(output)) {
+            assertEquals(List.of("-q", "-it", "3", "-pa", COARSE, BOX.toString(), output.toString()),
+                    scene.extras().get("commandLine"));
+        }
+    }
+}
