@@ -15,7 +15,7 @@ final class CalculationOptions {
     PatchArea patchArea;
 
     @Option(names = {"-nr", "--rays"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
-            description = "Number of rays that the ray caster uses. Default: 4.")
+            description = "Number of rays that the ray caster uses. Chosen by the schedule without it.")
     Integer rays;
 
     @Option(names = {"-mt", "--meshing-threshold"}, paramLabel = "<n>", converter = Values.NotNegative.class,
@@ -51,7 +51,7 @@ final class CalculationOptions {
     RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
         return new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
-                schedule == null ? otherwise.schedule() : schedule);
+                schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError());
     }
 
     /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */

@@ -106,7 +106,7 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
-        checks.elements(settings.patchArea());
+        checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
     }
 
     private StopRule stopRule() {

@@ -26,7 +26,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
             if (!(extras.get("settings") instanceof Map<?, ?> settings) || saved.state().length == 0) {
                 throw new SceneFormatException(file.toString(), "", "a calculation to go on from", "none");
             }
-            return new SavedCalculation(file, ((Number) extras.get("shots")).intValue(), settings(settings),
+            return new SavedCalculation(file, (int) number(file, extras, "shots"), settings(file, settings),
                     saved.state());
         }
     }
@@ -39,16 +39,31 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         if (Double.isFinite(settings.meshing())) {
             json.put("meshing", settings.meshing());
         }
+        json.put("tolerance", settings.tolerance());
+        json.put("meshError", settings.meshError());
         json.put("schedule", settings.schedule().name().toLowerCase(Locale.ROOT));
         return json;
     }
 
-    private static RadiositySettings settings(Map<?, ?> json) {
-        Object meshing = json.get("meshing");
-        return new RadiositySettings(((Number) json.get("patchArea")).doubleValue(),
-                ((Number) json.get("rays")).intValue(),
-                meshing == null ? Double.POSITIVE_INFINITY : ((Number) meshing).doubleValue(),
-                Schedule.valueOf(json.get("schedule").toString().toUpperCase(Locale.ROOT)));
+    private static RadiositySettings settings(Path file, Map<?, ?> json) throws SceneFormatException {
+        Schedule schedule = new CalculationOptions.ScheduleParser().parse(String.valueOf(json.get("schedule")));
+        if (schedule == null) {
+            throw wrong(file, "a schedule", json.get("schedule"));
+        }
+        return new RadiositySettings(number(file, json, "patchArea"), (int) number(file, json, "rays"),
+                json.containsKey("meshing") ? number(file, json, "meshing") : Double.POSITIVE_INFINITY, schedule,
+                number(file, json, "tolerance"), number(file, json, "meshError"));
+    }
+
+    private static double number(Path file, Map<?, ?> json, String name) throws SceneFormatException {
+        if (json.get(name) instanceof Number number) {
+            return number.doubleValue();
+        }
+        throw wrong(file, "a number as " + name, json.get(name));
+    }
+
+    private static SceneFormatException wrong(Path file, String expected, Object got) {
+        return new SceneFormatException(file.toString(), "extras.radiosity.settings", expected, String.valueOf(got));
     }
 
     /** Fails unless the user counts from the number that the file was saved with. */

@@ -1,5 +1,6 @@
 package radiosity.cli;
 
+import java.util.Locale;
 import java.util.function.Consumer;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -9,6 +10,8 @@ final class SceneChecks {
 
     /** From so many elements on, memory and time are worth a word. */
     static final long MANY = 10_000_000;
+    /** An element takes more than this, bytes. */
+    private static final double LEAST_BYTES = 64;
 
     private final Scene scene;
     private final Consumer<String> warnings;
@@ -24,18 +27,31 @@ final class SceneChecks {
         }
     }
 
-    /** Counts as many elements as there are at least: a triangle of k times the patch area gives k or more. */
-    void elements(double patchArea) {
-        if (patchArea <= 0) {
-            return;
+    /**
+     * Warns of many elements, and fails where they cannot fit.
+     *
+     * @param patchArea square scene units; 0: chosen from the scene, and then sensibly
+     * @param memory    bytes
+     */
+    void elements(double patchArea, long memory) {
+        double count = patchArea > 0 ? leastElements(patchArea) : 0;
+        if (count * LEAST_BYTES > memory) {
+            throw Failure.commandLine("-pa", String.format(Locale.ROOT,
+                    "expected elements that fit %,d MiB of memory, got %,.0f or more, which need %,.0f MiB (JAVA_OPTS=-Xmx...)",
+                    memory >> 20, count, count * LEAST_BYTES / (1 << 20)));
         }
+        if (count > MANY) {
+            warnings.accept(String.format(Locale.ROOT,
+                    "-pa: expected a patch area that gives at most %,d elements, got %,.0f or more", MANY, count));
+        }
+    }
+
+    /** A triangle of k times the patch area gives k elements or more. */
+    private double leastElements(double patchArea) {
         double count = 0;
         for (int t = 0; t < scene.triangles(); t++) {
             count += Math.max(1, scene.area(t) / patchArea) * (scene.surface(t).twoSided() ? 2 : 1);
         }
-        if (count > MANY) {
-            warnings.accept(String.format("-pa: expected a patch area that gives at most %,d elements, got %,d or more",
-                    MANY, (long) count));
-        }
+        return count;
     }
 }

@@ -93,13 +93,13 @@ class RenderTest {
 
     @Test
     void resuming_needsTheSameNumberAndSettings() {
-        succeeds(render("-q", "-it", 10));
+        succeeds(render("-q", "-nr", 5, "-it", 10));
         Path more = directory.resolve("more.scene");
         fails(ExitCode.COMMAND_LINE, "-tf: expected 10, with which " + output + " was saved, got 11",
                 Run.of("-tf", output, 11, BOX, more));
         fails(ExitCode.COMMAND_LINE, "-pa: expected 20000.0, with which " + output + " was made, got 1000.0",
                 Run.of("-pa", 1000, "-tf", output, 10, BOX, more));
-        fails(ExitCode.COMMAND_LINE, "-nr: expected 4, with which " + output + " was made, got 9",
+        fails(ExitCode.COMMAND_LINE, "-nr: expected 5, with which " + output + " was made, got 9",
                 Run.of("-nr", 9, "-tf", output, 10, BOX, more));
         assertFalse(Files.exists(more));
     }

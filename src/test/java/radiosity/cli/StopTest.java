@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class StopTest {
 
     private static final String WORD = "unsent";
-    private static final String LONG_RENDER = "-pa 60 foobar.lws foobar.scene";
+    private static final String LONG_RENDER = "--schedule paper -pa 300 foobar.lws foobar.scene";
 
     @TempDir
     Path directory;
@@ -38,9 +38,9 @@ class StopTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"TERM, 143", "INT, 130"})
-    void signal_savesAndEndsWithItsCode(String signal, int expected) throws Exception {
-        Process render = program.start(LONG_RENDER);
+    @CsvSource({"TERM, 143, paper", "INT, 130, paper", "TERM, 143, predict"})
+    void signal_savesAndEndsWithItsCode(String signal, int expected, String schedule) throws Exception {
+        Process render = program.start("--schedule " + schedule + " -pa 100 -se 0 foobar.lws foobar.scene");
         Program.readUntil(render, WORD);
         new ProcessBuilder("kill", "-" + signal, Long.toString(render.pid())).start().waitFor();
         String rest = Program.rest(render);
