@@ -33,8 +33,8 @@ final class PictureOptions {
     double exposure;
 
     @Option(names = "--tone-mapping", paramLabel = "<curve>", converter = CurveParser.class,
-            description = "From radiosity to screen: linear, reinhard or filmic (default).")
-    ToneMapping.Operator curve = ToneMapping.Operator.FILMIC;
+            description = "From radiosity to screen: linear, reinhard (default) or filmic.")
+    ToneMapping.Operator curve = ToneMapping.Operator.REINHARD;
 
     /** Reads {@code linear}, {@code reinhard} and {@code filmic}. */
     static final class CurveParser extends Values.Choice<ToneMapping.Operator> {
