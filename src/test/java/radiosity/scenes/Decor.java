@@ -78,9 +78,9 @@ final class Decor {
     /** A bow-string hemp in a clay pot, 1.1 m high. */
     static byte[] plant() {
         Layer plant = new Layer("plant");
-        new Solids(plant, Palette.CLAY).lathe(Open.BOTH, 0, 0, 16,
+        new Solids(plant, Palette.CLAY).lathe(Open.BOTH, 0, 0, 12,
                 0.12, 0, 0.16, 0.26, 0.18, 0.26, 0.18, 0.31, 0.155, 0.31, 0.15, 0.27);
-        new Solids(plant, Palette.SOIL).loft(Open.FIRST, Rings.circle(0, 0.27, 0, 0.15, 16));
+        new Solids(plant, Palette.SOIL).loft(Open.FIRST, Rings.circle(0, 0.27, 0, 0.15, 12));
         for (int k = 0; k < 13; k++) {
             leaf(plant, 2.4 * k, 0.02 + 0.0085 * k, 0.80 - 0.03 * k, 0.06 + 0.012 * k);
         }

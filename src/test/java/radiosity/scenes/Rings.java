@@ -39,13 +39,13 @@ final class Rings {
         return new double[][] {{x1, y, z1}, {x0, y, z1}, {x0, y, z0}, {x1, y, z0}};
     }
 
-    /** A level rectangle whose corners are quarter circles of three points each. */
+    /** A level rectangle whose corners are quarter circles of two points each. */
     static double[][] rounded(double x0, double z0, double x1, double z1, double y, double radius) {
         double[][] corners = rectangle(x0 + radius, z0 + radius, x1 - radius, z1 - radius, y);
-        double[][] ring = new double[12][];
+        double[][] ring = new double[8][];
         for (int k = 0; k < ring.length; k++) {
-            double angle = Math.PI / 4 * (k / 3 * 2 + k % 3);
-            ring[k] = Vectors.plus(corners[k / 3], radius,
+            double angle = Math.PI / 2 * (k / 2 + k % 2);
+            ring[k] = Vectors.plus(corners[k / 2], radius,
                     Vectors.point(StrictMath.cos(angle), 0, StrictMath.sin(angle)));
         }
         return ring;

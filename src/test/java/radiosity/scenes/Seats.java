@@ -39,8 +39,8 @@ final class Seats {
     /** A square pillow, 44 cm wide, upright on one edge. */
     static byte[] pillow(Material cloth) {
         Layer pillow = new Layer("pillow");
-        double[][][] rings = {slice(-0.08, 0.10), slice(-0.06, 0.165), slice(-0.025, 0.205), slice(0, 0.22),
-            slice(0.025, 0.205), slice(0.06, 0.165), slice(0.08, 0.10)};
+        double[][][] rings = {slice(-0.08, 0.11), slice(-0.05, 0.18), slice(0, 0.22),
+            slice(0.05, 0.18), slice(0.08, 0.11)};
         new Solids(pillow, cloth).loft(Open.NEITHER, rings);
         return ObjectFile.bytes(List.of(pillow));
     }

@@ -51,7 +51,7 @@ final class Shelf {
     private static void row(Layer layer, Random chance, double y, double length, int direction) {
         double used = 0.01;
         while (used < length) {
-            double thickness = 0.038 + 0.05 * chance.nextDouble();
+            double thickness = 0.045 + 0.05 * chance.nextDouble();
             double height = 0.20 + 0.11 * chance.nextDouble();
             double front = -0.29 + 0.05 * chance.nextDouble();
             double near = -direction * (HALF - BOARD - used);

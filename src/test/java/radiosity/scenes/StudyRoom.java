@@ -121,7 +121,7 @@ final class StudyRoom {
             {x, HEAD - inset, NEAR + inset}, {x, HEAD - inset, FAR - inset}};
     }
 
-    /** A curtain of six folds, 60 cm wide along +x from its pivot, 2.42 m high; it hangs from the pelmet above. */
+    /** A curtain of five folds, 60 cm wide along +x from its pivot, 2.42 m high; it hangs from the pelmet above. */
     static byte[] curtain() {
         Layer curtain = new Layer("curtain");
         new Solids(curtain, Palette.LINEN).loft(Open.LAST, folds(0.02, 0.045), folds(2.42, 0.03));
@@ -129,7 +129,7 @@ final class StudyRoom {
     }
 
     private static double[][] folds(double y, double depth) {
-        int n = 25;
+        int n = 21;
         double[][] ring = new double[2 * n][];
         for (int k = 0; k < n; k++) {
             double x = 0.6 * k / (n - 1);

@@ -16,7 +16,7 @@ final class Tables {
     static byte[] coffeeTable() {
         Layer table = new Layer("coffee table");
         Solids wood = new Solids(table, Palette.WALNUT);
-        wood.lathe(Open.NEITHER, 0, 0, 24, 0.41, 0.37, 0.45, 0.385, 0.45, 0.395, 0.445, 0.40);
+        wood.lathe(Open.NEITHER, 0, 0, 20, 0.41, 0.37, 0.45, 0.385, 0.45, 0.395, 0.445, 0.40);
         for (int k = 0; k < 4; k++) {
             double c = StrictMath.cos(Math.PI / 4 * (2 * k + 1));
             double s = StrictMath.sin(Math.PI / 4 * (2 * k + 1));
@@ -46,7 +46,7 @@ final class Tables {
 
     private static Layer bowl() {
         Layer bowl = new Layer("bowl");
-        new Solids(bowl, Palette.CHINA).lathe(Open.FIRST, 0, 0, 14,
+        new Solids(bowl, Palette.CHINA).lathe(Open.FIRST, 0, 0, 12,
                 0.05, 0, 0.10, 0.02, 0.15, 0.075, 0.145, 0.075, 0.095, 0.028, 0, 0.015);
         new Solids(bowl, Palette.ORANGE).sphere(-0.035, 0.064, -0.03, 0.038, 8).sphere(0.045, 0.064, -0.012, 0.038, 8)
                 .sphere(-0.005, 0.064, 0.05, 0.038, 8);
@@ -55,14 +55,14 @@ final class Tables {
 
     private static Layer vase() {
         Layer vase = new Layer("vase");
-        new Solids(vase, Palette.TEAL).lathe(Open.FIRST, 0, 0, 10,
+        new Solids(vase, Palette.TEAL).lathe(Open.FIRST, 0, 0, 8,
                 0.045, 0, 0.075, 0.05, 0.08, 0.10, 0.05, 0.18, 0.028, 0.23, 0.04, 0.27, 0.034, 0.27, 0.022, 0.23, 0.02, 0.15, 0, 0.15);
         return vase;
     }
 
     private static Layer mug() {
         Layer mug = new Layer("mug");
-        new Solids(mug, Palette.CHINA).lathe(Open.FIRST, 0, 0, 12, 0.04, 0, 0.042, 0.09, 0.038, 0.09, 0.036, 0.01, 0, 0.01);
+        new Solids(mug, Palette.CHINA).lathe(Open.FIRST, 0, 0, 10, 0.04, 0, 0.042, 0.09, 0.038, 0.09, 0.036, 0.01, 0, 0.01);
         return mug;
     }
 
