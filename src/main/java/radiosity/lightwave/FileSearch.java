@@ -115,10 +115,17 @@ final class FileSearch {
 
     private Optional<Path> mapped(String path, Predicate<Path> wanted) {
         String lower = path.toLowerCase(Locale.ROOT);
-        return map.keySet().stream().filter(prefix -> lower.startsWith(prefix.toLowerCase(Locale.ROOT)))
+        return map.keySet().stream().filter(prefix -> beginsWith(lower, prefix.toLowerCase(Locale.ROOT)))
                 .sorted(Comparator.comparingInt(String::length).reversed().thenComparing(Comparator.naturalOrder()))
                 .map(prefix -> below(map.get(prefix), path.substring(prefix.length()).replaceFirst("^/+", "")))
                 .flatMap(Optional::stream).filter(wanted).findFirst();
+    }
+
+    /** Whether a path begins with whole names of another. */
+    private static boolean beginsWith(String path, String prefix) {
+        int end = prefix.length();
+        return path.startsWith(prefix) && (end == 0 || end == path.length() || path.charAt(end) == '/'
+                || prefix.endsWith("/") || prefix.endsWith(":"));
     }
 
     private Optional<Path> asWritten(String path, Predicate<Path> wanted) {

@@ -27,7 +27,8 @@ final class InputFile {
             long most = Math.min(options.maxBytes(), Runtime.getRuntime().maxMemory() / GROWTH);
             byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, most + 1));
             if (bytes.length > most) {
-                throw new SceneFormatException(name, "", "at most " + most + " bytes", Files.size(file) + " bytes");
+                String why = most < options.maxBytes() ? " (a sixteenth of the memory)" : "";
+                throw new SceneFormatException(name, "", "at most " + most + " bytes" + why, Files.size(file) + " bytes");
             }
             return bytes;
         }

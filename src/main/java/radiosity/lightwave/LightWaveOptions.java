@@ -28,6 +28,7 @@ public record LightWaveOptions(OptionalDouble frame, Emission emission, List<Pat
     /** Lights are taken where no surface emits, never, or always. */
     public enum Lights { AUTO, IGNORE, EMITTERS }
 
+    /** Refuses limits that cannot be. */
     public LightWaveOptions {
         content = List.copyOf(content);
         map = Map.copyOf(map);
@@ -43,39 +44,48 @@ public record LightWaveOptions(OptionalDouble frame, Emission emission, List<Pat
                 false, false, 256L << 20, 20_000_000);
     }
 
+    /** The same with another frame. */
     public LightWaveOptions withFrame(double value) {
         return new LightWaveOptions(OptionalDouble.of(value), emission, content, map, lights, srgb, strict, maxBytes,
                 maxTriangles);
     }
 
+    /** The same with another property that makes surfaces emit. */
     public LightWaveOptions withEmission(Emission value) {
         return new LightWaveOptions(frame, value, content, map, lights, srgb, strict, maxBytes, maxTriangles);
     }
 
+    /** The same with other directories to search. */
     public LightWaveOptions withContent(List<Path> value) {
         return new LightWaveOptions(frame, emission, value, map, lights, srgb, strict, maxBytes, maxTriangles);
     }
 
+    /** The same with other directories by the beginning of paths. */
     public LightWaveOptions withMap(Map<String, Path> value) {
         return new LightWaveOptions(frame, emission, content, value, lights, srgb, strict, maxBytes, maxTriangles);
     }
 
+    /** The same with another use of the lights. */
     public LightWaveOptions withLights(Lights value) {
         return new LightWaveOptions(frame, emission, content, map, value, srgb, strict, maxBytes, maxTriangles);
     }
 
+    /** The same with colours taken as sRGB or as written. */
     public LightWaveOptions withSrgb(boolean value) {
         return new LightWaveOptions(frame, emission, content, map, lights, value, strict, maxBytes, maxTriangles);
     }
 
+    /** The same with or without warnings as errors. */
     public LightWaveOptions withStrict(boolean value) {
         return new LightWaveOptions(frame, emission, content, map, lights, srgb, value, maxBytes, maxTriangles);
     }
 
+    /** The same with another limit of a file, bytes. */
     public LightWaveOptions withMaxBytes(long value) {
         return new LightWaveOptions(frame, emission, content, map, lights, srgb, strict, value, maxTriangles);
     }
 
+    /** The same with another limit of a scene. */
     public LightWaveOptions withMaxTriangles(int value) {
         return new LightWaveOptions(frame, emission, content, map, lights, srgb, strict, maxBytes, value);
     }

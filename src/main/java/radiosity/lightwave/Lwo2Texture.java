@@ -63,6 +63,7 @@ final class Lwo2Texture {
             switch (parts.id()) {
                 case "CNTR" -> texture.centre = LwobTexture.vector(parts.data());
                 case "SIZE" -> texture.size = LwobTexture.vector(parts.data());
+                case "CSYS" -> texture.world = parts.data().u2() == 1;
                 case "ROTA" -> texture.rotation = LwobTexture.vector(parts.data());
                 default -> { }
             }

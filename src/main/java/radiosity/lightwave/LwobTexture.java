@@ -5,6 +5,7 @@ import radiosity.scene.ImageMap.Wrap;
 /** Reads the texture parts of a SURF chunk in LWOB and LWLO objects: each xTEX starts one, what follows describes it. */
 final class LwobTexture {
 
+    private static final int WORLD = 8;
     private static final int NEGATIVE = 16;
 
     private LwobTexture() {
@@ -54,6 +55,7 @@ final class LwobTexture {
 
     private static void flags(TextureBlock texture, int flags) {
         texture.axis = (flags & 1) != 0 ? 0 : (flags & 2) != 0 ? 1 : 2;
+        texture.world = (flags & WORLD) != 0;
         texture.negative = (flags & NEGATIVE) != 0;
     }
 

@@ -73,9 +73,9 @@ final class SceneAssembly {
         List<SceneItem> objects = scene.items(SceneItem.Kind.OBJECT);
         List<Optional<ObjectLibrary.Part>> parts = new ArrayList<>();
         for (SceneItem object : objects) {
-            Optional<ObjectLibrary.Part> part = isSeen(object, instant) ? library.part(object) : Optional.empty();
+            Optional<ObjectLibrary.Part> part = object.isLoaded() ? library.part(object) : Optional.empty();
             part.ifPresent(p -> placement.layerPivot(object, p.mesh().pivot()));
-            parts.add(part);
+            parts.add(part.filter(p -> isSeen(object, instant)));
         }
         for (int i = 0; i < parts.size(); i++) {
             if (parts.get(i).isPresent()) {
@@ -88,7 +88,7 @@ final class SceneAssembly {
 
     private static boolean isSeen(SceneItem object, Motion.Instant instant) {
         String keyword = object.has("ObjectDissolve") ? "ObjectDissolve" : "ObjDissolve";
-        return object.isLoaded() && object.number(keyword, instant, 0) < 1;
+        return object.number(keyword, instant, 0) < 1;
     }
 
     private void addInstance(ObjectLibrary.Part part, Matrix world, SceneItem object) {

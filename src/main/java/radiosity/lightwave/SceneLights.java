@@ -38,19 +38,15 @@ final class SceneLights {
     /** Those that shine under the options: with "auto" none if a surface emits. */
     static List<Light> taken(List<Light> lights, SurfaceTable surfaces, LightWaveOptions options, Notes notes) {
         boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
-        if (!emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
+        boolean taken = options.lights() == LightWaveOptions.Lights.EMITTERS
+                || options.lights() == LightWaveOptions.Lights.AUTO && !emits;
+        if (taken && lights.isEmpty() && !emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
             notes.tell("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
         }
-        return switch (options.lights()) {
-            case IGNORE -> List.of();
-            case EMITTERS -> lights;
-            case AUTO -> {
-                if (emits && !lights.isEmpty()) {
-                    notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
-                }
-                yield emits ? List.of() : lights;
-            }
-        };
+        if (!taken && !lights.isEmpty() && options.lights() == LightWaveOptions.Lights.AUTO) {
+            notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
+        }
+        return taken ? lights : List.of();
     }
 
     private Rgb power(SceneItem item) {

@@ -50,6 +50,9 @@ final class SurfaceImages {
             notes.note("", "images projected from the camera or by unsound numbers are left out", surface.name);
             return false;
         }
+        if (texture.world && texture.projection != TextureBlock.Projection.UV) {
+            notes.note("", "images placed in the scene's coordinates are placed in the object's", surface.name);
+        }
         return true;
     }
 

@@ -18,6 +18,8 @@ final class TextureBlock {
     String found;
     boolean enabled = true;
     boolean negative;
+    /** Placed in the coordinates of the scene and not of the object. */
+    boolean world;
     double opacity = 1;
     Projection projection = Projection.PLANAR;
     /** 0 x, 1 y, 2 z. */
