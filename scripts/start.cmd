@@ -15,5 +15,5 @@ if errorlevel 1 exit /b 1
 :run
 set "JAVA=java"
 if defined JAVA_HOME set "JAVA=%JAVA_HOME%\bin\java"
-"%JAVA%" -XX:+UseParallelGC -XX:MaxRAMPercentage=75 %JAVA_OPTS% -cp "%JAR%" %MAIN% %*
+"%JAVA%" -XX:+UseParallelGC -XX:MaxRAMPercentage=75 %FLAGS% %JAVA_OPTS% -cp "%JAR%" %MAIN% %*
 exit /b %ERRORLEVEL%

@@ -1,0 +1,132 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The start script in a project of its own, with a java and an mvn that only say how they were called. */
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "has the .cmd twins instead")
+class ScriptsTest {
+
+    @TempDir
+    Path directory;
+
+    private Path project;
+    private final Map<String, String> environment = new TreeMap<>();
+
+    @BeforeEach
+    void makeProject() throws IOException {
+        project = Files.createDirectories(directory.resolve("a project"));
+        Files.createDirectories(project.resolve("scripts"));
+        Files.createDirectories(project.resolve("target"));
+        Files.createDirectories(project.resolve("src/main"));
+        Files.writeString(project.resolve("pom.xml"), "");
+        for (String script : new String[] {"RadiosityRenderer", "start.sh"}) {
+            Files.copy(Path.of("scripts", script), project.resolve("scripts").resolve(script));
+        }
+        tool("java", "echo java \"$@\"");
+        tool("mvn", "echo mvn \"$@\"; touch target/radiosity.jar");
+        environment.put("PATH", directory.resolve("bin") + ":/usr/bin:/bin");
+    }
+
+    private void tool(String name, String does) throws IOException {
+        tool("bin", name, does);
+    }
+
+    private void tool(String folder, String name, String does) throws IOException {
+        Path tool = Files.createDirectories(directory.resolve(folder)).resolve(name);
+        Files.writeString(tool, "#!/bin/sh\n" + does + "\n");
+        assertTrue(tool.toFile().setExecutable(true));
+    }
+
+    private String run(Path script, String... arguments) throws Exception {
+        String[] command = new String[arguments.length + 2];
+        command[0] = "/bin/sh";
+        command[1] = script.toString();
+        System.arraycopy(arguments, 0, command, 2, arguments.length);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(directory.toFile()).redirectErrorStream(true);
+        builder.environment().remove("JAVA_HOME");
+        builder.environment().remove("JAVA_OPTS");
+        builder.environment().putAll(environment);
+        Process process = builder.start();
+        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return output;
+    }
+
+    private Path script() {
+        return project.resolve("scripts/RadiosityRenderer");
+    }
+
+    @Test
+    void missingJar_isBuiltOnce() throws Exception {
+        String first = run(script(), "--version");
+        assertTrue(first.contains("mvn ") && first.endsWith("radiosity.cli.RadiosityRenderer --version\n"), first);
+        String second = run(script(), "--version");
+        assertTrue(second.startsWith("java "), second);
+    }
+
+    @Test
+    void jarOlderThanTheSources_isBuiltAgain() throws Exception {
+        run(script());
+        Path source = Files.writeString(project.resolve("src/main/Some.java"), "");
+        Files.setLastModifiedTime(source, FileTime.fromMillis(
+                Files.getLastModifiedTime(project.resolve("target/radiosity.jar")).toMillis() + 5000));
+        String again = run(script());
+        assertTrue(again.startsWith("building "), again);
+    }
+
+    @Test
+    void jarBesideTheScript_needsNoMaven() throws Exception {
+        Path host = Files.createDirectories(directory.resolve("host"));
+        Files.copy(project.resolve("scripts/start.sh"), host.resolve("start.sh"));
+        Files.copy(script(), host.resolve("RadiosityRenderer"));
+        Files.writeString(host.resolve("radiosity.jar"), "");
+        Files.delete(directory.resolve("bin/mvn"));
+        String output = run(host.resolve("RadiosityRenderer"), "a", "b c");
+        assertTrue(output.startsWith("java ") && output.endsWith(" -cp " + host.toRealPath()
+                + "/radiosity.jar radiosity.cli.RadiosityRenderer a b c\n"), output);
+    }
+
+    @Test
+    void neitherJarNorMaven_isToldInOneLine() throws Exception {
+        Files.delete(directory.resolve("bin/mvn"));
+        onlyBasicTools();
+        environment.put("PATH", directory.resolve("bin") + ":" + directory.resolve("tools"));
+        assertEquals("mvn: expected Maven or " + project.toRealPath() + "/scripts/radiosity.jar, got neither\n",
+                run(script()));
+    }
+
+    /** A directory of what the script needs, so that no mvn of the machine is found. */
+    private void onlyBasicTools() throws IOException {
+        for (String tool : new String[] {"dirname", "readlink", "find", "head", "rm"}) {
+            tool("tools", tool, "PATH=/usr/bin:/bin exec " + tool + " \"$@\"");
+        }
+    }
+
+    @Test
+    void linkToTheScript_findsItsProject() throws Exception {
+        run(script());
+        Path link = Files.createSymbolicLink(directory.resolve("rr"), script());
+        assertTrue(run(link, "--version").startsWith("java "));
+    }
+
+    @Test
+    void javaOptions_comeLast() throws Exception {
+        run(script());
+        environment.put("JAVA_OPTS", "-Xmx8g -Dx=y");
+        assertTrue(run(script()).contains(" -XX:MaxRAMPercentage=75 -Xmx8g -Dx=y -cp "));
+    }
+}
