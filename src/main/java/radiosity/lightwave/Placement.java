@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Where the items of a scene stand at a time.
@@ -22,6 +23,7 @@ final class Placement {
     private final Motion.Instant instant;
     private final Notes notes;
     private final Map<SceneItem, double[]> layerPivots = new IdentityHashMap<>();
+    private final Map<SceneItem, Optional<SceneItem>> parents = new IdentityHashMap<>();
     private final Map<SceneItem, Matrix> worlds = new IdentityHashMap<>();
     private final Map<Long, SceneItem> byId = new HashMap<>();
     private final Map<SceneItem.Kind, List<SceneItem>> byKind = new HashMap<>();
@@ -98,7 +100,8 @@ final class Placement {
     }
 
     private SceneItem parent(SceneItem item) {
-        return item.has("ParentItem") ? byReference(item, "ParentItem") : byNumber(item, "ParentObject");
+        return parents.computeIfAbsent(item, i -> Optional.ofNullable(i.has("ParentItem")
+                ? byReference(i, "ParentItem") : byNumber(i, "ParentObject"))).orElse(null);
     }
 
     /** What an item looks at; null if nothing. */

@@ -45,10 +45,21 @@ final class SceneAssembly {
 
     static Reading read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
-        Notes notes = new Notes(name, warnings, options.strict());
-        SceneAssembly assembly = new SceneAssembly(name, options, notes);
         byte[] bytes = InputFile.read(file, name, options);
-        FileSearch search = new FileSearch(file, options, notes);
+        Notes notes = new Notes(name, warnings, options.strict());
+        return read(bytes, name, new FileSearch(file, options, notes), options, notes);
+    }
+
+    /**
+     * Reads what has been read from a file.
+     *
+     * @param bytes  the whole file
+     * @param name   as the user knows it
+     * @param search for the objects and images it names
+     */
+    static Reading read(byte[] bytes, String name, FileSearch search, LightWaveOptions options, Notes notes)
+            throws IOException {
+        SceneAssembly assembly = new SceneAssembly(name, options, notes);
         if (SceneParser.isScene(bytes)) {
             assembly.addScene(SceneParser.parse(bytes, notes), new ObjectLibrary(search, options, notes));
         } else if (ObjectFile.isObject(bytes)) {

@@ -24,7 +24,8 @@ final class SceneParser {
     private final MotionParser motions;
     private final SceneDescription scene;
     private SceneItem item;
-    /** The latest one. */
+    /** The latest of its kind: what is an object's may stand after its bones. */
+    private SceneItem object;
     private SceneItem camera;
     private boolean pluginsEnd = true;
 
@@ -104,7 +105,7 @@ final class SceneParser {
     }
 
     private void keep(String keyword, String value) {
-        SceneItem owner = isOfCamera(keyword) ? camera() : item;
+        SceneItem owner = isOfCamera(keyword) ? camera() : keyword.startsWith("Obj") ? object : item;
         if (value.equals("(envelope)")) {
             Motion envelope = motions.read();
             if (owner != null) {
@@ -124,6 +125,7 @@ final class SceneParser {
         item = new SceneItem(kind, id, lines.number());
         scene.items.add(item);
         camera = kind == SceneItem.Kind.CAMERA ? item : camera;
+        object = kind == SceneItem.Kind.OBJECT ? item : object;
         return item;
     }
 

@@ -22,7 +22,7 @@ import radiosity.scene.SceneFormatException;
 @Timeout(value = 120, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FuzzTest {
 
-    private static final int MUTANTS = 2000;
+    private static final int MUTANTS = 4000;
     private static final int LARGEST = 60_000;
 
     @TempDir
@@ -34,7 +34,7 @@ class FuzzTest {
     @MethodSource("sound")
     void mutantsOfOwnFiles_endInASceneOrTheOneException(byte[] sound, String name) throws IOException {
         Files.write(folder.resolve("room.lwo"), Objects.square());
-        mutate(sound, folder.resolve(name), MUTANTS, new Random(sound.length));
+        mutate(sound, Files.write(folder.resolve(name), sound), MUTANTS, new Random(sound.length));
     }
 
     static Stream<Arguments> sound() {
@@ -56,17 +56,18 @@ class FuzzTest {
         assertTrue(files.size() > 50, files.size() + " files");
         Random random = new Random(11);
         for (Path file : files) {
-            mutate(Files.readAllBytes(file), folder.resolve(file.getFileName()), 40, random);
+            mutate(Files.readAllBytes(file), file, 40, random);
         }
     }
 
-    private void mutate(byte[] sound, Path file, int times, Random random) throws IOException {
+    /** @param place a file in the folder where objects are searched */
+    private void mutate(byte[] sound, Path place, int times, Random random) throws IOException {
+        String name = place.getFileName().toString();
+        FileSearch search = new FileSearch(place, options, new Notes(name, w -> { }, false));
         for (int i = 0; i < times; i++) {
-            byte[] mutant = Mutation.of(sound, random);
-            Files.write(file, mutant);
             List<String> told = new ArrayList<>();
             try {
-                LightWaveReader.read(file, options, told::add);
+                SceneAssembly.read(Mutation.of(sound, random), name, search, options, new Notes(name, told::add, false));
             } catch (SceneFormatException e) {
                 told.add(e.getMessage());
             }
@@ -74,6 +75,5 @@ class FuzzTest {
                 assertTrue(line.chars().noneMatch(Character::isISOControl), line);
             }
         }
-        Files.delete(file);
     }
 }

@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -53,12 +55,14 @@ class HostileFilesTest {
     @ParameterizedTest
     @MethodSource("soundObjects")
     void objectCutAnywhere_endsInASceneOrOneLine(byte[] sound) throws IOException {
+        LightWaveOptions options = LightWaveOptions.defaults();
+        FileSearch search = new FileSearch(Files.write(folder.resolve("cut.lwo"), sound), options,
+                new Notes("cut.lwo", w -> { }, false));
         for (int length = 0; length < sound.length; length++) {
-            byte[] cut = java.util.Arrays.copyOf(sound, length);
-            Path file = HostileCase.object("cut", cut, 0, "").write(folder);
             List<String> told = new ArrayList<>();
             try {
-                LightWaveReader.read(file, LightWaveOptions.defaults(), told::add);
+                SceneAssembly.read(Arrays.copyOf(sound, length), "cut.lwo", search, options,
+                        new Notes("cut.lwo", told::add, false));
             } catch (SceneFormatException e) {
                 told.add(e.getMessage());
             }

@@ -164,5 +164,9 @@ class PlacementTest {
         assertEquals(2, read("LWSC\n1\n" + OBJECT1 + OBJECT1 + "ObjDissolve 1\n").triangles());
         assertEquals(2, read("LWSC\n1\n" + OBJECT1 + OBJECT1 + envelope).triangles());
         assertEquals(4, read("LWSC\n1\n" + OBJECT1 + OBJECT1 + "ObjDissolve 0.9\n").triangles());
+        String afterBone = "AddBone\nBoneName b\nBoneMotion (unnamed)\n 9\n 1\n 0 0 0 0 0 0 1 1 1\n 0 0 0 0 0\n"
+                + "EndBehavior 1\nObjDissolve 1\n";
+        assertEquals(2, Scenes.read(folder, "LWSC\n1\n" + OBJECT1 + OBJECT1 + afterBone, LightWaveOptions.defaults(),
+                told).triangles());
     }
 }
