@@ -8,7 +8,33 @@ import radiosity.scenes.Solids.Open;
 /** Pictures and a plant. */
 final class Decor {
 
+    /** A picture by its layer, and where its middle hangs: along the wall and how high, m. */
+    record Hung(int layer, double along, double height) {
+
+        private Area covered() {
+            double[] half = layer == 2 ? HILLS : SQUARES;
+            return Area.around(along, height, half[0], half[1]);
+        }
+    }
+
+    /** Half the width and the height of the frames. */
+    private static final double[] SQUARES = {0.26, 0.26};
+    private static final double[] HILLS = {0.48, 0.30};
+
+    static final List<Hung> BACK_WALL = List.of(new Hung(1, -1.25, 1.55), new Hung(2, -0.40, 1.55), new Hung(3, 0.45, 1.55));
+    static final List<Hung> RIGHT_WALL = List.of(new Hung(1, 3.55, 1.55));
+
     private Decor() {
+    }
+
+    /** What pictures cover of the back wall, x and y. */
+    static List<Area> onBackWall() {
+        return BACK_WALL.stream().map(Hung::covered).toList();
+    }
+
+    /** What pictures cover of the right wall, z and y. */
+    static List<Area> onRightWall() {
+        return RIGHT_WALL.stream().map(Hung::covered).toList();
     }
 
     /**
@@ -23,8 +49,8 @@ final class Decor {
 
     private static Layer squares(String name, Material... colours) {
         Layer picture = new Layer(name);
-        double half = 0.26;
-        frame(picture, half, half);
+        double half = SQUARES[0];
+        frame(picture, SQUARES);
         for (int k = 0; k < colours.length; k++) {
             double outer = half - 0.10 - 0.04 * k;
             double drop = -0.012 * k;
@@ -41,9 +67,9 @@ final class Decor {
 
     private static Layer hills() {
         Layer picture = new Layer("hills");
-        double w = 0.38;
-        double h = 0.20;
-        frame(picture, w + 0.10, h + 0.10);
+        double w = HILLS[0] - 0.10;
+        double h = HILLS[1] - 0.10;
+        frame(picture, HILLS);
         Material[] colours = {Palette.MIDNIGHT, Palette.TEAL, Palette.SKY_BLUE, Palette.ROSE, Palette.CREAM};
         double[][] lines = {{-h, -h, -h, -h, -h, -h, -h}, {-.12, -.15, -.14, -.10, -.05, -.07, -.10},
             {-.02, -.06, -.10, -.08, -.01, .00, -.04}, {.00, .06, .05, .00, .03, .02, .05}, {.10, .10, .10, .10, .10, .10, .10},
@@ -52,17 +78,18 @@ final class Decor {
             for (int k = 1; k < 7; k++) {
                 double x0 = w * ((k - 1) / 3.0 - 1);
                 double x1 = w * (k / 3.0 - 1);
-                picture.facing(colours[row], point(0, 0, -1), point(x0, lines[row][k - 1], -0.010), point(x1, lines[row][k], -0.010),
-                        point(x1, lines[row + 1][k], -0.010), point(x0, lines[row + 1][k - 1], -0.010));
+                double[][] field = {{x0, lines[row][k - 1], -0.010}, {x1, lines[row][k], -0.010},
+                    {x1, lines[row + 1][k], -0.010}, {x0, lines[row + 1][k - 1], -0.010}};
+                picture.facing(colours[row], point(0, 0, -1), field);
             }
         }
         return picture;
     }
 
-    /** A frame with half its width and height, open towards the wall, and a mount of 7 cm in it. */
-    private static void frame(Layer picture, double halfWidth, double halfHeight) {
-        double w = halfWidth;
-        double h = halfHeight;
+    /** A frame, open towards the wall, and a mount of 7 cm in it. */
+    private static void frame(Layer picture, double[] half) {
+        double w = half[0];
+        double h = half[1];
         double[][] mount = upright(w - 0.03, h - 0.03, -0.010, 0);
         new Solids(picture, Palette.WALNUT).loft(Open.BOTH, upright(w, h, 0, 0), upright(w, h, -0.028, 0),
                 upright(w - 0.008, h - 0.008, -0.03, 0), upright(w - 0.03, h - 0.03, -0.025, 0), mount);

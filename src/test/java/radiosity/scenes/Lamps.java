@@ -69,8 +69,10 @@ final class Lamps {
 
     /** A bell of 3 mm that opens upwards, away from its joint at height y, with the bulb in it. */
     private static void head(Layer head, double y) {
-        new Solids(head, Palette.TEAL).lathe(Open.LAST, 0, 0, 10, 0.02, y + BALL, 0.045, y + 0.03, 0.06, y + 0.07, 0.105, y + 0.15);
-        new Solids(head, Palette.CHINA).lathe(Open.FIRST, 0, 0, 10, 0.105, y + 0.15, 0.102, y + 0.15, 0.057, y + 0.071, 0.042, y + 0.033, 0, y + 0.030);
+        new Solids(head, Palette.TEAL).lathe(Open.LAST, 0, 0, 10,
+                0.02, y + BALL, 0.045, y + 0.03, 0.06, y + 0.07, 0.105, y + 0.15);
+        new Solids(head, Palette.CHINA).lathe(Open.FIRST, 0, 0, 10,
+                0.105, y + 0.15, 0.102, y + 0.15, 0.057, y + 0.071, 0.042, y + 0.033, 0, y + 0.030);
         new Solids(head, Palette.BRASS).sphere(0, y, 0, BALL, 6);
         new Solids(head, Palette.DESK_BULB).sphere(0, y + 0.075, 0, 0.032, 6);
     }

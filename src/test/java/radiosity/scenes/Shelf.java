@@ -1,5 +1,7 @@
 package radiosity.scenes;
 
+import static radiosity.scenes.Vectors.point;
+
 import java.util.List;
 import java.util.Random;
 import radiosity.scenes.Solids.Face;
@@ -9,6 +11,7 @@ final class Shelf {
 
     private static final double HALF = 0.65;
     private static final double HEIGHT = 2.05;
+    private static final double DEPTH = 0.32;
     private static final double BOARD = 0.022;
     private static final double[] BOARDS = {0.08, 0.47, 0.86, 1.25, 1.64};
     private static final Material[] BINDINGS = {Palette.MIDNIGHT, Palette.BRICK, Palette.CREAM, Palette.TEAL,
@@ -22,19 +25,25 @@ final class Shelf {
         return ObjectFile.bytes(List.of(bookcase(), books()));
     }
 
+    /** One piece with a recess above each board. */
     private static Layer bookcase() {
         Layer layer = new Layer("bookcase");
-        Solids wood = new Solids(layer, Palette.BEECH);
+        Solids wood = new Solids(layer, Palette.BEECH).box(-HALF, 0, -DEPTH, HALF, HEIGHT, 0, Face.BELOW, Face.NEAR);
         double inner = HALF - BOARD;
-        wood.box(-HALF, 0, -0.012, HALF, HEIGHT, 0, Face.BELOW);
-        wood.box(-HALF, 0, -0.32, -inner, HEIGHT, -0.012, Face.BELOW, Face.FAR);
-        wood.box(inner, 0, -0.32, HALF, HEIGHT, -0.012, Face.BELOW, Face.FAR);
-        wood.box(-inner, HEIGHT - BOARD, -0.32, inner, HEIGHT, -0.012, Face.LEFT, Face.RIGHT, Face.FAR);
-        wood.box(-inner, 0, -0.29, inner, BOARDS[0], -0.275, Face.LEFT, Face.RIGHT, Face.BELOW, Face.ABOVE);
-        for (double y : BOARDS) {
-            wood.box(-inner, y, -0.315, inner, y + BOARD, -0.012, Face.LEFT, Face.RIGHT, Face.FAR);
+        front(layer, -HALF, 0, -inner, HEIGHT);
+        front(layer, inner, 0, HALF, HEIGHT);
+        front(layer, -inner, 0, inner, BOARDS[0] + BOARD);
+        for (int board = 0; board < BOARDS.length; board++) {
+            double next = board + 1 < BOARDS.length ? BOARDS[board + 1] : HEIGHT - BOARD;
+            front(layer, -inner, next, inner, next + BOARD);
+            wood.recess(-inner, BOARDS[board] + BOARD, -DEPTH, inner, next, -0.012);
         }
         return layer;
+    }
+
+    private static void front(Layer layer, double x0, double y0, double x1, double y1) {
+        layer.facing(Palette.BEECH, point(0, 0, -1), point(x0, y0, -DEPTH), point(x1, y0, -DEPTH),
+                point(x1, y1, -DEPTH), point(x0, y1, -DEPTH));
     }
 
     /** On each board a row of books from the left or from the right, sizes and colours by a fixed chance. */

@@ -45,6 +45,18 @@ final class Solids {
         return this;
     }
 
+    /** The inside of a box that is open towards -z. */
+    Solids recess(double x0, double y0, double z0, double x1, double y1, double z1) {
+        double[][] low = Rings.rectangle(x0, z0, x1, z1, y0);
+        double[][] high = Rings.rectangle(x0, z0, x1, z1, y1);
+        side(high, low, 0);
+        side(high, low, 1);
+        side(high, low, 3);
+        layer.polygon(material, reversed(low));
+        layer.polygon(material, high);
+        return this;
+    }
+
     /** A skin over rings of equally many points, with lids at the ends. Downwards it shows its front inside. */
     Solids loft(Open open, double[][]... rings) {
         for (int r = 1; r < rings.length; r++) {

@@ -58,7 +58,8 @@ final class Study {
     }
 
     private void sittingCorner() {
-        put("rug", 1, Place.at(-0.20, 0, 3.30));
+        Area rug = StudyRoom.RUG;
+        put("rug", 1, Place.at((rug.u0() + rug.u1()) / 2, 0, (rug.v0() + rug.v1()) / 2));
         int sofa = put("sofa", 1, Place.at(-0.40, 0, 4.98));
         for (int side = -1; side <= 1; side += 2) {
             part("sofa", 2, Place.at(side * 0.475, 0.462, 0.135).tilted(9), sofa);
@@ -96,10 +97,12 @@ final class Study {
     }
 
     private void pictures() {
-        put("pictures", 1, Place.at(-1.25, 1.55, 5.6));
-        put("pictures", 2, Place.at(-0.40, 1.55, 5.6));
-        put("pictures", 3, Place.at(0.45, 1.55, 5.6));
-        put("pictures", 1, Place.at(3, 1.55, 3.55).turned(90));
+        for (Decor.Hung picture : Decor.BACK_WALL) {
+            put("pictures", picture.layer(), Place.at(picture.along(), picture.height(), StudyRoom.BACK));
+        }
+        for (Decor.Hung picture : Decor.RIGHT_WALL) {
+            put("pictures", picture.layer(), Place.at(StudyRoom.RIGHT, picture.height(), picture.along()).turned(90));
+        }
     }
 
     private int put(String object, int layer, Place place) {

@@ -63,7 +63,8 @@ class StudyTest {
             Vec3 from = new Vec3(-0.1 + 0.2 * random.nextDouble(), 0.11 + 0.03 * random.nextDouble(), -0.2 * random.nextDouble());
             Vec3 d = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
             float[] hit = new float[3];
-            int t = bounds.nearest((float) from.x(), (float) from.y(), (float) from.z(), (float) d.x(), (float) d.y(), (float) d.z(), 2, hit);
+            int t = bounds.nearest((float) from.x(), (float) from.y(), (float) from.z(),
+                    (float) d.x(), (float) d.y(), (float) d.z(), 2, hit);
             assertTrue(t >= 0, () -> "a ray left the room from " + from + " towards " + d);
             Surface surface = study.surface(t);
             assertTrue(surface.twoSided() || ShippedScenes.normal(study, t).dot(d) < 0,

@@ -56,7 +56,8 @@ final class Tables {
     private static Layer vase() {
         Layer vase = new Layer("vase");
         new Solids(vase, Palette.TEAL).lathe(Open.FIRST, 0, 0, 8,
-                0.045, 0, 0.075, 0.05, 0.08, 0.10, 0.05, 0.18, 0.028, 0.23, 0.04, 0.27, 0.034, 0.27, 0.022, 0.23, 0.02, 0.15, 0, 0.15);
+                0.045, 0, 0.075, 0.05, 0.08, 0.10, 0.05, 0.18, 0.028, 0.23, 0.04, 0.27,
+                0.034, 0.27, 0.022, 0.23, 0.02, 0.15, 0, 0.15);
         return vase;
     }
 
@@ -90,7 +91,8 @@ final class Tables {
     /** One half of an open book: a curved block of pages, open towards what it lies on. */
     private static void page(Layer book, double[][] top, int side) {
         for (int k = 1; k < top.length; k++) {
-            book.facing(Palette.PAPER, Vectors.UP, at(top[k - 1], -0.11), at(top[k], -0.11), at(top[k], 0.11), at(top[k - 1], 0.11));
+            book.facing(Palette.PAPER, Vectors.UP, at(top[k - 1], -0.11), at(top[k], -0.11), at(top[k], 0.11),
+                    at(top[k - 1], 0.11));
             for (int end = -1; end <= 1; end += 2) {
                 double[] a = at(top[k - 1], 0.11 * end);
                 double[] b = at(top[k], 0.11 * end);
@@ -98,22 +100,27 @@ final class Tables {
             }
         }
         double[] edge = top[top.length - 1];
-        book.facing(Palette.PAPER, point(side, 0, 0), at(edge, -0.11), at(edge, 0.11), point(edge[0], 0, 0.11), point(edge[0], 0, -0.11));
+        book.facing(Palette.PAPER, point(side, 0, 0), at(edge, -0.11), at(edge, 0.11), point(edge[0], 0, 0.11),
+                point(edge[0], 0, -0.11));
     }
 
     private static double[] at(double[] p, double z) {
         return point(p[0], p[1], z);
     }
 
-    /** 2.4 m by 1.7 m, with a border, 12 mm thick. */
+    /** Over all of its place in the room, with a border, 12 mm thick. */
     static byte[] rug() {
         Layer rug = new Layer("rug");
-        double[][] low = Rings.rectangle(-1.20, -0.85, 1.20, 0.85, 0);
-        double[][] edge = Rings.rectangle(-1.20, -0.85, 1.20, 0.85, 0.012);
-        double[][] outer = Rings.rectangle(-1.08, -0.73, 1.08, 0.73, 0.012);
-        double[][] inner = Rings.rectangle(-1.00, -0.65, 1.00, 0.65, 0.012);
-        new Solids(rug, Palette.CREAM).loft(Open.BOTH, low, edge, outer).loft(Open.FIRST, inner);
+        double[][] inner = rectangle(0.20, 0.012);
+        double[][] outer = rectangle(0.12, 0.012);
+        new Solids(rug, Palette.CREAM).loft(Open.BOTH, rectangle(0, 0), rectangle(0, 0.012), outer).loft(Open.FIRST, inner);
         new Solids(rug, Palette.BRICK).loft(Open.BOTH, outer, inner);
         return ObjectFile.bytes(List.of(rug));
+    }
+
+    private static double[][] rectangle(double inset, double y) {
+        double halfWidth = (StudyRoom.RUG.u1() - StudyRoom.RUG.u0()) / 2 - inset;
+        double halfDepth = (StudyRoom.RUG.v1() - StudyRoom.RUG.v0()) / 2 - inset;
+        return Rings.rectangle(-halfWidth, -halfDepth, halfWidth, halfDepth, y);
     }
 }
