@@ -27,7 +27,8 @@ final class ProgressBarDisplay implements ProgressDisplay {
         this.err = err;
         this.width = width;
         this.text = text;
-        bar = new ProgressBarBuilder().setTaskName("Radiosity").setInitialMax(FULL).setUpdateIntervalMillis(200)
+        bar = new ProgressBarBuilder().setTaskName("").setInitialMax(FULL).setUpdateIntervalMillis(200)
+                .continuousUpdate()
                 .setRenderer(new Renderer()).setConsumer(new ConsoleProgressBarConsumer(err, width)).build();
     }
 

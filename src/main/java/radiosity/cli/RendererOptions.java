@@ -62,6 +62,7 @@ final class RendererOptions {
         notBuilt("-h", host.hosts);
         notBuilt("-key", host.key);
         notBuilt("-ut", textures);
+        notBuilt("--statistics", statistics ? "" : null);
         picture.check();
         if (files.size() != 2) {
             String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
