@@ -36,8 +36,12 @@ final class FileSearch {
 
     FileSearch(Path scene, LightWaveOptions options, Notes notes) throws IOException {
         this.notes = notes;
-        sceneFolder = scene.toRealPath().getParent();
+        sceneFolder = scene.toAbsolutePath().getParent().toRealPath();
         roots.add(sceneFolder);
+        Path linked = scene.toRealPath().getParent();
+        if (!linked.equals(sceneFolder)) {
+            roots.add(linked);
+        }
         Path above = aboveScenes(sceneFolder);
         if (above != null) {
             roots.add(above);

@@ -3,6 +3,7 @@ package radiosity.lightwave;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,6 +17,7 @@ final class ObjectLibrary {
     private final Notes notes;
     private final Work work = new Work();
     private final Map<Path, Optional<ObjectModel>> objects = new HashMap<>();
+    private final Map<Path, Notes> notesOf = new LinkedHashMap<>();
     private final Map<PartKey, Optional<Part>> parts = new HashMap<>();
 
     /** A layer of a file, or all of it. */
@@ -48,22 +50,27 @@ final class ObjectLibrary {
 
     private Optional<Part> make(PartKey key, SceneItem item) throws IOException {
         String name = search.shown(key.file);
-        Notes objectNotes = notes.about(name);
+        Notes objectNotes = notesOf.computeIfAbsent(key.file, f -> notes.about(name));
         Optional<ObjectModel> object = objects.get(key.file);
         if (object == null) {
             object = load(key.file, name, objectNotes);
             objects.put(key.file, object);
         }
-        Optional<Part> part = object.flatMap(o -> cut(o, key.layer, item, name, objectNotes));
-        objectNotes.flush();
-        return part;
+        return object.flatMap(o -> cut(o, key.layer, item, name, objectNotes));
+    }
+
+    /** Tells what was noted about the objects. */
+    void flush() throws SceneFormatException {
+        for (Notes objectNotes : notesOf.values()) {
+            objectNotes.flush();
+        }
     }
 
     private Optional<Part> cut(ObjectModel object, int layer, SceneItem item, String name, Notes objectNotes) {
         if (layer == SceneItem.WHOLE_FILE) {
             return Optional.of(new Part(Mesh.of(object, object.layers, work, objectNotes), fileName(name)));
         }
-        List<Layer> layers = object.layers.stream().filter(l -> l.number == layer).toList();
+        List<Layer> layers = object.layers(layer);
         if (layers.isEmpty()) {
             notes.note(item.place(), "layers that their object does not have are left out",
                     "layer " + (layer + 1) + " of " + name);

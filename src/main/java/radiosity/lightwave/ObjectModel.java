@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** What an object file holds, as it lists it. */
 final class ObjectModel {
@@ -29,6 +30,7 @@ final class ObjectModel {
     }
 
     private int maps;
+    private Map<Integer, List<Layer>> byNumber;
 
     /** The layer to which data belong that stand before any layer's head. */
     Layer currentLayer() {
@@ -44,6 +46,14 @@ final class ObjectModel {
         } else {
             notes.note(place, "layers beyond " + MOST + " are taken as one");
         }
+    }
+
+    /** The layers of a number, mostly one or none. To be asked when the file has been read. */
+    List<Layer> layers(int number) {
+        if (byNumber == null) {
+            byNumber = layers.stream().collect(Collectors.groupingBy(l -> l.number));
+        }
+        return byNumber.getOrDefault(number, List.of());
     }
 
     void addTag(String tag, String place, Notes notes) {

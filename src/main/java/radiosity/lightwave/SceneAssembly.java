@@ -88,6 +88,7 @@ final class SceneAssembly {
             part.ifPresent(p -> placement.layerPivot(object, p.mesh().pivot()));
             parts.add(part.filter(p -> isSeen(object, instant)));
         }
+        library.flush();
         for (int i = 0; i < parts.size(); i++) {
             if (parts.get(i).isPresent()) {
                 addInstance(parts.get(i).get(), placement.world(objects.get(i)), objects.get(i));

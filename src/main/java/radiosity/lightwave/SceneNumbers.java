@@ -20,8 +20,11 @@ final class SceneNumbers {
 
     /** A number; with a decimal comma too. NaN for what is none or not finite ("1.#IND"). */
     static double one(String word) {
+        if (!word.chars().allMatch(c -> c >= '0' && c <= '9' || "+-.,eE".indexOf(c) >= 0)) {
+            return Double.NaN;
+        }
         try {
-            double number = Double.parseDouble(word.indexOf(',') >= 0 ? word.replace(',', '.') : word);
+            double number = Double.parseDouble(word.replace(',', '.'));
             return Double.isFinite(number) ? number : Double.NaN;
         } catch (NumberFormatException e) {
             return Double.NaN;

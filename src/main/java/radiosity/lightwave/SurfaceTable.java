@@ -41,8 +41,8 @@ final class SurfaceTable {
     }
 
     private int add(String object, SurfaceValues values) {
-        String plain = SceneFormatException.escape(values.name);
-        plain = plain.substring(0, Math.min(LONGEST_NAME, plain.length()));
+        String plain = SceneFormatException.escape(values.name.substring(0, Math.min(LONGEST_NAME,
+                values.name.length())));
         String name = plain;
         for (int copy = 1;; copy++) {
             Surface surface = surface(name, values);

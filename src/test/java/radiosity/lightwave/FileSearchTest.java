@@ -118,6 +118,19 @@ class FileSearchTest {
     }
 
     @Test
+    void sceneThatIsALink_findsWhatLiesBesideTheLinkAndBesideItself() throws IOException {
+        Path link = disk.resolve("project/Objects/rooms/hall/link.lws");
+        try {
+            Files.createSymbolicLink(link, scene.toAbsolutePath());
+        } catch (UnsupportedOperationException | IOException e) {
+            assumeTrue(false, "skipped: this system makes no links");
+        }
+        scene = link;
+        assertEquals(Optional.of("project/Objects/rooms/hall/chair.lwo"), find("chair.lwo", LightWaveOptions.defaults()));
+        assertEquals(Optional.of("project/Scenes/deep/near.lwo"), find("near.lwo", LightWaveOptions.defaults()));
+    }
+
+    @Test
     void twoThatFitEqually_areToldAndTheFirstTaken() throws IOException {
         assertEquals(Optional.of("project/Objects/rooms/hall/chair.lwo"), find("X:chair.lwo",
                 LightWaveOptions.defaults()));

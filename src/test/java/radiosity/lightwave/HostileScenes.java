@@ -62,6 +62,7 @@ final class HostileScenes {
                 scene("all objects missing", "LWSC\n1\nLoadObject a.lwo\nLoadObject b.lwo\n", ERROR,
                         "at least one polygon"),
                 scene("one object missing", V1 + "LoadObject gone.lwo\n", 2, missing),
+                scene("20,000 objects missing", manyMissing(20_000), 2, missing),
                 scene("no path at all", V1 + "LoadObject\nLoadObject \n", 2, missing),
                 scene("upwards out of the content", V1 + "LoadObject ../../../../../../etc/passwd\n", 2, missing),
                 scene("absolute", V1 + "LoadObject /etc/passwd\n", 2, missing),
@@ -86,6 +87,14 @@ final class HostileScenes {
                         Objects.square(), "a.lws", Iff.text("LWSC\n1\nLoadObject Disk:room.lwo\n")), "a.lws", 2, ""));
     }
 
+    private static String manyMissing(int n) {
+        StringBuilder text = new StringBuilder(V1);
+        for (int i = 0; i < n; i++) {
+            text.append("LoadObject C:\\objects\\gone").append(i).append(".lwo\nLoadObject here/gone").append(i).append('\n');
+        }
+        return text.toString();
+    }
+
     private static List<HostileCase> parents() {
         String missing = "item that does not exist";
         return List.of(
@@ -101,11 +110,30 @@ final class HostileScenes {
                 scene("identity twice", V5 + "LoadObjectLayer 1 10000000 room.lwo\n", 4, "same identity"),
                 scene("identity that is none", "LWSC\n5\nLoadObjectLayer 1 qq room.lwo\n", 2, ""),
                 scene("layer that is not there", V5 + "LoadObjectLayer 7 10000001 room.lwo\n", 2, "layers that"),
+                new HostileCase("30,000 layers", Map.of("room.lwo", Iff.form("LWO2", manyLayers(30_000)), "a.lws",
+                        Iff.text(manyLayerLines(30_000))), "a.lws", 30_000, "does not describe"),
                 scene("layer 0", "LWSC\n3\nLoadObjectLayer 0 room.lwo\n", 2, "layer's number"),
                 scene("layer that is no number", "LWSC\n3\nLoadObjectLayer x room.lwo\n", 2, "layer's number"),
                 scene("chain of 20,000 parents", chain(20_000), 2, ""),
                 scene("chain of 20,000 parents that come later", backwardChain(20_000), 2, ""),
                 scene("50,000 instances", "LWSC\n1\n" + ROOM.repeat(50_000), 100_000, ""));
+    }
+
+    private static byte[] manyLayers(int n) {
+        byte[][] layers = new byte[n][];
+        for (int i = 0; i < n; i++) {
+            layers[i] = Iff.join(Objects.layer(i, 0), Iff.chunk("PNTS", Iff.f4(0, i, 0, 0, i, 1, 1, i, 0)),
+                    Iff.chunk("POLS", Iff.text("FACE"), Iff.u2(3, 0, 1, 2)));
+        }
+        return Iff.join(layers);
+    }
+
+    private static String manyLayerLines(int n) {
+        StringBuilder text = new StringBuilder("LWSC\n3\n");
+        for (int i = 1; i <= n; i++) {
+            text.append("LoadObjectLayer ").append(i).append(" room.lwo\n");
+        }
+        return text.toString();
     }
 
     private static String chain(int n) {
