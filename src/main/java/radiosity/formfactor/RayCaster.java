@@ -22,9 +22,13 @@ public final class RayCaster implements FormFactorCalculator {
     private static final double R2_V = 0.5698402909980532;
     /** Sample points below the receiver's horizon are drawn again, so often per ray. */
     private static final int DRAWS = 64;
-    private static final double NEAR_8 = Double.parseDouble(System.getProperty("near8","0.05"));
-    private static final double NEAR_4 = Double.parseDouble(System.getProperty("near4","0.003"));
-    private static final double NEAR = Double.parseDouble(System.getProperty("near","30"));
+    /** By how much what is near counts for more: kernel and shadows change faster over it. */
+    private static final double NEAR = 16;
+    /** Squared size over squared distance from which 8, and from which 4 sample points are drawn per ray. */
+    private static final double NEAR_8 = 0.05;
+    private static final double NEAR_4 = 0.003;
+    /** Triangles drawn from a cluster for one ray. */
+    private static final int CLUSTER_DRAWS = 8;
     /** Rays at one element. */
     private static final int MOST_RAYS = 64;
     /** Nearer than this to a shooter's plane nothing is received from it; of the scene's size. */
@@ -33,6 +37,7 @@ public final class RayCaster implements FormFactorCalculator {
     private final RadiosityBounds bounds;
     private final int rays;
     private final double tolerance;
+    private final int mostRays;
 
     /**
      * @param rays      sample points per shooting node, at least 1
@@ -40,48 +45,149 @@ public final class RayCaster implements FormFactorCalculator {
      *                  element: form factor times {@link Shooter}'s strength; infinite: no node is entered
      */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance) {
+        this(bounds, rays, tolerance, Math.max(rays, MOST_RAYS));
+    }
+
+    /** @param mostRays no more are cast at one element, whatever it carries */
+    public RayCaster(RadiosityBounds bounds, int rays, double tolerance, int mostRays) {
         this.bounds = bounds;
         this.rays = rays;
         this.tolerance = tolerance;
+        this.mostRays = mostRays;
     }
 
     @Override
     public void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
                        Gathering gathering) {
-        float[] corner = shooter.corner;
-        float above = shooter.nx * (px - corner[0]) + shooter.ny * (py - corner[1]) + shooter.nz * (pz - corner[2]);
-        if (above > IN_PLANE) {
-            enter(px, py, pz, nx, ny, nz, key, shooter, 0, gathering);
-        }
+        enter(px, py, pz, nx, ny, nz, key, shooter, 0, gathering);
     }
 
-    private void enter(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                       int node, Gathering gathering) {
-        double strength = shooter.strength[node];
-        if (strength == 0) {
-            return;
-        }
-        double factor = ContourFactor.triangle(px, py, pz, nx, ny, nz, shooter.corner, 9 * node);
-        if (factor <= 0) {
-            return;
-        }
-        float[] extent = shooter.extent;
+    private void enter(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter s, int node,
+                       Gathering gathering) {
+        double strength = s.strength[node];
+        float[] extent = s.extent;
         float ex = extent[4 * node] - px;
         float ey = extent[4 * node + 1] - py;
         float ez = extent[4 * node + 2] - pz;
-        float near = extent[4 * node + 3] / (ex * ex + ey * ey + ez * ez);
-        double carried = factor * strength * (1 + NEAR * near);
-        int first = shooter.child[node];
-        if (first >= 0 && carried > tolerance) {
-            for (int k = 0; k < 4; k++) {
-                enter(px, py, pz, nx, ny, nz, key, shooter, first + k, gathering);
+        float r2 = extent[4 * node + 3];
+        float up = nx * ex + ny * ey + nz * ez;
+        if (strength == 0 || up < 0 && up * up >= r2) {
+            return;
+        }
+        float d2 = ex * ex + ey * ey + ez * ez;
+        if (s.face[node] < 0) {
+            double gap = Math.sqrt(d2) - Math.sqrt(r2);
+            double most = strength * s.area[node] * (1 + NEAR * r2 / d2);
+            if (gap > 0 && most <= tolerance * Math.PI * gap * gap) {
+                sampleCluster(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), s, node, gathering);
+            } else {
+                enter(px, py, pz, nx, ny, nz, key, s, s.child[node], gathering);
+                enter(px, py, pz, nx, ny, nz, key, s, s.child[node] + 1, gathering);
             }
             return;
         }
-        int wanted = carried > tolerance ? (int) Math.min(MOST_RAYS, rays * Math.ceil(carried / tolerance)) : rays;
+        float above = -(s.normal[3 * node] * ex + s.normal[3 * node + 1] * ey + s.normal[3 * node + 2] * ez);
+        if (above <= IN_PLANE) {
+            return;
+        }
+        double factor = ContourFactor.triangle(px, py, pz, nx, ny, nz, s.corner, 9 * node);
+        if (factor <= 0) {
+            return;
+        }
+        float near = r2 / d2;
+        double carried = factor * strength * (1 + NEAR * near);
+        int first = s.child[node];
+        if (first >= 0 && carried > tolerance) {
+            for (int k = 0; k < 4; k++) {
+                enter(px, py, pz, nx, ny, nz, key, s, first + k, gathering);
+            }
+            return;
+        }
+        int wanted = carried > tolerance ? (int) Math.min(mostRays, rays * Math.ceil(carried / tolerance)) : rays;
         int choices = near > NEAR_8 ? Math.max(1, 8 / wanted) : near > NEAR_4 ? Math.max(1, 4 / wanted) : 1;
-        sample(px, py, pz, nx, ny, nz, Hash.mix(key, shooter.key[node]), factor, wanted, choices, shooter, node,
-                gathering);
+        sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), factor, wanted, choices, s, node, gathering);
+    }
+
+    /**
+     * One ray into a cluster of triangles: a few of them are drawn in proportion to what they shoot, and of these one
+     * in proportion to how it stands.
+     */
+    private void sampleCluster(float px, float py, float pz, float nx, float ny, float nz, long rotation, Shooter s,
+                               int cluster, Gathering gathering) {
+        double u = (rotation >>> 40) * 0x1p-24;
+        double v = (rotation >>> 16 & 0xFFFFFF) * 0x1p-24;
+        double choice = ((rotation & 0xFFFF) + 0.5) * 0x1p-16;
+        double pick = (Hash.mix(rotation, 1) >>> 11) * 0x1p-53;
+        double sum = 0;
+        int found = -1;
+        float fb = 0;
+        float fc = 0;
+        for (int draw = 0; draw < CLUSTER_DRAWS; draw++) {
+            u += R2_U;
+            u -= (int) u;
+            v += R2_V;
+            v -= (int) v;
+            int node = pick(s, cluster, (pick + draw) / CLUSTER_DRAWS);
+            boolean fold = u + v > 1;
+            float b = (float) (fold ? 1 - u : u);
+            float c = (float) (fold ? 1 - v : v);
+            float[] corner = s.corner;
+            int at = 9 * node;
+            float a = 1 - b - c;
+            float dx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6] - px;
+            float dy = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7] - py;
+            float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - pz;
+            double up = nx * dx + ny * dy + nz * dz;
+            double down = -(s.normal[3 * node] * dx + s.normal[3 * node + 1] * dy + s.normal[3 * node + 2] * dz);
+            if (up <= 0 || down <= IN_PLANE) {
+                continue;
+            }
+            double d2 = (double) dx * dx + (double) dy * dy + (double) dz * dz;
+            double k = up * down / (d2 * d2);
+            sum += k;
+            double threshold = choice * sum;
+            if (threshold < k) {
+                found = node;
+                fb = b;
+                fc = c;
+                choice = threshold / k;
+            } else {
+                choice = (threshold - k) / (sum - k);
+            }
+        }
+        if (found < 0) {
+            return;
+        }
+        float[] corner = s.corner;
+        int at = 9 * found;
+        float fa = 1 - fb - fc;
+        float tx = fa * corner[at] + fb * corner[at + 3] + fc * corner[at + 6];
+        float ty = fa * corner[at + 1] + fb * corner[at + 4] + fc * corner[at + 7];
+        float tz = fa * corner[at + 2] + fb * corner[at + 5] + fc * corner[at + 8];
+        if (!bounds.blocked(px, py, pz, tx, ty, tz)) {
+            double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
+            reach(s, found, fa, fb, fc, power * sum, gathering);
+        }
+        gathering.close(1 / (CLUSTER_DRAWS * Math.PI));
+    }
+
+    /** The triangle at a place in [0, 1) of a cluster, where each takes as much room as it shoots. */
+    private static int pick(Shooter s, int cluster, double place) {
+        double x = place;
+        int node = cluster;
+        while (s.face[node] < 0) {
+            int a = s.child[node];
+            double left = s.strength[a] * s.area[a];
+            double share = left / (left + s.strength[a + 1] * s.area[a + 1]);
+            if (x < share) {
+                x /= share;
+                node = a;
+            } else {
+                x = Math.min((x - share) / (1 - share), 0x1.fffffffffffffp-1);
+                node = a + 1;
+            }
+        }
+        return node;
     }
 
     /**
@@ -96,6 +202,9 @@ public final class RayCaster implements FormFactorCalculator {
         double u = (rotation >>> 40) * 0x1p-24;
         double v = (rotation >>> 16 & 0xFFFFFF) * 0x1p-24;
         double choice = ((rotation & 0xFFFF) + 0.5) * 0x1p-16;
+        float sx = s.normal[3 * node];
+        float sy = s.normal[3 * node + 1];
+        float sz = s.normal[3 * node + 2];
         double sum = 0;
         double group = 0;
         int drawn = 0;
@@ -118,7 +227,7 @@ public final class RayCaster implements FormFactorCalculator {
             float up = nx * dx + ny * dy + nz * dz;
             if (up > 0) {
                 float d2 = dx * dx + dy * dy + dz * dz;
-                double k = -(double) up * (s.nx * dx + s.ny * dy + s.nz * dz) / ((double) d2 * d2);
+                double k = -(double) up * (sx * dx + sy * dy + sz * dz) / ((double) d2 * d2);
                 group += k;
                 drawn++;
                 double threshold = choice * group;

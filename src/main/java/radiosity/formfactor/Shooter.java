@@ -1,79 +1,150 @@
 package radiosity.formfactor;
 
+import java.util.List;
 import radiosity.patch.Faces;
 import radiosity.patch.Hash;
+import radiosity.patch.PatchTree;
 import radiosity.patch.Path;
 import radiosity.patch.Subdivision;
 
 /**
- * A patch that shoots: the tree of elements below it and the radiosity of each (section 4.4 of the paper), ready for
- * being gathered from. Read by any number of threads.
+ * A patch that shoots, or a cluster of patches: the tree of elements below each, the radiosity of each element
+ * (section 4.4 of the paper), and pairs of neighbours above them, ready for being gathered from.
+ *
+ * <p>A node is a cluster with two children, a triangle with four, or an element. Read by any number of threads.
+ * Clusters: B. Smits, J. Arvo, D. Greenberg, A clustering algorithm for radiosity in complex environments, 1994.
  */
 public final class Shooter {
 
     final int channels;
-    private final int face;
-    /** 1 per node. */
+    private int nodes;
+    /** 1 per node: its face, or -1 for a cluster. */
+    final int[] face;
+    /** 1 per node, of triangles. */
     private final long[] path;
-    final float nx;
-    final float ny;
-    final float nz;
-    /** 9 per node: corners. */
-    final float[] corner;
-    /** 1 per node: first of four consecutive children, or -1. */
+    /** 1 per node: first of its consecutive children, or -1. */
     final int[] child;
+    /** 3 per node, of triangles. */
+    final float[] normal;
+    /** 9 per node: corners, of triangles. */
+    final float[] corner;
     /** 1 per node: what it is, whoever shoots it. */
     final long[] key;
-    /** 3 x channels per node: radiosity to shoot at the corners, of leaves. W/m². */
-    final double[] radiosity;
-    /** 4 per node: middle, and squared distance from there to the farthest corner. */
+    /** 1 per node: area, of the scene's squared size. */
+    final float[] area;
+    /** 4 per node: middle, and squared distance from there within which all of it lies. */
     final float[] extent;
     /** 1 per node: mean over the node of the largest channel of weight times |radiosity|. */
     final double[] strength;
+    /** 3 x channels per node: radiosity to shoot at the corners, of elements. W/m². */
+    final double[] radiosity;
 
-    /**
-     * @param faces     where the face's geometry stands
-     * @param face      the face on which the shooter lies
-     * @param top       its node below the face
-     * @param child     1 per node of the tree, breadth first: first of four consecutive children, or -1
-     * @param radiosity 3 x channels per node, corner by corner, of leaves
-     * @param weight    one per channel: what its radiosity counts for when it is decided where to look closer
-     */
-    public Shooter(Faces faces, int face, long top, int[] child, double[] radiosity, double[] weight) {
+    private final Faces faces;
+    private final List<PatchTree> trees;
+    private final double[] weight;
+
+    /** @param weight one per channel: what its radiosity counts for when it is decided where to look closer */
+    public Shooter(Faces faces, List<PatchTree> trees, double[] weight) {
+        this.faces = faces;
+        this.trees = trees;
+        this.weight = weight;
         channels = faces.channels();
-        this.face = face;
-        nx = faces.normal(face, 0);
-        ny = faces.normal(face, 1);
-        nz = faces.normal(face, 2);
-        this.child = child;
-        this.radiosity = radiosity;
-        int nodes = child.length;
-        corner = new float[9 * nodes];
-        key = new long[nodes];
-        strength = new double[nodes];
-        extent = new float[4 * nodes];
+        int most = trees.size() - 1;
+        for (PatchTree tree : trees) {
+            most += tree.child().length;
+        }
+        face = new int[most];
+        path = new long[most];
+        child = new int[most];
+        normal = new float[3 * most];
+        corner = new float[9 * most];
+        key = new long[most];
+        area = new float[most];
+        extent = new float[4 * most];
+        strength = new double[most];
+        radiosity = new double[3 * channels * most];
+        nodes = 1;
+        build(0, 0, trees.size());
+    }
+
+    /** Halves a run of trees, which stand in geometric order, until one is left. */
+    private void build(int node, int from, int to) {
+        if (to - from == 1) {
+            plant(node, trees.get(from));
+            return;
+        }
+        face[node] = -1;
+        child[node] = nodes;
+        nodes += 2;
+        int middle = (from + to) >>> 1;
+        build(child[node], from, middle);
+        build(child[node] + 1, middle, to);
+        enclose(node, child[node], child[node] + 1);
+        key[node] = Hash.mix(key[child[node]], key[child[node] + 1]);
+    }
+
+    /** A sphere around two; strengths by area. */
+    private void enclose(int node, int a, int b) {
+        area[node] = area[a] + area[b];
+        strength[node] = (strength[a] * area[a] + strength[b] * area[b]) / area[node];
+        double d2 = 0;
+        for (int i = 0; i < 3; i++) {
+            double d = extent[4 * b + i] - extent[4 * a + i];
+            d2 += d * d;
+        }
+        double d = Math.sqrt(d2);
+        double ra = Math.sqrt(extent[4 * a + 3]);
+        double rb = Math.sqrt(extent[4 * b + 3]);
+        double r = Math.max(Math.max(ra, rb), (d + ra + rb) / 2);
+        double t = d == 0 ? 0 : Math.min(1, Math.max(0, (r - ra) / d));
+        for (int i = 0; i < 3; i++) {
+            extent[4 * node + i] = (float) (extent[4 * a + i] + t * (extent[4 * b + i] - extent[4 * a + i]));
+        }
+        extent[4 * node + 3] = (float) (r * r * (1 + 1e-5));
+    }
+
+    private void plant(int top, PatchTree tree) {
+        int[] at = new int[tree.child().length];
+        at[0] = top;
         for (int i = 0; i < 9; i++) {
-            corner[i] = faces.corner(face, i / 3, i % 3);
+            corner[9 * top + i] = faces.corner(tree.face(), i / 3, i % 3);
         }
-        for (int level = 1; level <= Path.level(top); level++) {
-            Subdivision.child(corner, 0, Path.step(top, level), corner, 0);
+        for (int level = 1; level <= Path.level(tree.path()); level++) {
+            Subdivision.child(corner, 9 * top, Path.step(tree.path(), level), corner, 9 * top);
         }
-        path = new long[nodes];
-        path[0] = top;
-        for (int i = 0; i < nodes; i++) {
-            key[i] = Hash.mix(Hash.mix(4, face), path[i]);
-            for (int k = 0; k < 4 && child[i] >= 0; k++) {
-                path[child[i] + k] = Path.child(path[i], k);
-                Subdivision.child(corner, 9 * i, k, corner, 9 * (child[i] + k));
-            }
+        path[top] = tree.path();
+        area[top] = (float) (faces.area(tree.face()) / (1L << 2 * Path.level(tree.path())));
+        for (int i = 0; i < at.length; i++) {
+            grow(tree, i, at);
         }
-        for (int i = nodes - 1; i >= 0; i--) {
-            measure(i);
-            summarize(i, weight);
+        for (int i = at.length - 1; i >= 0; i--) {
+            summarize(at[i]);
         }
     }
 
-    private void measure(int i) {
+    private void grow(PatchTree tree, int i, int[] at) {
+        int node = at[i];
+        face[node] = tree.face();
+        key[node] = Hash.mix(Hash.mix(4, tree.face()), path[node]);
+        for (int a = 0; a < 3; a++) {
+            normal[3 * node + a] = faces.normal(tree.face(), a);
+        }
+        child[node] = -1;
+        if (tree.child()[i] < 0) {
+            System.arraycopy(tree.radiosity(), 3 * channels * i, radiosity, 3 * channels * node, 3 * channels);
+            return;
+        }
+        child[node] = nodes;
+        nodes += 4;
+        for (int k = 0; k < 4; k++) {
+            at[tree.child()[i] + k] = child[node] + k;
+            path[child[node] + k] = Path.child(path[node], k);
+            area[child[node] + k] = area[node] / 4;
+            Subdivision.child(corner, 9 * node, k, corner, 9 * (child[node] + k));
+        }
+    }
+
+    private void summarize(int i) {
         for (int a = 0; a < 3; a++) {
             extent[4 * i + a] = (corner[9 * i + a] + corner[9 * i + 3 + a] + corner[9 * i + 6 + a]) / 3;
         }
@@ -85,36 +156,25 @@ public final class Shooter {
             }
             extent[4 * i + 3] = Math.max(extent[4 * i + 3], d2);
         }
-    }
-
-    private void summarize(int i, double[] weight) {
-        if (child[i] < 0) {
-            for (int c = 0; c < channels; c++) {
-                double sum = 0;
-                for (int k = 0; k < 3; k++) {
-                    sum += Math.abs(radiosity[channels * (3 * i + k) + c]);
-                }
-                strength[i] = Math.max(strength[i], weight[c] * sum / 3);
-            }
-            return;
-        }
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < 4 && child[i] >= 0; k++) {
             strength[i] += strength[child[i] + k] / 4;
         }
+        for (int c = 0; c < channels && child[i] < 0; c++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++) {
+                sum += Math.abs(radiosity[channels * (3 * i + k) + c]);
+            }
+            strength[i] = Math.max(strength[i], weight[c] * sum / 3);
+        }
     }
 
-    /** The face on which it lies. */
-    public int face() {
-        return face;
+    /** The face on which a node lies, or -1 for a cluster. */
+    public int face(int node) {
+        return face[node];
     }
 
-    /** A node's place below the face. */
+    /** A triangle's place below its face. */
     public long path(int node) {
         return path[node];
-    }
-
-    /** Number of nodes of the tree. */
-    public int nodes() {
-        return child.length;
     }
 }

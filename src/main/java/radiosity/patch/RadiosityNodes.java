@@ -426,4 +426,73 @@ public final class RadiosityNodes {
         return radiosity(node, k, channel) - shot(node, k, channel)
                 + faces.reflectance(face[node], channel) * bulge(node, channel);
     }
+
+    /** A quantity at corner k of an element. */
+    public interface Quantity {
+        double at(int node, int k, int channel);
+    }
+
+    /** The elements below a node by value. */
+    public PatchTree tree(int top, Quantity quantity) {
+        int[] order = breadthFirst(top);
+        int[] below = new int[order.length];
+        double[] values = new double[3 * channels * order.length];
+        int next = 1;
+        for (int i = 0; i < order.length; i++) {
+            below[i] = -1;
+            if (!isElement(order[i])) {
+                below[i] = next;
+                next += 4;
+                continue;
+            }
+            for (int k = 0; k < 3; k++) {
+                for (int c = 0; c < channels; c++) {
+                    values[channels * (3 * i + k) + c] = quantity.at(order[i], k, c);
+                }
+            }
+        }
+        return new PatchTree(face[top], path[top], below, values);
+    }
+
+    private int[] breadthFirst(int top) {
+        int[] order = new int[size(top)];
+        order[0] = top;
+        int end = 1;
+        for (int i = 0; i < end; i++) {
+            for (int k = 0; k < 4 && !isElement(order[i]); k++) {
+                order[end++] = child[order[i]] + k;
+            }
+        }
+        return order;
+    }
+
+    private int size(int top) {
+        int n = 1;
+        for (int k = 0; k < 4 && !isElement(top); k++) {
+            n += size(child[top] + k);
+        }
+        return n;
+    }
+
+    /** Adds to what the elements below a node have shot; they may have been subdivided deeper than the tree is. */
+    public void addShot(int top, PatchTree tree) {
+        addShot(top, tree, 0, null);
+    }
+
+    /** @param values 3 x channels at the corners, where the tree goes no deeper; else null */
+    private void addShot(int node, PatchTree tree, int i, double[] values) {
+        int n = 3 * channels;
+        boolean ends = values == null && tree.child()[i] < 0;
+        double[] here = ends ? Arrays.copyOfRange(tree.radiosity(), n * i, n * i + n) : values;
+        if (isElement(node)) {
+            for (int j = 0; j < n; j++) {
+                shot[n * node + j] += here[j];
+            }
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            addShot(child[node] + k, tree, here == null ? tree.child()[i] + k : i,
+                    here == null ? null : Subdivision.values(here, channels, k));
+        }
+    }
 }

@@ -59,10 +59,7 @@ final class Answer {
     }
 
     void write(DataOutput out) throws IOException {
-        out.writeInt(candidates.size());
-        for (Shot shot : candidates) {
-            shot.write(out);
-        }
+        Wire.write(candidates, received.length, out);
         write(out, unshotFlux);
         for (ExactSum[] sums : List.of(received, absorbed, unshot)) {
             for (ExactSum sum : sums) {
@@ -78,9 +75,7 @@ final class Answer {
     }
 
     void read(DataInput in) throws IOException {
-        for (int n = in.readInt(); n > 0; n--) {
-            candidates.add(Shot.read(in));
-        }
+        candidates.addAll(Wire.shots(in));
         unshotFlux.with(in.readLong(), in.readLong());
         for (ExactSum[] sums : List.of(received, absorbed, unshot)) {
             for (ExactSum sum : sums) {

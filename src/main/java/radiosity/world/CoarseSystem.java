@@ -4,8 +4,10 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.LongIndex;
+import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Subdivision;
 
@@ -21,6 +23,7 @@ final class CoarseSystem {
     private static final double ENOUGH = 1e-5;
 
     private final Faces faces;
+    private final List<Block> blocks;
     private final RadiosityNodes nodes;
     private final int channels;
     /** Number of a vertex by its key. */
@@ -33,7 +36,8 @@ final class CoarseSystem {
     CoarseSystem(InitialMesh mesh) {
         faces = mesh.faces;
         channels = faces.channels();
-        nodes = new RadiosityNodes(mesh.coarse, mesh.blocks);
+        blocks = mesh.blocks;
+        nodes = new RadiosityNodes(mesh.coarse, blocks);
         index = new LongIndex(nodes.vertices());
         for (int v = 0; v < nodes.vertices(); v++) {
             index.findOrAdd(nodes.vertexKey(v), v);
@@ -77,10 +81,10 @@ final class CoarseSystem {
         for (int f = 0; f < faces.count(); f++) {
             mean += faces.area(f) * brightest(f) / faces.area();
         }
+        double unit = mean == 0 ? 0 : 1 / mean;
         List<Shot> shots = new ArrayList<>();
-        for (int top : nodes.tops()) {
-            double value = 1 + (mean == 0 ? 0 : brightest(nodes.face(top)) / mean);
-            shots.add(Shot.of(nodes, top, 0, (node, k, c) -> value));
+        for (Block block : blocks) {
+            shots.add(Shot.of(nodes, nodes.tops(block), 0, (node, k, c) -> 1 + unit * brightest(nodes.face(node))));
         }
         return shots;
     }
@@ -177,25 +181,29 @@ final class CoarseSystem {
 
     /** Adds to a shot what its patches will reflect of an irradiance: linear between the vertices of the mesh. */
     Shot with(Shot shot, double[] h) {
-        double[] radiosity = shot.radiosity().clone();
-        spread(shot, 0, nodes.find(shot.face(), shot.path()), null, h, radiosity);
-        return new Shot(shot.face(), shot.path(), shot.child(), radiosity, shot.flux());
+        return new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
+    }
+
+    private PatchTree with(PatchTree tree, double[] h) {
+        double[] radiosity = tree.radiosity().clone();
+        spread(tree, 0, nodes.find(tree.face(), tree.path()), null, h, radiosity);
+        return new PatchTree(tree.face(), tree.path(), tree.child(), radiosity);
     }
 
     /**
-     * @param coarse node of the initial mesh, or -1 below a patch
+     * @param coarse node of the coarse mesh, or -1 below a patch
      * @param values below a patch: 3 x channels at the corners
      */
-    private void spread(Shot shot, int node, int coarse, double[] values, double[] h, double[] radiosity) {
+    private void spread(PatchTree tree, int node, int coarse, double[] values, double[] h, double[] radiosity) {
         double[] here = values;
         boolean patch = coarse >= 0 && nodes.isElement(coarse);
         if (patch) {
             here = new double[3 * channels];
             for (int i = 0; i < here.length; i++) {
-                here[i] = faces.reflectance(shot.face(), i % channels) * corner(coarse, i / channels, h, i % channels);
+                here[i] = faces.reflectance(tree.face(), i % channels) * corner(coarse, i / channels, h, i % channels);
             }
         }
-        int first = shot.child()[node];
+        int first = tree.child()[node];
         if (first < 0) {
             for (int i = 0; i < 3 * channels; i++) {
                 radiosity[3 * channels * node + i] += here[i];
@@ -203,36 +211,29 @@ final class CoarseSystem {
             return;
         }
         for (int k = 0; k < 4; k++) {
-            spread(shot, first + k, coarse < 0 || patch ? -1 : nodes.child(coarse) + k,
+            spread(tree, first + k, coarse < 0 || patch ? -1 : nodes.child(coarse) + k,
                     here == null ? null : Subdivision.values(here, channels, k), h, radiosity);
         }
     }
 
-    /** Adds, to the patches below a shot, the mean of what it shoots. */
+    /** Adds, to the patches of the coarse mesh, the mean of what is shot. */
     void restrict(Shot shot, double[] unshot) {
-        restrict(shot, 0, nodes.find(shot.face(), shot.path()), unshot);
+        for (PatchTree tree : shot.trees()) {
+            restrict(tree, 0, nodes.find(tree.face(), tree.path()), unshot);
+        }
     }
 
-    private void restrict(Shot shot, int node, int coarse, double[] unshot) {
+    private void restrict(PatchTree tree, int node, int coarse, double[] unshot) {
         if (!nodes.isElement(coarse)) {
             for (int k = 0; k < 4; k++) {
-                restrict(shot, shot.child()[node] + k, nodes.child(coarse) + k, unshot);
+                restrict(tree, tree.child()[node] + k, nodes.child(coarse) + k, unshot);
             }
             return;
         }
         double[] mean = new double[channels];
-        mean(shot, node, 1, mean);
+        tree.addMean(node, 1, mean);
         for (int c = 0; c < channels; c++) {
             unshot[channels * coarse + c] += mean[c];
-        }
-    }
-
-    private void mean(Shot shot, int node, double share, double[] mean) {
-        for (int k = 0; k < 4 && shot.child()[node] >= 0; k++) {
-            mean(shot, shot.child()[node] + k, share / 4, mean);
-        }
-        for (int i = 0; i < 3 * channels && shot.child()[node] < 0; i++) {
-            mean[i % channels] += share / 3 * shot.radiosity()[3 * channels * node + i];
         }
     }
 }

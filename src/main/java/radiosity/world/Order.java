@@ -64,10 +64,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         out.writeByte(kind.ordinal());
         out.writeInt(number);
         out.writeBoolean(more);
-        out.writeInt(shots.size());
-        for (Shot shot : shots) {
-            shot.write(out);
-        }
+        Wire.write(shots, weight.length, out);
         out.writeDouble(tolerance);
         out.writeInt(weight.length);
         for (double w : weight) {

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.PriorityQueue;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
@@ -39,8 +40,8 @@ final class PartitionImpl implements Partition {
     private final Burial burial;
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
-    /** The nodes that shoot: patches in the paper's schedule, else what they are parts of. */
-    private final int[] shooters;
+    /** Nodes that shoot together: single patches in the paper's schedule, else those of a block. */
+    private final int[][] shooters;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
 
@@ -57,7 +58,7 @@ final class PartitionImpl implements Partition {
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         burial = new Burial(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
-        shooters = mesh.settings.schedule() == Schedule.PAPER ? patches() : nodes.tops();
+        shooters = mesh.predicts() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         flux = new double[shooters.length];
         bury(0);
     }
@@ -68,12 +69,8 @@ final class PartitionImpl implements Partition {
                 burial.look(nodes, first + i * RUN, Math.min(nodes.vertices(), first + (i + 1) * RUN)));
     }
 
-    private int[] patches() {
-        int[] all = new int[nodes.patches()];
-        for (int i = 0; i < all.length; i++) {
-            all[i] = nodes.patch(i);
-        }
-        return all;
+    private int[][] patches() {
+        return IntStream.range(0, nodes.patches()).mapToObj(i -> new int[] {nodes.patch(i)}).toArray(int[][]::new);
     }
 
     @Override
@@ -85,7 +82,7 @@ final class PartitionImpl implements Partition {
                 case SPLIT -> split(order);
                 case GATHER -> gather(order, nodes.verticesMade(order.number() - 1));
                 case TOTALS -> {
-                    return Wire.encode(totals());
+                    return Wire.bytes(out -> Wire.write(totals(), channels, out));
                 }
                 case ROWS -> {
                     return rows(order);
@@ -101,12 +98,7 @@ final class PartitionImpl implements Partition {
 
     /** Mark what has shot, gather, subdivide. */
     private void shoot(Order order) {
-        for (Shot shot : order.shots()) {
-            int patch = nodes.find(shot.face(), shot.path());
-            if (patch >= 0) {
-                shot.markShot(nodes, patch);
-            }
-        }
+        order.shots().forEach(shot -> shot.markShot(nodes));
         gather(order, IntStream.range(0, nodes.vertices()).toArray());
         if (!order.more()) {
             subdivide(order.number());
@@ -122,7 +114,7 @@ final class PartitionImpl implements Partition {
     }
 
     private List<Shot> totals() {
-        return IntStream.of(shooters).mapToObj(top -> Shot.total(nodes, top)).toList();
+        return Stream.of(shooters).map(tops -> Shot.total(nodes, tops)).toList();
     }
 
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
@@ -164,7 +156,7 @@ final class PartitionImpl implements Partition {
     private byte[] rows(Order order) {
         RadiosityNodes coarse = new RadiosityNodes(mesh.coarse, mine);
         Shooter[] all = shooters(order);
-        RayCaster calculator = new RayCaster(bounds, rays, order.tolerance());
+        RayCaster calculator = new RayCaster(bounds, 1, order.tolerance(), 1);
         byte[][] row = new byte[coarse.vertices()][];
         crew.run(row.length, v -> {
             burial.look(coarse, v, v + 1);
@@ -205,7 +197,10 @@ final class PartitionImpl implements Partition {
         crew.run(runs, i -> {
             parts[i] = new Answer(channels, scale);
             for (int p = i * RUN; p < Math.min(shooters.length, (i + 1) * RUN); p++) {
-                flux[p] = measure(shooters[p], parts[i]);
+                flux[p] = 0;
+                for (int top : shooters[p]) {
+                    flux[p] += measure(top, parts[i]);
+                }
             }
         });
         Answer answer = new Answer(channels, scale);
@@ -262,8 +257,8 @@ final class PartitionImpl implements Partition {
 
     private int order(int p, int q) {
         int order = Double.compare(flux[q], flux[p]);
-        order = order != 0 ? order : Integer.compare(nodes.face(shooters[p]), nodes.face(shooters[q]));
-        return order != 0 ? order : Long.compare(nodes.path(shooters[p]), nodes.path(shooters[q]));
+        order = order != 0 ? order : Integer.compare(nodes.face(shooters[p][0]), nodes.face(shooters[q][0]));
+        return order != 0 ? order : Long.compare(nodes.path(shooters[p][0]), nodes.path(shooters[q][0]));
     }
 
     @Override

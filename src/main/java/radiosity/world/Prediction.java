@@ -22,7 +22,7 @@ final class Prediction implements Planner {
     private static final double TOLERANCE = 0.05;
     private static final double MESH_ERROR = 4e-4;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
-    private static final double ROW_TOLERANCE = 0.01;
+    private static final double ROW_TOLERANCE = 0.02;
 
     /** What the last round was. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER }

@@ -42,7 +42,7 @@ final class Rows implements Gathering {
     void write(DataOutputStream out) throws IOException {
         out.writeInt(size);
         for (int i = 0; i < size; i++) {
-            out.writeInt(shooter[i].face());
+            out.writeInt(shooter[i].face(leaf[i]));
             out.writeLong(shooter[i].path(leaf[i]));
             for (int k = 0; k < 3; k++) {
                 out.writeFloat((float) weight[3 * i + k]);

@@ -2,7 +2,9 @@ package radiosity.world;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.DataInput;
 import java.io.DataInputStream;
+import java.io.DataOutput;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -33,19 +35,19 @@ final class Wire {
         return new DataInputStream(new ByteArrayInputStream(bytes));
     }
 
-    static byte[] encode(List<Shot> shots) {
-        return bytes(out -> {
-            out.writeInt(shots.size());
-            for (Shot shot : shots) {
-                shot.write(out);
-            }
-        });
+    static void write(List<Shot> shots, int channels, DataOutput out) throws IOException {
+        out.writeInt(channels);
+        out.writeInt(shots.size());
+        for (Shot shot : shots) {
+            shot.write(out);
+        }
     }
 
-    static List<Shot> shots(DataInputStream in) throws IOException {
+    static List<Shot> shots(DataInput in) throws IOException {
+        int channels = in.readInt();
         List<Shot> shots = new ArrayList<>();
         for (int n = in.readInt(); n > 0; n--) {
-            shots.add(Shot.read(in));
+            shots.add(Shot.read(in, channels));
         }
         return shots;
     }
