@@ -18,6 +18,11 @@ final class Failure extends RuntimeException {
         return new Failure(ExitCode.FILE, where + ": " + what, cause);
     }
 
+    /** For a reason that is neither the command line's nor a file's. */
+    static Failure failed(String line, Throwable cause) {
+        return new Failure(ExitCode.FAILED, line, cause);
+    }
+
     /** A warning that counts as an error ({@code --strict}). */
     static Failure strict(String warning) {
         return new Failure(ExitCode.FILE, warning, null);

@@ -1,40 +1,62 @@
 package radiosity.output;
 
+import java.util.List;
 import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 
 /** How bright the surfaces are that reflect: lamps are left out, they would make everything else black. */
 final class Brightness {
 
-    private final Solution solution;
-    private double area;
+    /** Square scene units, of the elements that reflect. */
+    private final double[] area;
+    /** Mean over their corners, W/m²; at least 0. */
+    private final double[] luminance;
+    private int reflecting;
+    private double areas;
     private double sum;
     private double brightest;
 
-    Brightness(Solution solution) {
-        this.solution = solution;
+    private Brightness(int elements) {
+        area = new double[elements];
+        luminance = new double[elements];
+    }
+
+    static Brightness of(Solution solution) {
+        Brightness brightness = new Brightness(solution.elements());
         for (int e = 0; e < solution.elements(); e++) {
-            double l = luminance(e);
-            brightest = Math.max(brightest, l);
-            if (!solution.surface(e).emits()) {
-                area += area(e);
-                sum += area(e) * l;
+            brightness.add(0.5 * Elements.cross(solution, e).length(), solution.surface(e).emits(),
+                    solution.radiosityAt(e, 0), solution.radiosityAt(e, 1), solution.radiosityAt(e, 2));
+        }
+        return brightness;
+    }
+
+    static Brightness of(List<Mesh> meshes) {
+        Brightness brightness = new Brightness(meshes.stream().mapToInt(Mesh::elements).sum());
+        for (Mesh mesh : meshes) {
+            for (int e = 0; e < mesh.elements(); e++) {
+                Vec3 a = mesh.position(e, 0);
+                Vec3 cross = mesh.position(e, 1).minus(a).cross(mesh.position(e, 2).minus(a));
+                brightness.add(0.5 * cross.length(), mesh.surface().emits(), mesh.radiosity(e, 0),
+                        mesh.radiosity(e, 1), mesh.radiosity(e, 2));
             }
         }
+        return brightness;
     }
 
-    private double area(int element) {
-        return 0.5 * Elements.cross(solution, element).length();
-    }
-
-    /** Mean over the corners, W/m²; at least 0. */
-    private double luminance(int element) {
+    /** @param radiosity at the corners */
+    private void add(double itsArea, boolean emits, Rgb... radiosity) {
         double l = 0;
-        for (int k = 0; k < 3; k++) {
-            Rgb b = solution.radiosityAt(element, k);
+        for (Rgb b : radiosity) {
             l += Math.max(0, ToneMapping.luminance(b)) / 3;
         }
-        return l;
+        brightest = Math.max(brightest, l);
+        if (!emits) {
+            area[reflecting] = itsArea;
+            luminance[reflecting++] = l;
+            areas += itsArea;
+            sum += itsArea * l;
+        }
     }
 
     /**
@@ -48,11 +70,9 @@ final class Brightness {
             return brightest > 0 ? 1 / brightest : 1;
         }
         double logs = 0;
-        for (int e = 0; e < solution.elements(); e++) {
-            if (!solution.surface(e).emits()) {
-                logs += area(e) * StrictMath.log(Math.max(luminance(e) * area / sum, dark));
-            }
+        for (int i = 0; i < reflecting; i++) {
+            logs += area[i] * StrictMath.log(Math.max(luminance[i] * areas / sum, dark));
         }
-        return middle * area / sum / StrictMath.exp(logs / area);
+        return middle * areas / sum / StrictMath.exp(logs / areas);
     }
 }

@@ -72,7 +72,7 @@ final class LitView {
         for (int i = 0; i < COLUMNS * ROWS; i++) {
             double x = (2 * (i % COLUMNS) + 1.0) / COLUMNS - 1;
             double y = (2 * (i / COLUMNS) + 1.0) / ROWS - 1;
-            Vec3 direction = Viewpoint.direction(camera, x, y);
+            Vec3 direction = camera.direction(x, y);
             double seen = seen(camera, direction);
             area += seen;
             filled += seen > 0 ? 1 : 0;

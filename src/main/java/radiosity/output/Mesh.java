@@ -32,6 +32,26 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
         return corners.length / 3;
     }
 
+    /** Where corner k (0, 1 or 2) of an element is, relative to the file's origin, scene units. */
+    public Vec3 position(int element, int k) {
+        int i = 3 * corners[3 * element + k];
+        return new Vec3(positions[i], positions[i + 1], positions[i + 2]);
+    }
+
+    /** B at corner k of an element, W/m². */
+    public Rgb radiosity(int element, int k) {
+        return at(radiosity, corners[3 * element + k]);
+    }
+
+    /** H at corner k of an element, W/m². */
+    public Rgb irradiance(int element, int k) {
+        return at(irradiance, corners[3 * element + k]);
+    }
+
+    private static Rgb at(float[] array, int vertex) {
+        return new Rgb(array[3 * vertex], array[3 * vertex + 1], array[3 * vertex + 2]);
+    }
+
     /**
      * The meshes of a solution, surface by surface, front before back; a side without elements has none.
      *

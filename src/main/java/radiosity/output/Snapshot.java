@@ -93,7 +93,7 @@ public final class Snapshot {
         for (int s = 0; s < SAMPLES * SAMPLES; s++) {
             double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
             double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
-            Rgb light = film.apply(along(Viewpoint.direction(camera, x, y)));
+            Rgb light = film.apply(along(camera.direction(x, y)));
             r += light.r();
             g += light.g();
             b += light.b();

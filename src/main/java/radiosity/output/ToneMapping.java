@@ -1,5 +1,6 @@
 package radiosity.output;
 
+import java.util.List;
 import radiosity.scene.Rgb;
 import radiosity.world.Solution;
 
@@ -39,7 +40,7 @@ public record ToneMapping(Operator operator, double exposure) {
         };
 
         /** The exposed luminance that becomes white. */
-        private static final double WHITE = 4;
+        public static final double WHITE = 4;
 
         abstract Rgb map(Rgb exposed);
 
@@ -65,7 +66,16 @@ public record ToneMapping(Operator operator, double exposure) {
      * @param stops EV, 0 for the choice itself
      */
     public static ToneMapping automatic(Operator operator, Solution solution, double stops) {
-        return new ToneMapping(operator, new Brightness(solution).exposure(MIDDLE, DARK) * Math.pow(2, stops));
+        return automatic(operator, Brightness.of(solution), stops);
+    }
+
+    /** The automatic choice for what a scene file holds, made brighter by some stops. */
+    public static ToneMapping automatic(Operator operator, List<Mesh> meshes, double stops) {
+        return automatic(operator, Brightness.of(meshes), stops);
+    }
+
+    private static ToneMapping automatic(Operator operator, Brightness brightness, double stops) {
+        return new ToneMapping(operator, brightness.exposure(MIDDLE, DARK) * Math.pow(2, stops));
     }
 
     /** Reinhard's curve, automatic exposure: walls keep their colour. */

@@ -88,17 +88,4 @@ public final class Viewpoint {
         Vec3 right = level.length() > 0 ? level.unit() : new Vec3(1, 0, 0);
         return new Camera(eye, forward, right.cross(forward), halfAngle, ASPECT);
     }
-
-    /**
-     * Unit direction through a place in the picture.
-     *
-     * @param x from -1, left, to 1
-     * @param y from -1, below, to 1
-     */
-    static Vec3 direction(Camera camera, double x, double y) {
-        double tangent = Math.tan(camera.verticalHalfAngle());
-        Vec3 right = camera.forward().cross(camera.up());
-        return camera.forward().plus(right.times(x * tangent * camera.aspect())).plus(camera.up().times(y * tangent))
-                .unit();
-    }
 }

@@ -1,0 +1,73 @@
+package radiosity.cli;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import picocli.CommandLine.ParseResult;
+import radiosity.lightwave.LightWaveReader;
+import radiosity.output.LitScene;
+import radiosity.viewer.DisplayException;
+import radiosity.viewer.Walkthrough;
+
+/** Displays a scene file and lets the user walk in it (appendix C.4 of the paper). */
+public final class ViewSceneFile {
+
+    private final ViewOptions options;
+    private final Warnings warnings;
+
+    private ViewSceneFile(ViewOptions options) {
+        this.options = options;
+        warnings = new Warnings(System.err, options.scene.strict);
+    }
+
+    public static void main(String[] arguments) {
+        int exitCode = run(arguments);
+        // when the process ends, JogAmp lists the connection to the display that Java 3D leaves open
+        System.setErr(new PrintStream(OutputStream.nullOutputStream()));
+        System.exit(exitCode);
+    }
+
+    /**
+     * The program without the end of the process.
+     *
+     * @return its exit code
+     */
+    public static int run(String... arguments) {
+        ViewOptions options = new ViewOptions();
+        try {
+            CommandLineParser parser = new CommandLineParser(options);
+            ParseResult parsed = parser.parse(arguments);
+            if (parsed.isUsageHelpRequested()) {
+                System.out.print(parser.help());
+            } else if (parsed.isVersionHelpRequested()) {
+                System.out.println(Version.text());
+            } else {
+                options.check();
+                new ViewSceneFile(options).view();
+            }
+            return ExitCode.DONE;
+        } catch (Exception | OutOfMemoryError | StackOverflowError e) {
+            return new Outcome(System.err, options.debug).of(e);
+        }
+    }
+
+    private void view() throws IOException {
+        FileChecks checks = new FileChecks();
+        checks.input(options.file());
+        if (options.screenshot != null) {
+            checks.output(options.screenshot);
+        }
+        LitScene scene = scene();
+        try {
+            Walkthrough.show(scene, options.settings());
+        } catch (DisplayException e) {
+            throw Failure.failed(e.getMessage(), e);
+        }
+    }
+
+    private LitScene scene() throws IOException {
+        return options.lightWave ? LitScene.unlit(
+                LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print))
+                : LitScene.read(options.file());
+    }
+}

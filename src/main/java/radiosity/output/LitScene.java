@@ -1,0 +1,109 @@
+package radiosity.output;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.world.EnergyLedger;
+import radiosity.world.Solution;
+
+/**
+ * What one walks through: surfaces with the light on them, and from where to begin.
+ *
+ * @param meshes   one per side of a surface
+ * @param origin   what to add to the meshes' positions, scene units
+ * @param camera   the scene's, or one chosen for it
+ * @param progress what has been calculated so far, in a few words
+ */
+public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, String progress) {
+
+    /** From where the shade of an unlit scene comes. */
+    private static final Vec3 SHADE_FROM = new Vec3(0.4, 0.8, 0.45).unit();
+    /** The least shade of a surface. */
+    private static final double DARKEST = 0.4;
+
+    public LitScene {
+        meshes = List.copyOf(meshes);
+    }
+
+    /**
+     * Reads the light of a scene file.
+     *
+     * @throws radiosity.scene.SceneFormatException if it is not one, is cut off, or is of a newer program
+     */
+    public static LitScene read(Path path) throws IOException {
+        try (SceneFile file = SceneFile.open(path)) {
+            Optional<Camera> camera = file.camera();
+            return new LitScene(file.meshes(), file.origin(),
+                    camera.isPresent() ? camera.get() : Viewpoint.of(file.solution()),
+                    file.extras().get("shots") + " shots");
+        }
+    }
+
+    /**
+     * A scene before any light is calculated: surfaces in the colour of their reflectance, lamps white. So that edges
+     * can be seen, what faces up and to the right is shown brighter. Meant for an exposure of 1, without a curve.
+     */
+    public static LitScene unlit(Scene scene) {
+        List<Surface> surfaces = scene.surfaces().stream().map(LitScene::unlit).toList();
+        Scene painted = new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(), surfaces,
+                List.of(), scene.camera());
+        Solution solution = shaded(painted);
+        Box box = Box.of(solution.positions());
+        return new LitScene(Mesh.of(solution, box.centre()), box.centre(), Viewpoint.of(solution), "unlit");
+    }
+
+    private static Surface unlit(Surface surface) {
+        Rgb exitance = surface.emits() ? Rgb.grey(1) : Rgb.BLACK;
+        return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided());
+    }
+
+    /** Each side of each triangle is an element with vertices of its own. */
+    private static Solution shaded(Scene scene) {
+        int[] faces = faces(scene);
+        double[] positions = new double[9 * faces.length];
+        double[] shade = new double[9 * faces.length];
+        int[] corners = new int[3 * faces.length];
+        for (int e = 0; e < faces.length; e++) {
+            int side = faces[e] & 1;
+            double itsShade = shade(scene, faces[e]);
+            for (int k = 0; k < 3; k++) {
+                Vec3 p = scene.corner(faces[e] >> 1, side == 0 ? k : (3 - k) % 3);
+                int i = 3 * e + k;
+                corners[i] = i;
+                positions[3 * i] = p.x();
+                positions[3 * i + 1] = p.y();
+                positions[3 * i + 2] = p.z();
+                Arrays.fill(shade, 3 * i, 3 * i + 3, itsShade);
+            }
+        }
+        double[] none = new double[3];
+        return new Solution(scene, 3, positions, shade, corners, faces, 0, 0, 0,
+                new EnergyLedger(none, none, none, none, none), new byte[0]);
+    }
+
+    private static int[] faces(Scene scene) {
+        int[] faces = new int[2 * scene.triangles()];
+        int count = 0;
+        for (int t = 0; t < scene.triangles(); t++) {
+            faces[count++] = 2 * t;
+            if (scene.surface(t).twoSided()) {
+                faces[count++] = 2 * t + 1;
+            }
+        }
+        return Arrays.copyOf(faces, count);
+    }
+
+    private static double shade(Scene scene, int face) {
+        Vec3 a = scene.corner(face >> 1, 0);
+        Vec3 cross = scene.corner(face >> 1, 1).minus(a).cross(scene.corner(face >> 1, 2).minus(a)).unit();
+        double cosine = cross.dot(SHADE_FROM) * ((face & 1) == 0 ? 1 : -1);
+        return DARKEST + (1 - DARKEST) * (1 + cosine) / 2;
+    }
+}

@@ -1,0 +1,91 @@
+package radiosity.viewer;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import radiosity.output.ToneMapping;
+
+/** Text and scales that lie over the picture. */
+final class Overlay {
+
+    private static final Color PANEL = new Color(20, 20, 24, 210);
+    private static final Color INK = new Color(235, 235, 235);
+    private static final Font FONT = new Font(Font.MONOSPACED, Font.PLAIN, 13);
+    private static final int EDGE = 8;
+    private static final int SCALE_WIDTH = 120;
+    private static final int SCALE_HEIGHT = 240;
+    private static final int BAR = 22;
+
+    private Overlay() { }
+
+    /**
+     * An image and where it lies.
+     *
+     * @param image with transparency
+     * @param x     pixels from the left of the window
+     * @param y     pixels from its top
+     */
+    record Label(BufferedImage image, int x, int y) { }
+
+    /** Lines of text in a panel. */
+    static BufferedImage text(List<String> lines) {
+        FontMetrics metrics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics()
+                .getFontMetrics(FONT);
+        int width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+        BufferedImage image = panel(width + 2 * EDGE, metrics.getHeight() * lines.size() + 2 * EDGE);
+        Graphics2D g = graphics(image);
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), EDGE, EDGE + metrics.getAscent() + i * metrics.getHeight());
+        }
+        g.dispose();
+        return image;
+    }
+
+    /** The keys. */
+    static BufferedImage help() {
+        return text(Arrays.stream(Keys.HELP).map(line -> String.format("%-20s %s", line[0], line[1])).toList());
+    }
+
+    /** What the colours of false colour mean, W/m². */
+    static BufferedImage scale(ToneMapping toneMapping) {
+        BufferedImage image = panel(SCALE_WIDTH, SCALE_HEIGHT);
+        Graphics2D g = graphics(image);
+        int height = SCALE_HEIGHT - 5 * EDGE;
+        for (int y = 0; y < height; y++) {
+            g.setColor(new Color(FalseColour.turbo(1 - y / (height - 1.0))));
+            g.drawLine(EDGE, 4 * EDGE + y, EDGE + BAR, 4 * EDGE + y);
+        }
+        g.setColor(INK);
+        g.drawString("W/m² (Y)", EDGE, 2 * EDGE + 2);
+        for (int decade = 0; decade <= FalseColour.DECADES; decade++) {
+            double value = FalseColour.top(toneMapping) * Math.pow(10, -decade);
+            int y = 4 * EDGE + (int) Math.round(decade * (height - 1.0) / FalseColour.DECADES);
+            g.drawString(String.format(Locale.ROOT, "%.3g", value), 2 * EDGE + BAR, y + 4);
+        }
+        g.dispose();
+        return image;
+    }
+
+    private static BufferedImage panel(int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = image.createGraphics();
+        g.setColor(PANEL);
+        g.fillRect(0, 0, width, height);
+        g.dispose();
+        return image;
+    }
+
+    private static Graphics2D graphics(BufferedImage image) {
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setFont(FONT);
+        g.setColor(INK);
+        return g;
+    }
+}

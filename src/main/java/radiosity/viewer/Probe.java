@@ -1,0 +1,46 @@
+package radiosity.viewer;
+
+import java.util.List;
+import java.util.Locale;
+import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/**
+ * The light at a point that was clicked on.
+ *
+ * @param surface    what is there
+ * @param back       whether its back is
+ * @param point      scene units
+ * @param radiosity  B, W/m²
+ * @param irradiance H, W/m²
+ */
+record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irradiance) {
+
+    static Probe of(Obstacles.Hit hit, Vec3 point) {
+        int e = hit.element();
+        double u = 1 - hit.v() - hit.w();
+        return new Probe(hit.mesh().surface(), hit.mesh().back(), point,
+                mix(hit.mesh().radiosity(e, 0), hit.mesh().radiosity(e, 1), hit.mesh().radiosity(e, 2), u, hit),
+                mix(hit.mesh().irradiance(e, 0), hit.mesh().irradiance(e, 1), hit.mesh().irradiance(e, 2), u, hit));
+    }
+
+    private static Rgb mix(Rgb a, Rgb b, Rgb c, double u, Obstacles.Hit hit) {
+        return new Rgb(a.r() * u + b.r() * hit.v() + c.r() * hit.w(), a.g() * u + b.g() * hit.v() + c.g() * hit.w(),
+                a.b() * u + b.b() * hit.v() + c.b() * hit.w());
+    }
+
+    /** For the user. */
+    List<String> lines() {
+        return List.of("surface      " + surface.name() + (back ? " (back)" : ""),
+                "radiosity    " + text(radiosity) + " W/m²",
+                "irradiance   " + text(irradiance) + " W/m²",
+                "reflectance  " + text(surface.reflectance()),
+                "exitance     " + text(surface.exitance()) + " W/m²",
+                "at           " + text(new Rgb(point.x(), point.y(), point.z())));
+    }
+
+    private static String text(Rgb v) {
+        return String.format(Locale.ROOT, "%.4g  %.4g  %.4g", v.r(), v.g(), v.b());
+    }
+}

@@ -1,0 +1,62 @@
+package radiosity.viewer;
+
+import java.awt.GraphicsConfiguration;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jogamp.java3d.Appearance;
+import org.jogamp.java3d.Canvas3D;
+import org.jogamp.java3d.GeometryArray;
+import org.jogamp.java3d.ImageComponent;
+import org.jogamp.java3d.ImageComponent2D;
+import org.jogamp.java3d.PointArray;
+import org.jogamp.java3d.Raster;
+import org.jogamp.java3d.Shape3D;
+import org.jogamp.vecmath.Point3f;
+
+/** Where Java 3D draws: puts text over each picture and hands out copies. */
+final class SceneCanvas extends Canvas3D {
+
+    /** Draws nothing that can be seen, but without a shader: Java 3D draws the overlay with the last one. */
+    private final Shape3D plain = new Shape3D(new PointArray(1, GeometryArray.COORDINATES), new Appearance());
+    private volatile List<Overlay.Label> overlay = List.of();
+    private final AtomicReference<CompletableFuture<BufferedImage>> wanted = new AtomicReference<>();
+
+    SceneCanvas(GraphicsConfiguration configuration) {
+        super(configuration);
+    }
+
+    /** @param labels drawn over the scene; their images are not modified afterwards */
+    void overlay(List<Overlay.Label> labels) {
+        overlay = List.copyOf(labels);
+    }
+
+    /** A copy of the next picture; somebody must see to it that it is drawn. */
+    CompletableFuture<BufferedImage> next() {
+        return wanted.updateAndGet(old -> old == null ? new CompletableFuture<>() : old);
+    }
+
+    /** Called by Java 3D when the scene is drawn and not yet shown. */
+    @Override
+    public void postRender() {
+        if (!overlay.isEmpty()) {
+            getGraphicsContext3D().draw(plain);
+        }
+        for (Overlay.Label label : overlay) {
+            getGraphics2D().drawAndFlushImage(label.image(), label.x(), label.y(), this);
+        }
+        CompletableFuture<BufferedImage> copy = wanted.getAndSet(null);
+        if (copy != null) {
+            copy.complete(read());
+        }
+    }
+
+    private BufferedImage read() {
+        BufferedImage image = new BufferedImage(getWidth(), getHeight(), BufferedImage.TYPE_INT_RGB);
+        Raster raster = new Raster(new Point3f(), Raster.RASTER_COLOR, 0, 0, getWidth(), getHeight(),
+                new ImageComponent2D(ImageComponent.FORMAT_RGB, image), null);
+        getGraphicsContext3D().readRaster(raster);
+        return raster.getImage().getImage();
+    }
+}
