@@ -1,0 +1,52 @@
+package radiosity.accuracy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.accuracy.CieCase.Measured;
+import radiosity.output.Points;
+import radiosity.scene.Scene;
+import radiosity.world.Solution;
+
+/**
+ * CIE 171:2006 with the exact references of {@link Cie}, at default settings; errors in per cent of a case's largest
+ * value.
+ *
+ * <p>5.8: with Phi emitted in a closed room of uniform reflectance, mean E = Phi/S + rho mean E, so the indirect part is
+ * rho Phi / (S (1 - rho)). It is the difference of two calculations on one mesh, with and without reflection.
+ */
+class CieTest {
+
+    private static final double FLUX = 10_000;
+    private static final double AREA = 96;
+
+    static List<CieCase> cases() {
+        return Cie.cases();
+    }
+
+    @ParameterizedTest
+    @MethodSource("cases")
+    void everyPoint_isWithinTwoPerCentOfTheLargest(CieCase test) {
+        Points found = new Points(Solve.byDefault().solution(test.scene()));
+        for (Measured p : test.points()) {
+            assertEquals(p.irradiance(), found.at(p.position(), p.normal()).irradiance().r(), 0.02 * test.largest(),
+                    p.name());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {.05, .1, .2, .3, .4, .5, .6, .7, .8, .9, .95})
+    void meanIndirectIrradiance_isExact(double reflectance) {
+        double exact = reflectance * FLUX / (AREA * (1 - reflectance));
+        assertEquals(exact, mean(reflectance) - mean(0), 1e-3 * exact);
+    }
+
+    static double mean(double reflectance) {
+        Scene cube = Cie.cube(reflectance);
+        Solution solution = Solve.byDefault().patches(cube, 400).unsent(1e-5).solution(cube);
+        return Spread.irradiance(solution, 0).mean();
+    }
+}

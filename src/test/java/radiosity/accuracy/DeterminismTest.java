@@ -1,0 +1,28 @@
+package radiosity.accuracy;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import radiosity.lightwave.LightWaveOptions;
+import radiosity.lightwave.LightWaveReader;
+import radiosity.scene.Scene;
+import radiosity.world.Solution;
+
+/** The same calculation gives the same bits: sample points belong to receiver and shooter, and sums have no order. */
+class DeterminismTest {
+
+    @Test
+    void oneThreadAndTwo_giveTheSameBits() throws IOException {
+        Scene scene = LightWaveReader.read(Shared.truth("lightwave", "cornell_blocks.lws"),
+                LightWaveOptions.defaults(), warning -> { });
+        Solve solve = Solve.byDefault().patches(scene, 600).unsent(0.02);
+        Solution one = solve.threads(1).solution(scene);
+        Solution two = solve.threads(2).solution(scene);
+        assertArrayEquals(one.irradiance(), two.irradiance());
+        assertArrayEquals(one.positions(), two.positions());
+        assertArrayEquals(one.corners(), two.corners());
+        assertArrayEquals(one.state(), two.state());
+        assertArrayEquals(one.ledger().received(), two.ledger().received());
+    }
+}

@@ -1,0 +1,60 @@
+package radiosity.accuracy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.world.EnergyLedger;
+import radiosity.world.LocalWorld;
+import radiosity.world.ProgressiveRadiosity;
+
+/**
+ * Where the light went. Every element keeps received = absorbed + reflected, and reflected + emitted = shot + unshot;
+ * summed, with deficit = shot - received, emitted = absorbed + unshot + deficit, whatever the form factors are worth. In
+ * a closed room whose surfaces are all visible the deficit is their fault alone.
+ */
+class EnergyLedgerTest {
+
+    private static final Surface COLOURED =
+            new Surface("wall", new Rgb(1, 0.5, 0), new Rgb(0.7, 0.5, 0.3), false);
+
+    @Test
+    void energyLedger_closesInEveryRound() throws IOException {
+        Scene room = Rooms.withBlocks(COLOURED);
+        Solve solve = Solve.byDefault().patches(room, 200);
+        try (LocalWorld world = new LocalWorld(room, solve.settings(), 1)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, solve.stop());
+            rounds.run(progress -> closes(rounds.ledger()));
+            assertEquals(0, rounds.ledger().emitted()[2]);
+            assertTrue(rounds.ledger().shot()[0] > rounds.ledger().emitted()[0]);
+        }
+    }
+
+    private static boolean closes(EnergyLedger ledger) {
+        for (int c = 0; c < 3; c++) {
+            assertEquals(0, ledger.imbalance(c), 1e-12);
+        }
+        return true;
+    }
+
+    @Test
+    void emittedFlux_isExitanceTimesArea() {
+        Scene room = Rooms.withFloatingCube(COLOURED);
+        EnergyLedger ledger = Solve.byDefault().patches(room, 1).solution(room).ledger();
+        assertEquals(0.5 * room.area(), ledger.emitted()[1], 1e-12 * room.area());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
+    void closedRoom_losesNoMoreThanAThousandth(String name) {
+        Scene room = Rooms.watertight().get(name).apply(Rooms.grey("wall", 1, 0.5));
+        EnergyLedger ledger = Solve.byDefault().patches(room, 400).solution(room).ledger();
+        assertEquals(0, ledger.deficit(0) / ledger.shot()[0], 1e-3);
+    }
+}
