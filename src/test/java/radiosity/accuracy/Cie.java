@@ -27,7 +27,8 @@ final class Cie {
 
     /** All cases that have points; 5.8 has a mean instead. */
     static List<CieCase> cases() {
-        return List.of(areaLamp(), reflector(4), reflector(0.5), reflector(500), hiddenReflector(true),
+        return List.of(areaLamp(), reflectorAndWall(4), reflectorAndCeiling(4), reflectorAndWall(0.5),
+                reflectorAndCeiling(0.5), reflectorAndWall(500), reflectorAndCeiling(500), hiddenReflector(true),
                 hiddenReflector(false), sky(1), sky(4));
     }
 
@@ -49,24 +50,38 @@ final class Cie {
         Surface panel = Rooms.grey("panel", exitance, 0);
         Scene scene = new Cells(planes, planes, new double[] {0, 3}).room(name, (i, j, k) -> true,
                 (i, j, k, face) -> face == 5 && i == lamp && j == lamp ? panel : BLACK);
-        Vec3[] polygon = {new Vec3(a, a, 3), new Vec3(b, a, 3), new Vec3(b, b, 3), new Vec3(a, b, 3)};
+        Vec3[] polygon = square(side, 3);
         List<Measured> points = wall(2.75, -0.5, 6, 'A', p -> exitance * Lambert.factor(p, DEEP, polygon));
         points.addAll(row(0, UP, 8, p -> exitance * Lambert.factor(p, UP, polygon)));
         return new CieCase(name, scene, points);
     }
 
-    /** 5.6: a horizontal reflector lights a wall that begins 0.5 m above it, and the ceiling; E/(E_hz rho) in per cent. */
-    static CieCase reflector(double side) {
-        String name = "5.6 horizontal reflector, side " + side + " m";
+    /** 5.6: a horizontal reflector lights a wall that begins 0.5 m above it; E/(E_hz rho) in per cent. */
+    static CieCase reflectorAndWall(double side) {
+        Vec3[] reflector = square(side, 0);
+        Vec3[] wall = {new Vec3(0, 0, 0.5), new Vec3(0, 0, 3), new Vec3(4, 0, 3), new Vec3(4, 0, 0.5)};
+        return reflector(side, "wall", wall, wall(0.75, 0.5, 5, 'B', p -> 100 * Lambert.factor(p, DEEP, reflector)));
+    }
+
+    /** The same and the ceiling; a case of its own, for the wall would hide much of the 500 m from it. */
+    static CieCase reflectorAndCeiling(double side) {
+        Vec3[] reflector = square(side, 0);
+        Vec3[] ceiling = {new Vec3(0, 0, 3), new Vec3(0, 4, 3), new Vec3(4, 4, 3), new Vec3(4, 0, 3)};
+        return reflector(side, "ceiling", ceiling, row(3, DOWN, 8, p -> 100 * Lambert.factor(p, DOWN, reflector)));
+    }
+
+    private static CieCase reflector(double side, String to, Vec3[] receiver, List<Measured> points) {
+        String name = "5.6 horizontal reflector, side " + side + " m, " + to;
+        Scene scene = new SceneBuilder().polygon(Rooms.grey("reflector", 100, 0.3), square(side, 0))
+                .polygon(BLACK, receiver).scene(name);
+        return new CieCase(name, scene, points);
+    }
+
+    /** Seen from above, in the middle of the room. */
+    private static Vec3[] square(double side, double z) {
         double a = 2 - side / 2;
         double b = 2 + side / 2;
-        Vec3[] polygon = {new Vec3(a, a, 0), new Vec3(b, a, 0), new Vec3(b, b, 0), new Vec3(a, b, 0)};
-        Scene scene = new SceneBuilder().polygon(Rooms.grey("reflector", 100, 0.3), polygon)
-                .polygon(BLACK, new Vec3(0, 0, 0.5), new Vec3(0, 0, 3), new Vec3(4, 0, 3), new Vec3(4, 0, 0.5))
-                .polygon(BLACK, new Vec3(0, 0, 3), new Vec3(0, 4, 3), new Vec3(4, 4, 3), new Vec3(4, 0, 3)).scene(name);
-        List<Measured> points = wall(0.75, 0.5, 5, 'B', p -> 100 * Lambert.factor(p, DEEP, polygon));
-        points.addAll(row(3, DOWN, 8, p -> 100 * Lambert.factor(p, DOWN, polygon)));
-        return new CieCase(name, scene, points);
+        return new Vec3[] {new Vec3(a, a, z), new Vec3(b, a, z), new Vec3(b, b, z), new Vec3(a, b, z)};
     }
 
     /** 5.7: a vertical reflector at y = 4 lights wall and floor, past a black box or without it; E/(E_v rho) in per cent. */

@@ -46,7 +46,7 @@ class CieTest {
 
     static double mean(double reflectance) {
         Scene cube = Cie.cube(reflectance);
-        Solution solution = Solve.byDefault().patches(cube, 400).unsent(1e-5).solution(cube);
+        Solution solution = Solve.byDefault().unsent(1e-5).solution(cube);
         return Spread.irradiance(solution, 0).mean();
     }
 }

@@ -6,6 +6,7 @@ import radiosity.scene.Scene;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
+import radiosity.world.Schedule;
 import radiosity.world.Solution;
 import radiosity.world.StopRule;
 
@@ -35,12 +36,18 @@ public record Solve(RadiositySettings settings, StopRule stop, int threads) {
     /** With an initial mesh of about so many patches. */
     public Solve patches(Scene scene, int count) {
         RadiositySettings s = settings;
-        return new Solve(new RadiositySettings(scene.area() / count, s.rays(), s.meshing(), s.schedule()), stop, threads);
+        return settings(new RadiositySettings(scene.area() / count, s.rays(), s.meshing(), s.schedule(), s.tolerance(),
+                s.meshError()));
     }
 
-    public Solve rays(int count) {
+    /** By shooting and sorting, as the paper has it. */
+    public Solve paper() {
         RadiositySettings s = settings;
-        return new Solve(new RadiositySettings(s.patchArea(), count, s.meshing(), s.schedule()), stop, threads);
+        return settings(new RadiositySettings(s.patchArea(), s.rays(), s.meshing(), Schedule.PAPER));
+    }
+
+    public Solve settings(RadiositySettings other) {
+        return new Solve(other, stop, threads);
     }
 
     public Solution solution(Scene scene) {

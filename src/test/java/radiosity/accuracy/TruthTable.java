@@ -17,8 +17,8 @@ import radiosity.world.StopRule;
 /**
  * Prints how far the scenes with path-traced truth are from it and what that cost.
  *
- * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--schedule S] [--unsent P]
- * [--threads N] [--repeat N] [scene ...]}
+ * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--tolerance T]
+ * [--mesh-error M] [--schedule S] [--unsent P] [--threads N] [--repeat N] [scene ...]}
  */
 public final class TruthTable {
 
@@ -60,21 +60,25 @@ public final class TruthTable {
 
     private void option(String name, String value) {
         RadiositySettings s = settings;
+        double number = name.equals("--schedule") ? 0 : Double.parseDouble(value);
         switch (name) {
-            case "--patch-area" -> settings = new RadiositySettings(Double.parseDouble(value), s.rays(), s.meshing(),
-                    s.schedule());
-            case "--rays" -> settings = new RadiositySettings(s.patchArea(), Integer.parseInt(value), s.meshing(),
-                    s.schedule());
-            case "--meshing" -> settings = new RadiositySettings(s.patchArea(), s.rays(), Double.parseDouble(value),
-                    s.schedule());
-            case "--schedule" -> settings = new RadiositySettings(s.patchArea(), s.rays(), s.meshing(),
-                    Schedule.valueOf(value.toUpperCase(Locale.ROOT)));
-            case "--patches" -> patches = Integer.parseInt(value);
-            case "--unsent" -> unsent = Double.parseDouble(value);
-            case "--threads" -> threads = Integer.parseInt(value);
-            case "--repeat" -> repeat = Integer.parseInt(value);
+            case "--patch-area" -> set(number, s.rays(), s.meshing(), s.schedule(), s.tolerance(), s.meshError());
+            case "--rays" -> set(s.patchArea(), (int) number, s.meshing(), s.schedule(), s.tolerance(), s.meshError());
+            case "--meshing" -> set(s.patchArea(), s.rays(), number, s.schedule(), s.tolerance(), s.meshError());
+            case "--tolerance" -> set(s.patchArea(), s.rays(), s.meshing(), s.schedule(), number, s.meshError());
+            case "--mesh-error" -> set(s.patchArea(), s.rays(), s.meshing(), s.schedule(), s.tolerance(), number);
+            case "--schedule" -> set(s.patchArea(), s.rays(), s.meshing(),
+                    Schedule.valueOf(value.toUpperCase(Locale.ROOT)), s.tolerance(), s.meshError());
+            case "--patches" -> patches = (int) number;
+            case "--unsent" -> unsent = number;
+            case "--threads" -> threads = (int) number;
+            case "--repeat" -> repeat = (int) number;
             default -> throw new IllegalArgumentException("accuracy: expected a known option, got " + name);
         }
+    }
+
+    private void set(double area, int rays, double meshing, Schedule schedule, double tolerance, double meshError) {
+        settings = new RadiositySettings(area, rays, meshing, schedule, tolerance, meshError);
     }
 
     private void print() throws IOException {
