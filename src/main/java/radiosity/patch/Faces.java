@@ -15,6 +15,7 @@ public final class Faces {
 
     /** Of the scene's squared size. */
     public static final double LEAST_AREA = 1e-12;
+    private static final double LEAST_IMPORTANCE = 0.05;
 
     private final Scene scene;
     /** Middle of the scene's box, scene units. */
@@ -214,6 +215,11 @@ public final class Faces {
     /** rho in [0, 1). */
     public double reflectance(int face, int channel) {
         return reflectance[channels * face + channel];
+    }
+
+    /** How much irradiance on a face matters: its reflectance; a little where it is black, for it is a result too. */
+    public double importance(int face, int channel) {
+        return Math.max(LEAST_IMPORTANCE, reflectance[channels * face + channel]);
     }
 
     /** Height over the longest edge, of the scene's size. */

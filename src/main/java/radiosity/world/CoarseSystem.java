@@ -152,14 +152,14 @@ final class CoarseSystem {
         return seen == 0 ? 0 : sum / seen;
     }
 
-    /** Flux that is reflected where this irradiance arrives, scene units. */
-    double reflected(double[] h, int c) {
+    /** Flux that matters where this irradiance arrives: {@link Faces#importance} times what arrives, scene units. */
+    double weighted(double[] h, int c) {
         double sum = 0;
         for (int p = 0; p < nodes.patches(); p++) {
             int patch = nodes.patch(p);
-            double rho = faces.reflectance(nodes.face(patch), c);
+            double importance = faces.importance(nodes.face(patch), c);
             for (int k = 0; k < 3; k++) {
-                sum += nodes.area(patch) * rho * corner(patch, k, h, c) / 3;
+                sum += nodes.area(patch) * importance * corner(patch, k, h, c) / 3;
             }
         }
         return sum * faces.size() * faces.size();

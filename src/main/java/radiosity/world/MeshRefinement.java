@@ -100,7 +100,7 @@ final class MeshRefinement {
     }
 
     private double weigh(int node, int c, double irradiance) {
-        return irradiance * faces.reflectance(nodes.face(node), c) * weight[c];
+        return irradiance * faces.importance(nodes.face(node), c) * weight[c];
     }
 
     private double at(int vertex, int c) {

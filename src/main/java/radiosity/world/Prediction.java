@@ -33,7 +33,7 @@ final class Prediction implements Planner {
     private final CoarseSystem coarse;
     private final double tolerance;
     private final double meshError;
-    /** One per channel: 1 / mean reflected radiosity. */
+    /** One per channel: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
     private int splits;
@@ -52,11 +52,11 @@ final class Prediction implements Planner {
         coarse.take(world.round(new Order(Order.Kind.ROWS, 0, false, coarse.importance(), ROW_TOLERANCE, weight, 0, 0)));
         double[] h = coarse.irradiance(coarse.exitance());
         for (int c = 0; c < weight.length; c++) {
-            weigh(c, coarse.reflected(h, c));
+            weigh(c, coarse.weighted(h, c));
         }
     }
 
-    /** @param flux reflected so far, W */
+    /** @param flux that matters, W */
     private void weigh(int c, double flux) {
         weight[c] = flux > 0 ? area / flux : 0;
     }
