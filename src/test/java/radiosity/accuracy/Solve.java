@@ -40,6 +40,12 @@ public record Solve(RadiositySettings settings, StopRule stop, int threads) {
                 s.meshError()));
     }
 
+    /** With rays that carry no more than this part of the mean light each. */
+    public Solve tolerance(double part) {
+        RadiositySettings s = settings;
+        return settings(new RadiositySettings(s.patchArea(), s.rays(), s.meshing(), s.schedule(), part, s.meshError()));
+    }
+
     /** By shooting and sorting, as the paper has it. */
     public Solve paper() {
         RadiositySettings s = settings;
