@@ -10,6 +10,7 @@ import radiosity.output.Points;
 import radiosity.output.SceneFile;
 import radiosity.output.Snapshot;
 import radiosity.scene.Camera;
+import radiosity.scene.SceneFormatException;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Solution;
 
@@ -53,8 +54,8 @@ final class OutputFiles {
         Map<String, Object> extras = new TreeMap<>();
         extras.put("commandLine", arguments);
         extras.put("settings", SavedCalculation.asJson(settings));
-        SceneFile.write(options.output(), solution, extras, solution.scene().camera(),
-                options.picture.toneMapping(solution));
+        write(options.output(), file -> SceneFile.write(file, solution, extras, solution.scene().camera(),
+                options.picture.toneMapping(solution)));
     }
 
     /** The picture of {@code -sn}. */
@@ -68,11 +69,11 @@ final class OutputFiles {
             savePicture(solution, picture);
         }
         if (options.file.points != null) {
-            new Points(solution).write(options.file.points.in(), options.file.points.out());
+            write(options.file.points.out(), out -> new Points(solution).write(options.file.points.in(), out));
         }
         if (options.file.report != null) {
-            new ObjectMapper().writerWithDefaultPrettyPrinter().writeValue(options.file.report.toFile(),
-                    summary.asJson());
+            write(options.file.report, file -> new ObjectMapper().writerWithDefaultPrettyPrinter()
+                    .writeValue(file.toFile(), summary.asJson()));
         }
     }
 
@@ -80,6 +81,23 @@ final class OutputFiles {
         if (camera == null) {
             camera = options.picture.camera(solution);
         }
-        Snapshot.write(file, solution, camera, options.picture.width(), options.picture.toneMapping(solution));
+        write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
+                options.picture.toneMapping(solution)));
+    }
+
+    /** What writes one file. */
+    private interface Content {
+        void writeTo(Path file) throws IOException;
+    }
+
+    /** Names the file where writing it fails: a full disk's message does not. */
+    private static void write(Path file, Content content) throws IOException {
+        try {
+            content.writeTo(file);
+        } catch (SceneFormatException e) {
+            throw e;
+        } catch (IOException e) {
+            throw Failure.file(file, "expected to be written, got " + FileChecks.reason(e), e);
+        }
     }
 }

@@ -74,6 +74,7 @@ public final class RadiosityRenderer {
         RadiositySettings settings = settings(scene, saved);
         check(scene, settings);
         try (World world = new LocalWorld(scene, settings, options.calculation.threads)) {
+            checkTriangles(scene, world);
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule());
             if (saved != null) {
                 radiosity.resume(saved.state());
@@ -107,6 +108,13 @@ public final class RadiosityRenderer {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
         checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
+    }
+
+    private void checkTriangles(Scene scene, World world) {
+        if (world.droppedTriangles() > 0) {
+            warnings.accept(scene.name() + ": expected triangles large enough to radiate, got " + world.droppedTriangles()
+                    + " that are not; they only block light");
+        }
     }
 
     private StopRule stopRule() {

@@ -5,8 +5,13 @@ import radiosity.world.Progress;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
 import radiosity.world.RoundListener;
+import radiosity.world.Solution;
 
-/** What happens after every round: progress, files of {@code -si} and {@code -sn}, and whether to go on. */
+/**
+ * What happens after every round: progress, files of {@code -si} and {@code -sn}, and whether to go on.
+ *
+ * <p>A file that cannot be written now is told and does not end the calculation.
+ */
 final class Rounds implements RoundListener {
 
     private final ProgressiveRadiosity radiosity;
@@ -34,17 +39,25 @@ final class Rounds implements RoundListener {
     public boolean afterRound(Progress progress) {
         display.show(progress);
         try {
-            if (passed(when.saveInterval, progress.shots())) {
-                files.saveScene(radiosity.solution(), settings);
-            }
-            if (passed(snapshots, progress.shots())) {
-                files.saveSnapshot(radiosity.solution());
-            }
-        } catch (IOException e) {
+            save(passed(when.saveInterval, progress.shots()), passed(snapshots, progress.shots()));
+        } catch (Failure | IOException e) {
             display.message(Outcome.line(e));
         }
         before = progress.shots();
         return !stop.made();
+    }
+
+    private void save(boolean scene, boolean snapshot) throws IOException {
+        if (!scene && !snapshot) {
+            return;
+        }
+        Solution solution = radiosity.solution();
+        if (scene) {
+            files.saveScene(solution, settings);
+        }
+        if (snapshot) {
+            files.saveSnapshot(solution);
+        }
     }
 
     /** Whether a multiple of the interval lies in the shots of the round: a round may hold several. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -75,6 +76,19 @@ class StopTest {
         assertEquals(30, SavedCalculation.read(program.file("foobar.scene")).shots());
     }
 
+    @Test
+    void fullDisk_keepsTheOldFileAndIsToldInOneLine() throws Exception {
+        Path output = Files.writeString(program.file("foobar.scene"), "the old file");
+        List<String> command = new ArrayList<>(List.of("sh", "-c", "ulimit -f 80; exec \"$@\"", "sh"));
+        command.addAll(Program.command("-q -pa 2000 -it 20 foobar.lws foobar.scene"));
+        Process render = program.start(command);
+        String printed = Program.rest(render);
+        assertEquals(ExitCode.FILE, render.waitFor(), printed);
+        assertTrue(printed.startsWith("foobar.scene: expected to be written, got "), printed);
+        assertEquals(1, printed.lines().count(), printed);
+        assertEquals("the old file", Files.readString(output));
+    }
+
     private List<String> onTerminal(String key, List<String> command) throws Exception {
         assumeTrue(hasPython(), "needs python3 for a pseudo terminal");
         Path script = Path.of(StopTest.class.getResource("press-key.py").toURI());
@@ -97,8 +111,8 @@ class StopTest {
         int shots = SavedCalculation.read(file).shots();
         assertFalse(shots == 0, "stopped before the first shot");
         Path more = program.file("more.scene");
-        assertEquals(ExitCode.DONE, RadiosityRenderer.run("-q", "-tf", file.toString(), Integer.toString(shots), "-it",
-                Integer.toString(shots + 1), program.file("foobar.lws").toString(), more.toString()));
+        Run run = Run.of("-q", "-tf", file, shots, "-it", shots + 1, program.file("foobar.lws"), more);
+        assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertEquals(shots + 1, SavedCalculation.read(more).shots());
     }
 }
