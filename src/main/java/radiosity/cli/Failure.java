@@ -14,6 +14,10 @@ final class Failure extends RuntimeException {
         return new Failure(ExitCode.COMMAND_LINE, where + ": " + what, null);
     }
 
+    static Failure failed(String where, String what) {
+        return new Failure(ExitCode.FAILED, where + ": " + what, null);
+    }
+
     static Failure file(Object where, String what, Throwable cause) {
         return new Failure(ExitCode.FILE, where + ": " + what, cause);
     }

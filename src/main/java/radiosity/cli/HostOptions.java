@@ -8,6 +8,7 @@ import picocli.CommandLine.IParameterConsumer;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import radiosity.world.HostAddress;
 
 /** Distributed mode. */
 final class HostOptions {
@@ -15,7 +16,7 @@ final class HostOptions {
     @Option(names = {"-h", "--hosts"}, paramLabel = "<n> <h1> .. <hn>", arity = "1..*", hideParamSyntax = true,
             parameterConsumer = HostsConsumer.class,
             description = "Hosts to use in distributed mode: their number, then host or host:port of each.")
-    List<String> hosts;
+    List<HostAddress> hosts;
 
     @Option(names = {"-key", "--key"}, paramLabel = "<file>",
             description = "The key file that the hosts were started with.")
@@ -29,14 +30,26 @@ final class HostOptions {
             String expected = "the number of hosts and their names";
             int count = Arguments.convert(new Values.AtLeastOne(),
                     Arguments.next(arguments, option, expected), option);
-            List<String> names = new ArrayList<>();
-            while (names.size() < count) {
+            List<HostAddress> hosts = new ArrayList<>();
+            while (hosts.size() < count) {
                 if (arguments.isEmpty() || arguments.peek().startsWith("-")) {
-                    throw Arguments.wrong(option, "expected " + count + " hosts, got " + names.size());
+                    throw Arguments.wrong(option, "expected " + count + " hosts, got " + hosts.size());
                 }
-                names.add(arguments.pop());
+                add(hosts, arguments.pop(), option);
             }
-            option.setValue(names);
+            option.setValue(hosts);
+        }
+
+        private static void add(List<HostAddress> hosts, String text, ArgSpec option) {
+            try {
+                HostAddress host = HostAddress.parse(text);
+                if (hosts.contains(host)) {
+                    throw Arguments.wrong(option, "expected every host once, got " + text + " twice");
+                }
+                hosts.add(host);
+            } catch (IllegalArgumentException e) {
+                throw Arguments.wrong(option, e.getMessage());
+            }
         }
     }
 }

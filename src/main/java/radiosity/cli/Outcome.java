@@ -3,6 +3,7 @@ package radiosity.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import radiosity.scene.SceneFormatException;
+import radiosity.world.NoWorkerException;
 
 /** What a program returns, and says in one line, for whatever ended it. */
 final class Outcome {
@@ -28,6 +29,9 @@ final class Outcome {
         if (error instanceof Failure failure) {
             return failure.exitCode();
         }
+        if (error instanceof NoWorkerException) {
+            return ExitCode.NO_WORKER;
+        }
         return error instanceof IOException ? ExitCode.FILE : ExitCode.FAILED;
     }
 
@@ -36,7 +40,7 @@ final class Outcome {
         if (error instanceof OutOfMemoryError) {
             return outOfMemory();
         }
-        if (error instanceof Failure || error instanceof SceneFormatException) {
+        if (error instanceof Failure || error instanceof SceneFormatException || error instanceof NoWorkerException) {
             return error.getMessage();
         }
         if (error instanceof java.nio.file.FileSystemException problem) {

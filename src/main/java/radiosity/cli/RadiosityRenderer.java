@@ -9,9 +9,11 @@ import picocli.CommandLine.ParseResult;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.SceneInfo;
 import radiosity.scene.Scene;
+import radiosity.world.HostKey;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
+import radiosity.world.RemoteWorld;
 import radiosity.world.Solution;
 import radiosity.world.StopRule;
 import radiosity.world.World;
@@ -73,7 +75,7 @@ public final class RadiosityRenderer {
         SavedCalculation saved = saved();
         RadiositySettings settings = settings(scene, saved);
         check(scene, settings);
-        try (World world = new LocalWorld(scene, settings, options.calculation.threads)) {
+        try (World world = world(scene, settings)) {
             checkTriangles(scene, world);
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule());
             if (saved != null) {
@@ -83,6 +85,15 @@ public final class RadiosityRenderer {
             calculate(radiosity, settings);
             save(world, radiosity);
         }
+    }
+
+    private World world(Scene scene, RadiositySettings settings) throws IOException {
+        int threads = options.calculation.threads;
+        if (options.host.hosts == null) {
+            return new LocalWorld(scene, settings, threads);
+        }
+        HostKey key = options.host.key == null ? null : PartitionServer.key(options.host.key);
+        return new RemoteWorld(scene, settings, options.host.hosts, key, threads, err::println);
     }
 
     /** What {@code -tf} names, or null. */

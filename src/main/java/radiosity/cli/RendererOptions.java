@@ -59,8 +59,9 @@ final class RendererOptions {
 
     /** Fails where the command line asks for what cannot be meant, or is not there. */
     void check() {
-        notBuilt("-h", host.hosts);
-        notBuilt("-key", host.key);
+        if (host.key != null && host.hosts == null) {
+            throw Failure.commandLine("-key", "expected with -h, got it without");
+        }
         notBuilt("-ut", textures);
         notBuilt("--statistics", statistics ? "" : null);
         picture.check();

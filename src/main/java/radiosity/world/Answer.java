@@ -1,6 +1,6 @@
 package radiosity.world;
 
-import java.io.DataInput;
+import java.io.DataInputStream;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -74,7 +74,7 @@ final class Answer {
         out.writeLong(sum.low());
     }
 
-    void read(DataInput in) throws IOException {
+    void read(DataInputStream in) throws IOException {
         candidates.addAll(Wire.shots(in));
         unshotFlux.with(in.readLong(), in.readLong());
         for (ExactSum[] sums : List.of(received, absorbed, unshot)) {

@@ -21,6 +21,9 @@ final class CoarseSystem {
 
     private static final int MOST_SWEEPS = 2000;
     private static final double ENOUGH = 1e-5;
+    /** What an empty row takes on the wire, and what one entry of a row. */
+    private static final int ROW_BYTES = 13;
+    private static final int ENTRY_BYTES = 24;
 
     private final Faces faces;
     private final List<Block> blocks;
@@ -55,12 +58,12 @@ final class CoarseSystem {
 
     /** For each vertex its key, whether it is buried, and its {@link Rows}. */
     private void read(DataInputStream in) throws IOException {
-        for (int n = in.readInt(); n > 0; n--) {
+        for (int n = Wire.count(in, ROW_BYTES); n > 0; n--) {
             int v = index.find(in.readLong());
             if (in.readBoolean()) {
                 nodes.bury(v);
             }
-            int size = in.readInt();
+            int size = Wire.count(in, ENTRY_BYTES);
             column[v] = new int[size];
             entry[v] = new float[3 * size];
             for (int i = 0; i < size; i++) {

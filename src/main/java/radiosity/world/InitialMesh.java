@@ -8,6 +8,7 @@ import radiosity.patch.Hash;
 import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
 import radiosity.scene.Scene;
+import radiosity.visibility.RadiosityBounds;
 
 /** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
 final class InitialMesh {
@@ -29,6 +30,8 @@ final class InitialMesh {
     /** Flux emitted, one per channel, W. */
     final double[] emitted;
 
+    private RadiosityBounds bounds;
+
     InitialMesh(Scene scene, RadiositySettings settings) {
         this.scene = scene;
         this.settings = settings;
@@ -45,6 +48,14 @@ final class InitialMesh {
                 emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
             }
         }
+    }
+
+    /** What stands between two points; made when it is first asked for, as a master without elements never does. */
+    synchronized RadiosityBounds bounds() {
+        if (bounds == null) {
+            bounds = new RadiosityBounds(faces.occluders());
+        }
+        return bounds;
     }
 
     boolean predicts() {

@@ -1,7 +1,6 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
 import radiosity.patch.Block;
@@ -38,13 +37,19 @@ public final class LocalWorld extends World {
     }
 
     @Override
-    byte[] block(int id) throws RemoteException {
-        return owner(id).block(id);
+    List<byte[]> blocks() throws IOException {
+        List<byte[]> states = new ArrayList<>();
+        for (int b = 0; b < mesh.blocks.size(); b++) {
+            states.add(owner(b).block(b));
+        }
+        return states;
     }
 
     @Override
-    void restore(int id, byte[] state) throws RemoteException {
-        owner(id).restore(id, state);
+    void restore(List<byte[]> states) throws IOException {
+        for (int b = 0; b < states.size(); b++) {
+            owner(b).restore(b, states.get(b));
+        }
     }
 
     private Partition owner(int block) {

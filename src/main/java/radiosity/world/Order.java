@@ -56,6 +56,16 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, most);
     }
 
+    /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
+    boolean changes() {
+        return kind == Kind.SHOOT || kind == Kind.SPLIT || kind == Kind.GATHER;
+    }
+
+    /** The same, naming other numbers of candidates. */
+    Order naming(int candidates) {
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, candidates);
+    }
+
     byte[] encode() {
         return Wire.bytes(this::write);
     }
@@ -76,15 +86,22 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     static Order decode(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
-        Kind kind = Kind.values()[in.readByte()];
+        Kind kind = kind(in.readByte());
         int number = in.readInt();
         boolean more = in.readBoolean();
         List<Shot> shots = Wire.shots(in);
         double tolerance = in.readDouble();
-        double[] weight = new double[in.readInt()];
+        double[] weight = new double[Wire.count(in, Double.BYTES)];
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
         return new Order(kind, number, more, shots, tolerance, weight, in.readDouble(), in.readInt());
+    }
+
+    private static Kind kind(int number) throws IOException {
+        if (number < 0 || number >= Kind.values().length) {
+            throw new IOException("order: expected a kind below " + Kind.values().length + ", got " + number);
+        }
+        return Kind.values()[number];
     }
 }

@@ -53,7 +53,7 @@ final class PartitionImpl implements Partition {
         scale = mesh.totalEmitted();
         squaredSize = faces.size() * faces.size();
         crew = new Crew(threads);
-        bounds = new RadiosityBounds(faces.occluders());
+        bounds = mesh.bounds();
         rays = mesh.rays();
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         burial = new Burial(faces, bounds);
@@ -269,6 +269,23 @@ final class PartitionImpl implements Partition {
     @Override
     public void restore(int id, byte[] state) {
         BlockState.restore(nodes, subtrees(id), state);
+    }
+
+    /** What a block costs in a round: the elements that it has now. */
+    int work(int id) {
+        int elements = 0;
+        for (int top : subtrees(id)) {
+            elements += elements(top);
+        }
+        return elements;
+    }
+
+    private int elements(int node) {
+        int elements = nodes.isElement(node) ? 1 : 0;
+        for (int k = 0; k < 4 && !nodes.isElement(node); k++) {
+            elements += elements(nodes.child(node) + k);
+        }
+        return elements;
     }
 
     private int[] subtrees(int id) {

@@ -125,10 +125,7 @@ public final class ProgressiveRadiosity {
 
     /** Everything so far, merged from all partitions; may be asked for between rounds. */
     public Solution solution() throws IOException {
-        List<byte[]> blocks = new ArrayList<>();
-        for (int b = 0; b < world.mesh.blocks.size(); b++) {
-            blocks.add(world.block(b));
-        }
+        List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, dark).solution(shots, rounds, answer.unshotFlux.value(), ledger(), state(blocks));
     }
 
@@ -143,11 +140,9 @@ public final class ProgressiveRadiosity {
             }
             planner.write(out);
             byte[] rest = pending == null ? new byte[0] : pending.encode();
-            out.writeInt(rest.length);
-            out.write(rest);
+            Wire.write(out, rest);
             for (byte[] block : blocks) {
-                out.writeInt(block.length);
-                out.write(block);
+                Wire.write(out, block);
             }
         });
     }
@@ -174,11 +169,13 @@ public final class ProgressiveRadiosity {
             }
             prepare();
             planner.read(in);
-            byte[] rest = in.readNBytes(in.readInt());
+            byte[] rest = Wire.bytes(in);
             pending = rest.length == 0 ? null : Order.decode(rest);
+            List<byte[]> blocks = new ArrayList<>();
             for (int b = 0; b < world.mesh.blocks.size(); b++) {
-                world.restore(b, in.readNBytes(in.readInt()));
+                blocks.add(Wire.bytes(in));
             }
+            world.restore(blocks);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }

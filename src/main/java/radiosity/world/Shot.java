@@ -1,6 +1,6 @@
 package radiosity.world;
 
-import java.io.DataInput;
+import java.io.DataInputStream;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -18,6 +18,10 @@ import radiosity.patch.RadiosityNodes;
  * @param flux  sum of |U| A over elements and channels, W
  */
 record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
+
+    /** What the smallest takes when written, and the smallest of its trees. */
+    static final int LEAST_BYTES = 12;
+    private static final int TREE_BYTES = 16;
 
     /** What some nodes have to shoot. */
     static Shot of(RadiosityNodes nodes, int[] tops, double flux) {
@@ -85,15 +89,12 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         out.writeDouble(flux);
     }
 
-    static Shot read(DataInput in, int channels) throws IOException {
+    static Shot read(DataInputStream in, int channels) throws IOException {
         List<PatchTree> trees = new ArrayList<>();
-        for (int n = in.readInt(); n > 0; n--) {
+        for (int n = Wire.count(in, TREE_BYTES); n > 0; n--) {
             int face = in.readInt();
             long path = in.readLong();
-            int[] child = new int[in.readInt()];
-            for (int i = 0; i < child.length; i++) {
-                child[i] = in.readInt();
-            }
+            int[] child = children(in, 3 * channels * Double.BYTES);
             double[] radiosity = new double[3 * channels * child.length];
             for (int i = 0; i < radiosity.length; i++) {
                 radiosity[i] = in.readDouble();
@@ -101,5 +102,17 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
             trees.add(new PatchTree(face, path, child, radiosity));
         }
         return new Shot(trees, in.readDouble());
+    }
+
+    /** A tree whose children did not follow their parents would have no end. */
+    private static int[] children(DataInputStream in, int nodeBytes) throws IOException {
+        int[] child = new int[Wire.count(in, Integer.BYTES + nodeBytes)];
+        for (int i = 0; i < child.length; i++) {
+            child[i] = in.readInt();
+            if (child[i] != -1 && (child[i] <= i || child[i] > child.length - 4)) {
+                throw new IOException("shot: expected children behind node " + i + ", got " + child[i]);
+            }
+        }
+        return child;
     }
 }

@@ -8,11 +8,14 @@ import java.io.DataOutput;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
 /** To bytes and back. */
 final class Wire {
+
+    private static final int MOST_CHANNELS = 3;
 
     private Wire() { }
 
@@ -31,6 +34,14 @@ final class Wire {
         return bytes.toByteArray();
     }
 
+    static byte[] utf8(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    static String utf8(byte[] bytes) {
+        return new String(bytes, StandardCharsets.UTF_8);
+    }
+
     static DataInputStream input(byte[] bytes) {
         return new DataInputStream(new ByteArrayInputStream(bytes));
     }
@@ -43,10 +54,37 @@ final class Wire {
         }
     }
 
-    static List<Shot> shots(DataInput in) throws IOException {
+    /** A number of bytes, then the bytes. */
+    static void write(DataOutputStream out, byte[] bytes) throws IOException {
+        out.writeInt(bytes.length);
+        out.write(bytes);
+    }
+
+    /** What {@link #write} wrote. */
+    static byte[] bytes(DataInputStream in) throws IOException {
+        return in.readNBytes(count(in, 1));
+    }
+
+    /**
+     * A count that was sent ahead of what it counts, before anything is made for it.
+     *
+     * @param size bytes that one of them takes at least
+     */
+    static int count(DataInputStream in, int size) throws IOException {
+        int count = in.readInt();
+        if (count < 0 || (long) count * size > in.available()) {
+            throw new IOException("message: expected " + count + " times " + size + " bytes, got " + in.available());
+        }
+        return count;
+    }
+
+    static List<Shot> shots(DataInputStream in) throws IOException {
         int channels = in.readInt();
+        if (channels != 1 && channels != MOST_CHANNELS) {
+            throw new IOException("message: expected 1 or " + MOST_CHANNELS + " channels, got " + channels);
+        }
         List<Shot> shots = new ArrayList<>();
-        for (int n = in.readInt(); n > 0; n--) {
+        for (int n = count(in, Shot.LEAST_BYTES); n > 0; n--) {
             shots.add(Shot.read(in, channels));
         }
         return shots;

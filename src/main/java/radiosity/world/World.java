@@ -1,7 +1,6 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -13,7 +12,7 @@ import radiosity.scene.Scene;
  * <p>A world updates its elements for the shots it is given; which shots, and until when, is decided by
  * {@link ProgressiveRadiosity}.
  */
-public abstract sealed class World implements AutoCloseable permits LocalWorld {
+public abstract sealed class World implements AutoCloseable permits LocalWorld, RemoteWorld {
 
     final InitialMesh mesh;
 
@@ -73,10 +72,11 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld {
         return totals;
     }
 
-    /** The state of a block, from whoever owns it. */
-    abstract byte[] block(int id) throws RemoteException;
+    /** The states of all blocks, by id. */
+    abstract List<byte[]> blocks() throws IOException;
 
-    abstract void restore(int id, byte[] state) throws RemoteException;
+    /** Puts all blocks back to what {@link #blocks} had given. */
+    abstract void restore(List<byte[]> states) throws IOException;
 
     @Override
     public void close() { }

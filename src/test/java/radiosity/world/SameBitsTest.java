@@ -22,7 +22,7 @@ import radiosity.scene.Vec3;
  */
 class SameBitsTest {
 
-    private static final Scene SCENE = scene();
+    static final Scene SCENE = scene();
 
     /** A coloured room with two blocks, of which the higher one glows. */
     private static Scene scene() {
@@ -37,22 +37,22 @@ class SameBitsTest {
         return builder.scene("coloured room");
     }
 
-    private static RadiositySettings settings(Schedule schedule) {
+    static RadiositySettings settings(Schedule schedule) {
         double meshing = schedule == Schedule.PAPER ? 0.1 : Double.POSITIVE_INFINITY;
         return new RadiositySettings(SCENE.area() / 120, 1, meshing, schedule, 0.3, 2e-3);
     }
 
-    private static Solution solve(LocalWorld world, StopRule stop) throws IOException {
+    static Solution solve(World world, StopRule stop) throws IOException {
         ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, stop);
         rounds.run(progress -> true);
         return rounds.solution();
     }
 
-    private static StopRule shots(int n) {
+    static StopRule shots(int n) {
         return new StopRule(n, 1e-3);
     }
 
-    private static void assertSame(Solution expected, Solution got) {
+    static void assertSame(Solution expected, Solution got) {
         assertEquals(expected.shots(), got.shots());
         assertEquals(expected.unshotFlux(), got.unshotFlux());
         assertArrayEquals(expected.corners(), got.corners());

@@ -1,0 +1,111 @@
+package radiosity.cli;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.rmi.server.ExportException;
+import java.time.LocalTime;
+import java.time.temporal.ChronoUnit;
+import java.util.concurrent.CountDownLatch;
+import picocli.CommandLine.ParseResult;
+import radiosity.world.HostAddress;
+import radiosity.world.HostKey;
+import radiosity.world.PartitionPort;
+
+/** Serves a part of a scene to whoever renders it (section 4.5.6 and appendix C.3 of the paper). */
+public final class PartitionServer {
+
+    private final ServerOptions options;
+
+    private PartitionServer(ServerOptions options) {
+        this.options = options;
+    }
+
+    public static void main(String[] arguments) {
+        System.exit(run(arguments));
+    }
+
+    /**
+     * The program without the end of the process; returns only where it cannot serve, or is not asked to.
+     *
+     * @return its exit code
+     */
+    static int run(String... arguments) {
+        ServerOptions options = new ServerOptions();
+        try {
+            CommandLineParser parser = new CommandLineParser(options);
+            ParseResult parsed = parser.parse(arguments);
+            if (parsed.isUsageHelpRequested()) {
+                System.out.print(parser.help());
+            } else if (parsed.isVersionHelpRequested()) {
+                System.out.println(Version.text());
+            } else {
+                new PartitionServer(options).serve();
+            }
+            return ExitCode.DONE;
+        } catch (ExportException e) {
+            Failure taken = Failure.failed("-port", "expected a port that is free or an rmiregistry's, got "
+                    + options.port + ", which is taken");
+            return new Outcome(System.err, options.debug).of(taken);
+        } catch (Exception e) {
+            return new Outcome(System.err, options.debug).of(e);
+        }
+    }
+
+    private void serve() throws IOException {
+        if (options.host != null) {
+            System.setProperty("java.rmi.server.hostname", options.host);
+        }
+        InetAddress bind = bind();
+        HostKey key = options.key == null ? null : key(options.key);
+        int second = options.secondPort == null ? 0 : options.secondPort;
+        PartitionPort port = PartitionPort.open(
+                new PartitionPort.Options(options.port, second, bind, key, options.threads), PartitionServer::print);
+        print(listening(port.port(), bind, key));
+        forEver();
+    }
+
+    private String listening(int port, InetAddress bind, HostKey key) {
+        String ports = port == options.port ? "port " + port
+                : "ports " + options.port + " (the rmiregistry that was running) and " + port;
+        HostAddress address = new HostAddress(options.host != null ? options.host : name(bind), options.port);
+        return "listening on " + ports + (bind == null ? "" : " of " + bind.getHostAddress())
+                + (key == null ? "" : " with a key") + ", " + options.threads
+                + (options.threads == 1 ? " thread" : " threads") + "; render with: RadiosityRenderer -h 1 " + address
+                + (key == null ? "" : " -key " + options.key) + " foobar.lws foobar.scene";
+    }
+
+    private static String name(InetAddress bind) {
+        try {
+            return bind != null ? bind.getHostAddress() : InetAddress.getLocalHost().getHostName();
+        } catch (UnknownHostException e) {
+            return "localhost";
+        }
+    }
+
+    private InetAddress bind() {
+        try {
+            return options.bind == null ? null : InetAddress.getByName(options.bind);
+        } catch (UnknownHostException e) {
+            throw Failure.commandLine("-bind", "expected an address of this machine, got " + options.bind);
+        }
+    }
+
+    static HostKey key(Path file) throws IOException {
+        new FileChecks().input(file);
+        return HostKey.read(file);
+    }
+
+    private static void print(String line) {
+        System.out.println(LocalTime.now().truncatedTo(ChronoUnit.SECONDS) + " " + line);
+    }
+
+    private static void forEver() {
+        try {
+            new CountDownLatch(1).await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

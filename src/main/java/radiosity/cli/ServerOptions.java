@@ -1,0 +1,65 @@
+package radiosity.cli;
+
+import java.nio.file.Path;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import radiosity.world.HostAddress;
+
+/** The command line of {@link PartitionServer}. */
+@Command(name = "PartitionServer", sortOptions = false, versionProvider = Version.class,
+        customSynopsis = "PartitionServer [parameters]",
+        description = "%nComputes a part of a scene for RadiosityRenderer -h on another machine; one renderer at a time,"
+                + " until it is ended.%n",
+        footer = {"", "Exit codes: 1 failed, say a port in use; 2 wrong command line; 3 a file cannot be read."})
+final class ServerOptions {
+
+    @Option(names = {"-port", "--port"}, paramLabel = "<n>", converter = Port.class,
+            description = "Port to listen on, the only one that a firewall has to open; that of a running rmiregistry"
+                    + " is shared with it. Default: " + HostAddress.DEFAULT_PORT + ".")
+    int port = HostAddress.DEFAULT_PORT;
+
+    @Option(names = "--second-port", paramLabel = "<n>", converter = Port.class,
+            description = "With a running rmiregistry: port of the partition itself. Default: any.")
+    Integer secondPort;
+
+    @Option(names = {"-host", "--host"}, paramLabel = "<name>",
+            description = "Name by which others reach this machine. Default: as it calls itself.")
+    String host;
+
+    @Option(names = {"-bind", "--bind"}, paramLabel = "<address>",
+            description = "Listen on this address only. Default: on all of this machine's.")
+    String bind;
+
+    @Option(names = {"-key", "--key"}, paramLabel = "<file>",
+            description = "Serve only who has the same key file (scripts/make-key), and encrypt everything.")
+    Path key;
+
+    @Option(names = {"-t", "--threads"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Number of threads. Default: one per processor.")
+    int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(names = "--debug", description = "Print where in the program an error came from.")
+    boolean debug;
+
+    @Option(names = "--help", usageHelp = true, description = "Print this help and exit.")
+    boolean help;
+
+    @Option(names = "--version", versionHelp = true, description = "Print the version and exit.")
+    boolean version;
+
+    /** A number of a TCP port. */
+    static final class Port extends Values.Value<Integer> {
+
+        private static final int MOST = 65535;
+
+        @Override
+        String expected() {
+            return "a port from 1 to " + MOST;
+        }
+
+        @Override
+        Integer parse(String text) {
+            return Values.whole(text, 1, MOST);
+        }
+    }
+}

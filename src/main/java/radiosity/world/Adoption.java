@@ -1,0 +1,47 @@
+package radiosity.world;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Blocks for a new owner: what they were at a checkpoint, and what was done since.
+ *
+ * @param states by id; empty for one that is as in the initial mesh
+ * @param orders to be done again on all of them, in their order
+ */
+record Adoption(Map<Integer, byte[]> states, List<byte[]> orders) {
+
+    /** What stands for a block as it is in the initial mesh. */
+    static final byte[] INITIAL = new byte[0];
+
+    byte[] encode() {
+        return Wire.bytes(out -> {
+            out.writeInt(states.size());
+            for (Map.Entry<Integer, byte[]> state : states.entrySet()) {
+                out.writeInt(state.getKey());
+                Wire.write(out, state.getValue());
+            }
+            out.writeInt(orders.size());
+            for (byte[] order : orders) {
+                Wire.write(out, order);
+            }
+        });
+    }
+
+    static Adoption decode(byte[] bytes) throws IOException {
+        DataInputStream in = Wire.input(bytes);
+        Map<Integer, byte[]> states = new TreeMap<>();
+        for (int n = Wire.count(in, 2 * Integer.BYTES); n > 0; n--) {
+            states.put(in.readInt(), Wire.bytes(in));
+        }
+        List<byte[]> orders = new ArrayList<>();
+        for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
+            orders.add(Wire.bytes(in));
+        }
+        return new Adoption(states, orders);
+    }
+}

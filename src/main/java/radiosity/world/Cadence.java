@@ -1,0 +1,35 @@
+package radiosity.world;
+
+/**
+ * When to do something that costs time but may save more later: when what it could save has grown to a multiple of
+ * what it cost the last time.
+ */
+final class Cadence {
+
+    private final double multiple;
+    private final double leastCost;
+    private double cost;
+    private double gain;
+
+    /** @param leastCost what it is taken to cost at least, and before it was done, s */
+    Cadence(double multiple, double leastCost) {
+        this.multiple = multiple;
+        this.leastCost = leastCost;
+        cost = leastCost;
+    }
+
+    /** @param seconds that doing it now would save, beside what was added before */
+    void add(double seconds) {
+        gain += seconds;
+    }
+
+    boolean isDue() {
+        return gain >= multiple * cost;
+    }
+
+    /** It was done. */
+    void done(double seconds) {
+        cost = Math.max(leastCost, seconds);
+        gain = 0;
+    }
+}

@@ -1,0 +1,236 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.rmi.RemoteException;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+
+/**
+ * One host, as its master sees it: a session, a thread for its calls, another one for its heartbeat.
+ *
+ * <p>Belongs to the thread of the {@link RemoteWorld}, which starts calls on several hosts and then awaits each.
+ */
+final class Host implements AutoCloseable {
+
+    /** Silent for so long: the user is told; the host is lost. Seconds. */
+    private static final double NOTICED = 3;
+    private static final double LOST = 10;
+    private static final long HEARTBEAT_MILLISECONDS = 1000;
+    private static final long LOOK_MILLISECONDS = 100;
+    private static final int PART_BYTES = 1 << 20;
+    /** Daemons: a call that hangs does not keep the program. */
+    private static final ExecutorService CALLS = Executors.newCachedThreadPool(work -> {
+        Thread thread = new Thread(work, "host");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private static final SecureRandom NUMBERS = new SecureRandom();
+
+    private final Link link;
+    private final RemotePartition remote;
+    private final Consumer<String> notices;
+    private final long session = NUMBERS.nextLong();
+    private final Thread heartbeat = new Thread(this::beat, "heartbeat");
+    private volatile long heard = System.nanoTime();
+    private volatile boolean closed;
+    private boolean noticed;
+    /** Relative to other hosts: elements per second once measured, before that threads. */
+    double speed;
+    boolean measured;
+    final Workload load = new Workload();
+
+    /** @param threads that the host computes with */
+    Host(Link link, RemotePartition remote, int threads, Consumer<String> notices) {
+        this.link = link;
+        this.remote = remote;
+        this.notices = notices;
+        speed = threads;
+    }
+
+    /** Opens a session; from now on the host hears from its master. */
+    void open(String master) throws RemoteException {
+        remote.open(session, Wire.utf8(master));
+        heard = System.nanoTime();
+        heartbeat.setDaemon(true);
+        heartbeat.start();
+    }
+
+    /**
+     * Gives the host the scene, see {@link SceneBytes}.
+     *
+     * @param expected the fingerprint of the mesh that comes of it
+     */
+    Void load(byte[] task, String expected) throws IOException {
+        send(task);
+        String got = Wire.utf8(remote.mesh(session));
+        if (!got.equals(expected)) {
+            throw new IllegalStateException("expected the mesh of " + expected + ", got that of " + got);
+        }
+        return null;
+    }
+
+    String name() {
+        return link.name();
+    }
+
+    Link link() {
+        return link;
+    }
+
+    private void send(byte[] message) throws RemoteException {
+        for (int at = 0; at < message.length; at += PART_BYTES) {
+            remote.send(session, Arrays.copyOfRange(message, at, Math.min(message.length, at + PART_BYTES)));
+        }
+        load.bytes += message.length;
+    }
+
+    private void beat() {
+        while (!closed) {
+            try {
+                remote.ping(session);
+                heard = System.nanoTime();
+            } catch (RemoteException | RuntimeException e) {
+                // the silence is noticed by whoever waits for this host
+            }
+            try {
+                Thread.sleep(HEARTBEAT_MILLISECONDS);
+            } catch (InterruptedException e) {
+                return;
+            }
+        }
+    }
+
+    /*---- Calls; each is started on all hosts, then awaited ----*/
+
+    Reply round(long number, byte[] order) throws IOException {
+        byte[] bytes = twice(() -> remote.round(session, number, order));
+        load.bytes += order.length + bytes.length;
+        return Reply.decode(bytes);
+    }
+
+    Void take(Adoption adoption) throws IOException {
+        send(adoption.encode());
+        remote.take(session);
+        return null;
+    }
+
+    Void drop(List<Integer> blocks) throws IOException {
+        remote.drop(session, ids(blocks));
+        return null;
+    }
+
+    /** The states of some of its blocks, in their order. */
+    List<byte[]> blocks(List<Integer> blocks) throws IOException {
+        List<byte[]> states = new ArrayList<>();
+        while (states.size() < blocks.size()) {
+            byte[] wanted = ids(blocks.subList(states.size(), blocks.size()));
+            byte[] some = twice(() -> remote.blocks(session, wanted));
+            load.bytes += some.length;
+            int before = states.size();
+            for (var in = Wire.input(some); in.available() > 0;) {
+                states.add(Wire.bytes(in));
+            }
+            if (states.size() == before) {
+                throw new IOException("expected states of blocks, got none");
+            }
+        }
+        return states;
+    }
+
+    private static byte[] ids(List<Integer> blocks) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * blocks.size());
+        blocks.forEach(bytes::putInt);
+        return bytes.array();
+    }
+
+    /** A connection that breaks is no host that is lost: a call that may be repeated is. */
+    private <T> T twice(Callable<T> call) throws IOException {
+        try {
+            return call(call);
+        } catch (SessionEndedException | java.rmi.ServerError e) {
+            throw e;
+        } catch (RemoteException e) {
+            return call(call);
+        }
+    }
+
+    private static <T> T call(Callable<T> call) throws IOException {
+        try {
+            return call.call();
+        } catch (IOException | RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    static <T> FutureTask<T> start(Callable<T> call) {
+        FutureTask<T> task = new FutureTask<>(call);
+        CALLS.execute(task);
+        return task;
+    }
+
+    /** Waits for a call as long as the host is alive. */
+    <T> T await(FutureTask<T> call) throws HostLostException {
+        while (true) {
+            try {
+                T result = call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+                noticed = false;
+                return result;
+            } catch (TimeoutException e) {
+                checkSilence();
+            } catch (ExecutionException e) {
+                throw Lost.because(e.getCause());
+            } catch (InterruptedException e) {
+                throw new HostLostException("interrupted", false, e);
+            }
+        }
+    }
+
+    private void checkSilence() throws HostLostException {
+        double silent = (System.nanoTime() - heard) * 1e-9;
+        if (silent > LOST) {
+            throw new HostLostException("silent for " + Math.round(silent) + " s", false, null);
+        }
+        if (silent > NOTICED && !noticed) {
+            noticed = true;
+            notices.accept("host " + name() + " silent for " + Math.round(silent) + " s");
+        }
+    }
+
+    /** Leaves the host to itself, whatever it is doing. */
+    void abandon() {
+        closed = true;
+        heartbeat.interrupt();
+        link.cut();
+    }
+
+    /** Ends the session, in case the host still listens. */
+    @Override
+    public void close() {
+        closed = true;
+        heartbeat.interrupt();
+        FutureTask<Void> end = start(() -> {
+            remote.close(session);
+            return null;
+        });
+        try {
+            end.get((long) NOTICED, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException e) {
+            link.cut();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

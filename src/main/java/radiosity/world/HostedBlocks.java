@@ -1,0 +1,85 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.Set;
+import radiosity.patch.Block;
+
+/** The blocks that a host owns in a session: a {@link PartitionImpl} that is made anew when they become others. */
+final class HostedBlocks {
+
+    private final InitialMesh mesh;
+    private final int threads;
+    private Set<Integer> owned = new TreeSet<>();
+    private PartitionImpl partition;
+
+    HostedBlocks(InitialMesh mesh, int threads) {
+        this.mesh = mesh;
+        this.threads = threads;
+        partition = of(owned);
+    }
+
+    private PartitionImpl of(Set<Integer> ids) {
+        return new PartitionImpl(mesh, ids.stream().map(this::known).toList(), threads);
+    }
+
+    private Block known(int id) {
+        if (id < 0 || id >= mesh.blocks.size()) {
+            throw new IllegalArgumentException("block: expected an id below " + mesh.blocks.size() + ", got " + id);
+        }
+        return mesh.blocks.get(id);
+    }
+
+    int[] work() {
+        return owned.stream().mapToInt(partition::work).toArray();
+    }
+
+    /** Does on the newcomers what was done since their states were taken, then joins them with the others. */
+    void take(Adoption adoption) throws IOException {
+        PartitionImpl newcomers = of(new TreeSet<>(adoption.states().keySet()));
+        adoption.states().forEach((id, state) -> restore(newcomers, id, state));
+        for (byte[] order : adoption.orders()) {
+            newcomers.round(Order.decode(order).naming(0).encode());
+        }
+        Map<Integer, byte[]> states = states(owned, partition);
+        states.putAll(states(adoption.states().keySet(), newcomers));
+        join(states, states.size() == adoption.states().size() ? newcomers : null);
+    }
+
+    void drop(Set<Integer> ids) {
+        Map<Integer, byte[]> states = states(owned, partition);
+        states.keySet().removeAll(ids);
+        join(states, null);
+    }
+
+    private static Map<Integer, byte[]> states(Set<Integer> ids, PartitionImpl from) {
+        Map<Integer, byte[]> states = new TreeMap<>();
+        ids.forEach(id -> states.put(id, from.block(id)));
+        return states;
+    }
+
+    /** @param ready a partition that has these states already, or null */
+    private void join(Map<Integer, byte[]> states, PartitionImpl ready) {
+        owned = new TreeSet<>(states.keySet());
+        partition = ready != null ? ready : of(owned);
+        if (ready == null) {
+            states.forEach((id, state) -> restore(partition, id, state));
+        }
+    }
+
+    private static void restore(PartitionImpl to, int id, byte[] state) {
+        if (state.length > 0) {
+            to.restore(id, state);
+        }
+    }
+
+    byte[] round(byte[] order) {
+        return partition.round(order);
+    }
+
+    byte[] block(int id) {
+        return partition.block(id);
+    }
+}

@@ -1,0 +1,13 @@
+package radiosity.world;
+
+import java.io.IOException;
+
+/** None of the hosts that were asked for could be used. */
+public final class NoWorkerException extends IOException {
+
+    private static final long serialVersionUID = 1;
+
+    NoWorkerException(String message) {
+        super(message);
+    }
+}

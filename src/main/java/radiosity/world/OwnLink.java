@@ -1,0 +1,18 @@
+package radiosity.world;
+
+/** The way from this process to itself. */
+record OwnLink(int threads) implements Link {
+
+    @Override
+    public String name() {
+        return "this machine";
+    }
+
+    @Override
+    public RemotePartition connect() {
+        return new ServedPartition(threads, line -> { });
+    }
+
+    @Override
+    public void cut() { }
+}

@@ -1,0 +1,301 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.FutureTask;
+import java.util.function.Consumer;
+import radiosity.scene.Scene;
+
+/**
+ * A world whose elements are on other machines (section 4.5.3 of the paper).
+ *
+ * <p>Each host owns some blocks. What is done in a round goes into a log before any host is told; from a block's state
+ * at the last checkpoint and that log any other host makes the block again, to the same bits. So a host may be lost at
+ * any time, blocks may move, and with no host left the calculation goes on in this process.
+ */
+public final class RemoteWorld extends World {
+
+    private static final int MOST_FAILURES = 2;
+    /**
+     * A checkpoint is taken when the rounds since the last one took so many times as long as it: 3 % of the time at
+     * most, and what n hosts lose with one of them is an n-th of those rounds.
+     */
+    private static final double CHECKPOINT_PATIENCE = 30;
+    private static final double CHECKPOINT_SECONDS = 0.02;
+    /** Orders that are kept in memory for the next loss. */
+    private static final long MOST_LOGGED = 128L << 20;
+
+    private final Consumer<String> notices;
+    private final int threads;
+    private final byte[] task;
+    private final HostFinder finder;
+    private final Dealing dealing;
+    private final ShotLog log = new ShotLog();
+    private final Cadence checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS);
+    private final Balance balance = new Balance();
+    private final List<Host> hosts = new ArrayList<>();
+    private final List<HostStatistics> gone = new ArrayList<>();
+    private final Map<Host, HostLostException> lost = new LinkedHashMap<>();
+    /** This process as a host, while there is no other. */
+    private Host alone;
+    private int failures;
+    private long number;
+
+    /**
+     * Opens a session with every host that can be reached.
+     *
+     * @param threads to go on with in this process where all hosts are lost
+     * @param notices told what the user should know about hosts, one line each
+     * @throws NoWorkerException where no host can be used
+     */
+    public RemoteWorld(Scene scene, RadiositySettings settings, List<HostAddress> hosts, HostKey key, int threads,
+                       Consumer<String> notices) throws IOException {
+        this(scene, settings, threads, notices, RmiLink.to(hosts, key));
+    }
+
+    RemoteWorld(Scene scene, RadiositySettings settings, int threads, Consumer<String> notices, List<Link> links)
+            throws IOException {
+        super(new InitialMesh(scene, settings));
+        this.notices = notices;
+        this.threads = threads;
+        task = SceneBytes.write(scene, settings);
+        finder = new HostFinder(task, mesh.fingerprint(), notices);
+        dealing = new Dealing(mesh.blocks.size());
+        hosts.addAll(finder.open(links));
+        if (hosts.isEmpty()) {
+            finder.close();
+            throw new NoWorkerException("hosts: expected at least one that can be used, got none");
+        }
+        adopt();
+        recover();
+    }
+
+    @Override
+    List<byte[]> round(Order order) throws IOException {
+        admit();
+        if (checkpoints.isDue() || log.bytes() > MOST_LOGGED) {
+            blocks();
+        }
+        byte[] bytes = order.encode();
+        if (order.changes()) {
+            log.add(bytes);
+        }
+        while (true) {
+            long now = ++number;
+            byte[] ask = bytes;
+            Map<Host, Reply> replies = onAll(hosts, host -> host.round(now, ask));
+            if (lost.isEmpty()) {
+                return answers(replies, order);
+            }
+            recover();
+            // the log has done the order on blocks that were lost, and the others have done it
+            bytes = order.changes() ? Order.plain(Order.Kind.ASK, order.most()).encode() : bytes;
+        }
+    }
+
+    private List<byte[]> answers(Map<Host, Reply> replies, Order order) {
+        failures = 0;
+        replies.forEach((host, reply) -> dealing.note(host, reply.work()));
+        balance.add(replies, order.kind() == Order.Kind.SHOOT);
+        if (order.changes()) {
+            checkpoints.add(replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0));
+        }
+        return replies.values().stream().map(Reply::answer).toList();
+    }
+
+    /** A call on one host. */
+    private interface Call<T> {
+        T on(Host host) throws IOException;
+    }
+
+    /** Calls several hosts at once; who does not answer is lost. */
+    private <T> Map<Host, T> onAll(Collection<Host> called, Call<T> call) {
+        Map<Host, FutureTask<T>> running = new LinkedHashMap<>();
+        called.forEach(host -> running.put(host, Host.start(() -> call.on(host))));
+        Map<Host, T> results = new LinkedHashMap<>();
+        running.forEach((host, task) -> {
+            try {
+                results.put(host, host.await(task));
+            } catch (HostLostException e) {
+                lost.put(host, e);
+            }
+        });
+        return results;
+    }
+
+    /*---- Losing hosts, and finding them again ----*/
+
+    /** Gives the blocks of lost hosts to others, until all of them have an owner that is alive. */
+    private void recover() throws IOException {
+        while (!lost.isEmpty()) {
+            Map<Host, HostLostException> now = new LinkedHashMap<>(lost);
+            lost.clear();
+            Map<Host, Integer> blocks = new LinkedHashMap<>();
+            for (Map.Entry<Host, HostLostException> one : now.entrySet()) {
+                blocks.put(one.getKey(), dealing.blocks(one.getKey()).size());
+                lose(one.getKey(), one.getValue());
+            }
+            long begin = System.nanoTime();
+            int heirs = adopt();
+            double seconds = (System.nanoTime() - begin) * 1e-9;
+            now.forEach((host, why) -> notices.accept(String.format(Locale.ROOT,
+                    "host %s lost (%s); its %d blocks move to %s, rebuilt in %.1f s", host.name(), why.getMessage(),
+                    blocks.get(host), alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts",
+                    seconds)));
+        }
+    }
+
+    private void lose(Host host, HostLostException why) throws IOException {
+        host.abandon();
+        gone.add(host.load.statistics(host.name(), "lost", 0));
+        hosts.remove(host);
+        dealing.lose(host);
+        if (why.inComputation()) {
+            if (host == alone || ++failures == MOST_FAILURES) {
+                throw new IOException("host " + host.name() + ": expected the round to be computed there or elsewhere, got "
+                        + why.getMessage(), why);
+            }
+        } else {
+            finder.lookFor(host.link());
+        }
+    }
+
+    /** Deals all blocks without an owner, and brings them up to date; returns to how many hosts. */
+    private int adopt() throws IOException {
+        if (hosts.isEmpty()) {
+            goOnAlone();
+        }
+        List<Integer> orphans = dealing.orphans();
+        dealing.deal(hosts);
+        Map<Host, List<Integer>> heirs = new LinkedHashMap<>();
+        for (Host host : hosts) {
+            List<Integer> blocks = new ArrayList<>(dealing.blocks(host));
+            blocks.retainAll(orphans);
+            if (!blocks.isEmpty()) {
+                heirs.put(host, blocks);
+            }
+        }
+        onAll(heirs.keySet(), host -> host.take(log.adoption(heirs.get(host))));
+        return heirs.size();
+    }
+
+    private void goOnAlone() throws IOException {
+        OwnLink link = new OwnLink(threads);
+        alone = new Host(link, link.connect(), threads, notices);
+        alone.open("this process");
+        alone.load(task, mesh.fingerprint());
+        hosts.add(alone);
+    }
+
+    /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
+    private void admit() throws IOException {
+        recover();
+        boolean come = false;
+        for (Host host = finder.next(); host != null; host = finder.next()) {
+            host.speed = balance.speed(hosts, host);
+            hosts.add(host);
+            notices.accept("host " + host.name() + " joined");
+            come = true;
+        }
+        if (come && alone != null) {
+            leave(alone);
+        } else if (come || balance.isDue()) {
+            move(dealing.moves(hosts));
+        }
+        recover();
+    }
+
+    /** The process that went on alone gives its blocks to hosts that have come. */
+    private void leave(Host host) throws IOException {
+        blocks();
+        hosts.remove(host);
+        gone.add(host.load.statistics(host.name(), "left", 0));
+        dealing.lose(host);
+        host.close();
+        alone = null;
+        adopt();
+    }
+
+    private void move(List<Dealing.Move> moves) {
+        long begin = System.nanoTime();
+        Map<Host, List<Integer>> from = new LinkedHashMap<>();
+        Map<Host, Map<Integer, byte[]>> to = new LinkedHashMap<>();
+        moves.forEach(move -> from.computeIfAbsent(move.from(), h -> new ArrayList<>()).add(move.block()));
+        Map<Host, List<byte[]>> states = onAll(from.keySet(), host -> host.blocks(from.get(host)));
+        for (Dealing.Move move : moves) {
+            if (states.containsKey(move.from())) {
+                byte[] state = states.get(move.from()).get(from.get(move.from()).indexOf(move.block()));
+                to.computeIfAbsent(move.to(), h -> new TreeMap<>()).put(move.block(), state);
+                dealing.give(move.block(), move.to());
+            }
+        }
+        onAll(to.keySet(), host -> host.take(new Adoption(to.get(host), List.of())));
+        onAll(states.keySet(), host -> host.drop(from.get(host)));
+        balance.moved((System.nanoTime() - begin) * 1e-9);
+    }
+
+    /*---- States ----*/
+
+    @Override
+    List<byte[]> blocks() throws IOException {
+        long begin = System.nanoTime();
+        while (true) {
+            recover();
+            Map<Host, List<byte[]>> states = onAll(hosts, host -> host.blocks(dealing.blocks(host)));
+            if (lost.isEmpty()) {
+                List<byte[]> all = inOrder(states);
+                log.checkpoint(all);
+                checkpoints.done((System.nanoTime() - begin) * 1e-9);
+                return all;
+            }
+        }
+    }
+
+    private List<byte[]> inOrder(Map<Host, List<byte[]>> states) {
+        Map<Integer, byte[]> all = new TreeMap<>();
+        states.forEach((host, some) -> {
+            List<Integer> ids = dealing.blocks(host);
+            for (int i = 0; i < ids.size(); i++) {
+                all.put(ids.get(i), some.get(i));
+            }
+        });
+        return List.copyOf(all.values());
+    }
+
+    @Override
+    void restore(List<byte[]> states) throws IOException {
+        log.checkpoint(states);
+        onAll(hosts, host -> host.take(log.adoption(dealing.blocks(host))));
+        recover();
+    }
+
+    /** One per host that is or was there. */
+    public List<HostStatistics> statistics() {
+        List<HostStatistics> all = new ArrayList<>(gone);
+        hosts.forEach(host -> all.add(host.load.statistics(host.name(), "working", dealing.blocks(host).size())));
+        return all;
+    }
+
+    @Override
+    public void close() {
+        finder.close();
+        hosts.stream().map(host -> Host.start(() -> {
+            host.close();
+            return null;
+        })).toList().forEach(RemoteWorld::finish);
+    }
+
+    private static void finish(FutureTask<Object> closing) {
+        try {
+            closing.get();
+        } catch (java.util.concurrent.ExecutionException | InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,200 @@
+package radiosity.world;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.LocalTime;
+import java.time.format.DateTimeFormatter;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+
+/**
+ * What a host has for its master: one session at a time, with the scene, some blocks, and the last answer.
+ *
+ * <p>A session whose master is silent for {@value #LEASE_SECONDS} s is over; its number is refused from then on.
+ */
+final class ServedPartition implements RemotePartition {
+
+    /** How long a master may be silent: more than its heartbeat takes to be noticed as missing, and no longer. */
+    static final int LEASE_SECONDS = 12;
+    /** Bytes of block states in one answer; one state may be larger. */
+    private static final int ANSWER_BYTES = 8 << 20;
+
+    private final int threads;
+    private final Consumer<String> log;
+    private final LongSupplier clock;
+    private final ProcessorTime processor;
+
+    /** Everything below is guarded by {@code this}, and touched for moments only. */
+    private Session current;
+
+    /** What belongs to one session; computing is guarded by it. */
+    private static final class Session {
+        final long id;
+        final String master;
+        final String since = LocalTime.now().format(DateTimeFormatter.ofPattern("HH:mm"));
+        volatile long heard;
+        ByteArrayOutputStream inbox = new ByteArrayOutputStream();
+        HostedBlocks blocks;
+        InitialMesh mesh;
+        long number;
+        byte[] answer;
+
+        Session(long id, String master) {
+            this.id = id;
+            this.master = master;
+        }
+    }
+
+    /** @param log told about sessions, one line each */
+    ServedPartition(int threads, Consumer<String> log) {
+        this(threads, log, System::nanoTime);
+    }
+
+    /** @param clock nanoseconds */
+    ServedPartition(int threads, Consumer<String> log, LongSupplier clock) {
+        this.threads = threads;
+        this.log = log;
+        this.clock = clock;
+        processor = new ProcessorTime(threads);
+    }
+
+    @Override
+    public synchronized byte[] greet() {
+        expire();
+        String busy = current == null ? "" : "busy for " + current.master + " since " + current.since;
+        return new Greeting(Build.version(), Build.id(), threads, Runtime.getRuntime().maxMemory(), busy).encode();
+    }
+
+    @Override
+    public synchronized void open(long id, byte[] master) {
+        expire();
+        if (current != null) {
+            throw new IllegalStateException("busy for " + current.master + " since " + current.since);
+        }
+        current = new Session(id, new String(master, StandardCharsets.UTF_8).replaceAll("[^\\w.@-]", "?"));
+        current.heard = clock.getAsLong();
+        log.accept("working for " + current.master);
+    }
+
+    /** Frees what a master that is gone has left behind. */
+    synchronized void expire() {
+        if (current != null && clock.getAsLong() - current.heard > LEASE_SECONDS * 1_000_000_000L) {
+            log.accept(current.master + " is gone");
+            current = null;
+        }
+    }
+
+    private synchronized Session session(long id) throws SessionEndedException {
+        if (current == null || current.id != id) {
+            throw new SessionEndedException();
+        }
+        current.heard = clock.getAsLong();
+        return current;
+    }
+
+    @Override
+    public void ping(long id) throws SessionEndedException {
+        session(id);
+    }
+
+    @Override
+    public void send(long id, byte[] part) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            session.inbox.writeBytes(part);
+        }
+    }
+
+    private static byte[] message(Session session) {
+        byte[] message = session.inbox.toByteArray();
+        session.inbox = new ByteArrayOutputStream();
+        return message;
+    }
+
+    @Override
+    public byte[] mesh(long id) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            try {
+                SceneBytes.Task task = SceneBytes.read(message(session));
+                session.mesh = new InitialMesh(task.scene(), task.settings());
+                session.blocks = new HostedBlocks(session.mesh, threads);
+                return session.mesh.fingerprint().getBytes(StandardCharsets.UTF_8);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Override
+    public void take(long id) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            try {
+                session.blocks.take(Adoption.decode(message(session)));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Override
+    public void drop(long id, byte[] blocks) throws SessionEndedException {
+        Session session = session(id);
+        Set<Integer> ids = new TreeSet<>();
+        for (ByteBuffer in = ByteBuffer.wrap(blocks); in.remaining() >= Integer.BYTES;) {
+            ids.add(in.getInt());
+        }
+        synchronized (session) {
+            session.blocks.drop(ids);
+        }
+    }
+
+    @Override
+    public byte[] round(long id, long number, byte[] order) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            if (number != session.number) {
+                session.answer = null;
+                session.number = number;
+                session.answer = round(session.blocks, order);
+            }
+            if (session.answer == null) {
+                throw new IllegalStateException("round " + number + ": expected to be asked for once, as it failed");
+            }
+            return session.answer;
+        }
+    }
+
+    private byte[] round(HostedBlocks blocks, byte[] order) {
+        long begin = System.nanoTime();
+        double cpu = processor.seconds();
+        byte[] answer = blocks.round(order);
+        return new Reply(answer, processor.seconds() - cpu, (System.nanoTime() - begin) * 1e-9, blocks.work()).encode();
+    }
+
+    @Override
+    public byte[] blocks(long id, byte[] blocks) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            return Wire.bytes(out -> {
+                for (ByteBuffer in = ByteBuffer.wrap(blocks); in.remaining() >= Integer.BYTES && out.size() < ANSWER_BYTES;) {
+                    Wire.write(out, session.blocks.block(in.getInt()));
+                }
+            });
+        }
+    }
+
+    @Override
+    public synchronized void close(long id) {
+        if (current != null && current.id == id) {
+            log.accept(current.master + " has finished");
+            current = null;
+        }
+    }
+}

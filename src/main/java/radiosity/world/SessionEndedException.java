@@ -1,0 +1,13 @@
+package radiosity.world;
+
+import java.rmi.RemoteException;
+
+/** A session is over: its master was silent for too long, or the host was started anew. */
+final class SessionEndedException extends RemoteException {
+
+    private static final long serialVersionUID = 1;
+
+    SessionEndedException() {
+        super("the session has ended there");
+    }
+}

@@ -1,0 +1,124 @@
+package radiosity.distributed;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.rmi.registry.LocateRegistry;
+import java.rmi.registry.Registry;
+import java.rmi.server.ExportException;
+import java.rmi.server.UnicastRemoteObject;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import radiosity.world.HostAddress;
+import radiosity.world.NoWorkerException;
+import radiosity.world.PartitionPort;
+import radiosity.world.RemoteWorld;
+import radiosity.world.Schedule;
+import radiosity.world.Solution;
+
+/** Remote calls over the loopback interface: the same bits, and one line for whatever is wrong. */
+class LoopbackTest {
+
+    private final List<String> notices = new CopyOnWriteArrayList<>();
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void overRmi_givesTheSameBitsAsLocal(Schedule schedule) throws IOException {
+        Solution local = Small.local(schedule);
+        try (PartitionPort a = Small.serve(null, 1); PartitionPort b = Small.serve(null, 2);
+                PartitionPort c = Small.serve(null, 1)) {
+            Small.assertSame(local, Small.remote(schedule, null, notices::add, a));
+            Small.assertSame(local, Small.remote(schedule, null, notices::add, a, b, c));
+        }
+        assertEquals(List.of(), notices);
+    }
+
+    @Test
+    void unreachableHost_isDoneWithout() throws IOException {
+        int nobody = Small.freePort();
+        try (PartitionPort a = Small.serve(null, 1);
+                RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
+                        List.of(new HostAddress("localhost", nobody), new HostAddress("localhost", a.port())), null, 1,
+                        notices::add)) {
+            Small.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
+        }
+        assertEquals(List.of("host localhost:" + nobody + ": no answer on port " + nobody
+                + " (is PartitionServer running there?); starting without it"), notices);
+    }
+
+    @Test
+    void noHost_isOneLineEach() throws IOException {
+        List<HostAddress> hosts = List.of(new HostAddress("localhost", Small.freePort()),
+                new HostAddress("no-such-host.invalid", 1099));
+        assertThrows(NoWorkerException.class, () -> new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER), hosts,
+                null, 1, notices::add));
+        assertEquals(2, notices.size());
+        assertTrue(notices.contains("host no-such-host.invalid: no machine of this name; starting without it"),
+                notices::toString);
+    }
+
+    @Test
+    void secondMaster_isTurnedAway() throws IOException {
+        try (PartitionPort a = Small.serve(null, 1);
+                RemoteWorld first = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
+                        List.of(new HostAddress("localhost", a.port())), null, 1, notices::add)) {
+            assertThrows(NoWorkerException.class, () -> Small.remote(Schedule.PAPER, null, notices::add, a));
+            assertTrue(notices.get(0).matches("host localhost:\\d+: busy for \\S+ since \\d\\d:\\d\\d; starting without it"),
+                    notices::toString);
+            Small.assertSame(Small.local(Schedule.PAPER), Small.solve(first));
+        }
+    }
+
+    @Test
+    void hostServes_anyNumberOfRenders() throws IOException {
+        Solution local = Small.local(Schedule.PREDICT);
+        try (PartitionPort a = Small.serve(null, 1)) {
+            for (int i = 0; i < 3; i++) {
+                Small.assertSame(local, Small.remote(Schedule.PREDICT, null, notices::add, a));
+            }
+        }
+    }
+
+    /** Appendix C.3 starts an rmiregistry first. */
+    @Test
+    void runningRegistry_isUsed() throws IOException {
+        int port = Small.freePort();
+        Registry registry = LocateRegistry.createRegistry(port);
+        try (PartitionPort a = PartitionPort.open(new PartitionPort.Options(port, 0, null, null, 1), line -> { });
+                RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
+                        List.of(new HostAddress("localhost", port)), null, 1, notices::add)) {
+            assertNotEquals(port, a.port());
+            Small.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
+        } finally {
+            UnicastRemoteObject.unexportObject(registry, true);
+        }
+    }
+
+    @Test
+    void takenPort_isRefused() throws IOException {
+        try (PartitionPort a = Small.serve(null, 1)) {
+            assertThrows(ExportException.class, () -> PartitionPort.open(
+                    new PartitionPort.Options(a.port(), 0, null, null, 1), line -> { }));
+        }
+    }
+
+    @Test
+    void addresses_areReadAsTyped() {
+        assertEquals(new HostAddress("igge", 1099), HostAddress.parse("igge"));
+        assertEquals(new HostAddress("igge", 4000), HostAddress.parse("igge:4000"));
+        assertEquals(new HostAddress("fe80::1", 1099), HostAddress.parse("fe80::1"));
+        assertEquals(new HostAddress("fe80::1", 4000), HostAddress.parse("[fe80::1]:4000"));
+        List<String> refused = new ArrayList<>();
+        for (String wrong : List.of("", "igge:", "igge:0", "igge:70000", ":4000")) {
+            refused.add(assertThrows(IllegalArgumentException.class, () -> HostAddress.parse(wrong)).getMessage());
+        }
+        assertEquals(5, refused.stream().filter(line -> line.startsWith("expected host or host:port")).count());
+    }
+}

@@ -1,0 +1,90 @@
+package radiosity.distributed;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.util.List;
+import java.util.function.Consumer;
+import radiosity.accuracy.Box;
+import radiosity.accuracy.Rooms;
+import radiosity.accuracy.SceneBuilder;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.world.HostAddress;
+import radiosity.world.HostKey;
+import radiosity.world.LocalWorld;
+import radiosity.world.PartitionPort;
+import radiosity.world.ProgressiveRadiosity;
+import radiosity.world.RadiositySettings;
+import radiosity.world.RemoteWorld;
+import radiosity.world.Schedule;
+import radiosity.world.Solution;
+import radiosity.world.StopRule;
+import radiosity.world.World;
+
+/** A coloured room that is solved in a second, here and there. */
+final class Small {
+
+    static final Scene SCENE = scene();
+    static final StopRule STOP = new StopRule(80, 1e-3);
+
+    private Small() { }
+
+    private static Scene scene() {
+        SceneBuilder builder = new SceneBuilder();
+        Box room = new Box(Vec3.ZERO, new Vec3(0.556, 0.5488, 0.5592));
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(new Surface("wall " + side, Rgb.BLACK, new Rgb(0.2 + 0.1 * side, 0.6, 0.5), false),
+                    room.inside(side));
+        }
+        Rooms.CORNELL_BLOCKS.get(0).addTo(builder, Rooms.grey("block", 0, 0.7));
+        Rooms.CORNELL_BLOCKS.get(1).addTo(builder, Rooms.grey("lamp", 1, 0.3));
+        return builder.scene("coloured room");
+    }
+
+    /** Adaptive meshing is on in both. */
+    static RadiositySettings settings(Schedule schedule) {
+        double meshing = schedule == Schedule.PAPER ? 0.1 : Double.POSITIVE_INFINITY;
+        return new RadiositySettings(SCENE.area() / 150, 0, meshing, schedule, 0.5, 8e-3);
+    }
+
+    static Solution local(Schedule schedule) throws IOException {
+        return solve(new LocalWorld(SCENE, settings(schedule), 2));
+    }
+
+    static Solution remote(Schedule schedule, HostKey key, Consumer<String> notices, PartitionPort... hosts)
+            throws IOException {
+        List<HostAddress> addresses = List.of(hosts).stream().map(h -> new HostAddress("localhost", h.port())).toList();
+        try (RemoteWorld world = new RemoteWorld(SCENE, settings(schedule), addresses, key, 1, notices)) {
+            return solve(world);
+        }
+    }
+
+    static Solution solve(World world) throws IOException {
+        ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, STOP);
+        rounds.run(progress -> true);
+        return rounds.solution();
+    }
+
+    static PartitionPort serve(HostKey key, int threads) throws IOException {
+        return PartitionPort.open(new PartitionPort.Options(freePort(), 0, null, key, threads), line -> { });
+    }
+
+    static int freePort() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0)) {
+            return socket.getLocalPort();
+        }
+    }
+
+    static void assertSame(Solution expected, Solution got) {
+        assertEquals(expected.shots(), got.shots());
+        assertEquals(expected.unshotFlux(), got.unshotFlux());
+        assertArrayEquals(expected.corners(), got.corners());
+        assertArrayEquals(expected.irradiance(), got.irradiance());
+        assertArrayEquals(expected.state(), got.state());
+    }
+}

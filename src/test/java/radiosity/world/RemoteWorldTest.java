@@ -1,0 +1,147 @@
+package radiosity.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static radiosity.world.SameBitsTest.SCENE;
+import static radiosity.world.SameBitsTest.assertSame;
+import static radiosity.world.SameBitsTest.shots;
+import static radiosity.world.SameBitsTest.solve;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The law of the house over hosts that come and go; their network is a method call. */
+class RemoteWorldTest {
+
+    private static final int SHOTS = 90;
+    private static final Map<Schedule, Solution> LOCAL = new EnumMap<>(Schedule.class);
+
+    private final List<String> notices = new CopyOnWriteArrayList<>();
+
+    private static RadiositySettings settings(Schedule schedule) {
+        RadiositySettings settings = SameBitsTest.settings(schedule);
+        return new RadiositySettings(settings.patchArea(), settings.rays(), settings.meshing(), schedule, 0.5, 8e-3);
+    }
+
+    private static Solution local(Schedule schedule) throws IOException {
+        Solution solution = LOCAL.get(schedule);
+        if (solution == null) {
+            solution = solve(new LocalWorld(SCENE, settings(schedule), 2), shots(SHOTS));
+            LOCAL.put(schedule, solution);
+        }
+        return solution;
+    }
+
+    private RemoteWorld world(Schedule schedule, List<Link> links) throws IOException {
+        return new RemoteWorld(SCENE, settings(schedule), 1, notices::add, links);
+    }
+
+    private Solution remote(Schedule schedule, List<Link> links) throws IOException {
+        try (RemoteWorld world = world(schedule, links)) {
+            return solve(world, shots(SHOTS));
+        }
+    }
+
+    private boolean said(String regex) {
+        return notices.stream().anyMatch(line -> line.matches(regex));
+    }
+
+    private static List<Link> with(TestLink one, int others) {
+        List<Link> links = new ArrayList<>(TestLink.sound(others, 1));
+        links.add(one);
+        return links;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"PAPER,1,1", "PAPER,2,2", "PAPER,3,1", "PAPER,7,1", "PREDICT,1,1", "PREDICT,2,2", "PREDICT,3,1", "PREDICT,7,1"})
+    void anyNumberOfHosts_givesTheSameBitsAsLocal(Schedule schedule, int hosts, int threads) throws IOException {
+        assertSame(local(schedule), remote(schedule, TestLink.sound(hosts, threads)));
+        assertEquals(List.of(), notices);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"PAPER,1", "PAPER,2", "PAPER,40", "PREDICT,1", "PREDICT,3", "PREDICT,4"})
+    void deadHost_losesNothing(Schedule schedule, int round) throws IOException {
+        TestLink mortal = new TestLink("igge", 1, r -> r == round);
+        assertSame(local(schedule), remote(schedule, with(mortal, 2)));
+        assertTrue(mortal.isDead());
+        assertTrue(said("host igge lost \\(no connection\\); its \\d+ blocks move to \\d hosts?, rebuilt in .* s"), notices::toString);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void allHostsDead_goesOnAlone(Schedule schedule) throws IOException {
+        List<Link> links = List.of(new TestLink("andreas", 1, r -> r == 3), new TestLink("daniel", 1, r -> r == 4));
+        assertSame(local(schedule), remote(schedule, links));
+        assertTrue(said("host daniel lost .* move to this machine, .*"), notices::toString);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void hostsThatDieInTheSameRound_loseNothing(Schedule schedule) throws IOException {
+        List<Link> links = new ArrayList<>(TestLink.sound(1, 1));
+        for (String name : List.of("andreas", "daniel", "igge")) {
+            links.add(new TestLink(name, 1, r -> r == 4));
+        }
+        assertSame(local(schedule), remote(schedule, links));
+        assertEquals(3, notices.stream().filter(line -> line.contains("lost")).count());
+    }
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void returningHost_isGivenBlocksAgain(Schedule schedule) throws IOException {
+        TestLink mortal = new TestLink("igge", 1, r -> r == 3);
+        try (RemoteWorld world = world(schedule, with(mortal, 1))) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, shots(SHOTS));
+            rounds.run(progress -> {
+                if (mortal.isDead()) {
+                    mortal.revive();
+                }
+                return waitFor(progress, mortal);
+            });
+            assertSame(local(schedule), rounds.solution());
+            assertTrue(said("host igge joined"), notices::toString);
+            assertTrue(Stream.of(world.statistics()).flatMap(List::stream)
+                    .anyMatch(host -> host.name().equals("igge") && host.blocks() > 0), "it works again");
+        }
+    }
+
+    /** Gives the search for missing hosts its time. */
+    private boolean waitFor(Progress progress, TestLink returned) {
+        if (said("host igge lost.*") && !said("host igge joined") && !returned.isDead()) {
+            try {
+                Thread.sleep(500);
+            } catch (InterruptedException e) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void resumedOnOtherHosts_givesTheSameBitsAsAtOnce(Schedule schedule) throws IOException {
+        Solution first = solve(world(schedule, TestLink.sound(2, 1)), shots(53));
+        ProgressiveRadiosity rest = new ProgressiveRadiosity(world(schedule, TestLink.sound(3, 1)), shots(SHOTS));
+        rest.resume(first.state());
+        rest.run(progress -> true);
+        assertSame(local(schedule), rest.solution());
+    }
+
+    @Test
+    void noHost_isRefused() {
+        TestLink dead = new TestLink("igge", 1, r -> false);
+        dead.behind = null;
+        assertThrows(NoWorkerException.class, () -> world(Schedule.PAPER, List.of()));
+    }
+}

@@ -1,0 +1,76 @@
+package radiosity.world;
+
+import java.rmi.ConnectException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntPredicate;
+
+/** A host in this process that may die in a call, and come back. */
+final class TestLink implements Link {
+
+    private final String name;
+    private final int threads;
+    /** Whether it dies in its n-th round. */
+    private final IntPredicate dies;
+    private int rounds;
+    private volatile boolean dead;
+    volatile RemotePartition behind;
+
+    TestLink(String name, int threads, IntPredicate dies) {
+        this.name = name;
+        this.threads = threads;
+        this.dies = dies;
+        behind = new ServedPartition(threads, line -> { });
+    }
+
+    static List<Link> sound(int hosts, int threads) {
+        List<Link> links = new ArrayList<>();
+        for (int h = 0; h < hosts; h++) {
+            links.add(new TestLink("host" + h, threads, round -> false));
+        }
+        return links;
+    }
+
+    /** A new process in its place. */
+    void revive() {
+        behind = new ServedPartition(threads, line -> { });
+        dead = false;
+    }
+
+    boolean isDead() {
+        return dead;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public RemotePartition connect() throws ConnectException {
+        check();
+        return (RemotePartition) java.lang.reflect.Proxy.newProxyInstance(getClass().getClassLoader(),
+                new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
+                    check();
+                    try {
+                        Object result = method.invoke(behind, arguments);
+                        if (method.getName().equals("round") && dies.test(++rounds)) {
+                            dead = true;
+                        }
+                        check();
+                        return result;
+                    } catch (java.lang.reflect.InvocationTargetException e) {
+                        throw e.getCause();
+                    }
+                });
+    }
+
+    private void check() throws ConnectException {
+        if (dead) {
+            throw new ConnectException("dead");
+        }
+    }
+
+    @Override
+    public void cut() { }
+}
