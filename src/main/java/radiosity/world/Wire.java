@@ -80,8 +80,8 @@ final class Wire {
 
     static List<Shot> shots(DataInputStream in) throws IOException {
         int channels = in.readInt();
-        if (channels != 1 && channels != MOST_CHANNELS) {
-            throw new IOException("message: expected 1 or " + MOST_CHANNELS + " channels, got " + channels);
+        if (channels < 0 || channels > MOST_CHANNELS) {
+            throw new IOException("message: expected up to " + MOST_CHANNELS + " channels, got " + channels);
         }
         List<Shot> shots = new ArrayList<>();
         for (int n = count(in, Shot.LEAST_BYTES); n > 0; n--) {
