@@ -15,7 +15,7 @@ public final class Faces {
 
     /** Of the scene's squared size. */
     public static final double LEAST_AREA = 1e-12;
-    private static final double LEAST_IMPORTANCE = 0.05;
+    public static final double LEAST_IMPORTANCE = 0.05;
 
     private final Scene scene;
     /** Middle of the scene's box, scene units. */
@@ -139,7 +139,8 @@ public final class Faces {
         to[at + 2] = (float) v.z();
     }
 
-    private Vec3 unit(Vec3 p) {
+    /** A place in the scene, brought to size 1 around the origin. */
+    public Vec3 unit(Vec3 p) {
         return p.minus(centre).times(1 / size);
     }
 

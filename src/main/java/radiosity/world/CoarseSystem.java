@@ -168,15 +168,6 @@ final class CoarseSystem {
         return sum * faces.size() * faces.size();
     }
 
-    /** E, channels per node, as {@link #irradiance} takes it. */
-    double[] exitance() {
-        double[] e = noUnshot();
-        for (int i = 0; i < e.length; i++) {
-            e[i] = faces.exitance(nodes.face(i / channels), i % channels);
-        }
-        return e;
-    }
-
     /** Room for {@link #restrict}. */
     double[] noUnshot() {
         return new double[channels * nodes.nodes()];

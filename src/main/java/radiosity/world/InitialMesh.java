@@ -7,6 +7,7 @@ import radiosity.patch.Faces;
 import radiosity.patch.Hash;
 import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
+import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.visibility.RadiosityBounds;
 
@@ -27,7 +28,7 @@ final class InitialMesh {
     final List<Block> blocks;
     /** A mesh that goes no deeper than is needed to foresee what light will become. */
     final Patcher coarse;
-    /** Flux emitted, one per channel, W. */
+    /** Flux that surfaces emit, one per channel, W. */
     final double[] emitted;
 
     private RadiosityBounds bounds;
@@ -72,11 +73,15 @@ final class InitialMesh {
         return patcher.patchArea() * faces.size() * faces.size();
     }
 
-    /** Flux emitted over all channels, W. */
-    double totalEmitted() {
+    /** About as much flux as there is, W: what sums of flux are counted in. */
+    double fluxScale() {
         double sum = 0;
         for (double e : emitted) {
             sum += e;
+        }
+        for (Light light : scene.lights()) {
+            double range = light.kind() == Light.Kind.POINT || light.kind() == Light.Kind.SPOT ? light.range() : 0;
+            sum += light.power().max() * (faces.area() * faces.size() * faces.size() + 4 * Math.PI * range * range);
         }
         return sum;
     }
@@ -95,6 +100,7 @@ final class InitialMesh {
         for (int p : scene.corners()) {
             digest = Hash.mix(digest, p);
         }
+        digest = Hash.mix(digest, scene.lights().hashCode());
         for (int f = 0; f < faces.count(); f++) {
             digest = Hash.mix(digest, faces.side(f));
             for (int c = 0; c < faces.channels(); c++) {

@@ -38,6 +38,7 @@ final class PartitionImpl implements Partition {
     private final RadiosityBounds bounds;
     private final int rays;
     private final Burial burial;
+    private final LightSources lights;
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
     /** Nodes that shoot together: single patches in the paper's schedule, else those of a block. */
@@ -50,17 +51,19 @@ final class PartitionImpl implements Partition {
         this.mine = mine;
         faces = mesh.faces;
         channels = faces.channels();
-        scale = mesh.totalEmitted();
+        scale = mesh.fluxScale();
         squaredSize = faces.size() * faces.size();
         crew = new Crew(threads);
         bounds = mesh.bounds();
         rays = mesh.rays();
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         burial = new Burial(faces, bounds);
+        lights = new LightSources(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
         shooters = mesh.predicts() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         flux = new double[shooters.length];
         bury(0);
+        light(0);
     }
 
     private void bury(int first) {
@@ -111,6 +114,18 @@ final class PartitionImpl implements Partition {
         new MeshRefinement(nodes, order.weight(), order.meshError()).splitAll(order.number());
         bury(known);
         Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
+        light(known);
+    }
+
+    /** What has no geometry shoots first. */
+    private void light(int first) {
+        if (!lights.isEmpty()) {
+            crew.run(nodes.vertices() - first, i -> {
+                if (!nodes.isBuried(first + i)) {
+                    lights.light(nodes, first + i);
+                }
+            });
+        }
     }
 
     private List<Shot> totals() {

@@ -10,10 +10,11 @@ sealed interface Planner permits ShootAndSort, Prediction {
     /**
      * The next round.
      *
-     * @param last what the partitions answered to the last one
+     * @param last   what the partitions answered to the last one
+     * @param unsent unshot flux relative to the emitted
      * @return what to do, or null where nothing is left
      */
-    Order next(Answer last) throws IOException;
+    Order next(Answer last, double unsent) throws IOException;
 
     /** Told that so many patches have shot. */
     void shot(int patches);

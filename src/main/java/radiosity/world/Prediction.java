@@ -5,6 +5,7 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import radiosity.patch.Faces;
 
 /**
  * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
@@ -50,20 +51,11 @@ final class Prediction implements Planner {
         Arrays.fill(weight, 1);
         coarse = new CoarseSystem(world.mesh);
         coarse.take(world.round(new Order(Order.Kind.ROWS, 0, false, coarse.importance(), ROW_TOLERANCE, weight, 0, 0)));
-        double[] h = coarse.irradiance(coarse.exitance());
-        for (int c = 0; c < weight.length; c++) {
-            weigh(c, coarse.weighted(h, c));
-        }
-    }
-
-    /** @param flux that matters, W */
-    private void weigh(int c, double flux) {
-        weight[c] = flux > 0 ? area / flux : 0;
     }
 
     @Override
-    public Order next(Answer last) throws IOException {
-        boolean look = !refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent(last) <= SETTLED;
+    public Order next(Answer last, double unsent) throws IOException {
+        boolean look = !refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent <= SETTLED;
         if (look) {
             return split(last);
         }
@@ -89,23 +81,31 @@ final class Prediction implements Planner {
     }
 
     private Order shoot(Answer last) {
-        stage = Stage.SHOOT;
         if (last.candidates.isEmpty()) {
             return null;
         }
         double[] unshot = coarse.noUnshot();
         last.candidates.forEach(shot -> coarse.restrict(shot, unshot));
         double[] h = coarse.irradiance(unshot);
+        if (stage == Stage.NOTHING) {
+            weigh(last, h);
+        }
+        stage = Stage.SHOOT;
         return order(Order.Kind.SHOOT, last.candidates.stream().map(shot -> coarse.with(shot, h)).toList());
+    }
+
+    /** By the radiosity that is there and is foreseen, over all area; a channel without light does not count. */
+    private void weigh(Answer last, double[] h) {
+        for (int c = 0; c < weight.length; c++) {
+            double received = last.received[c].value();
+            double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - last.absorbed[c].value());
+            double lit = coarse.weighted(h, c) + reflected;
+            weight[c] = lit > 0 ? area / lit : 0;
+        }
     }
 
     private Order order(Order.Kind kind, List<Shot> shots) {
         return new Order(kind, 0, false, shots, tolerance, weight, meshError, Integer.MAX_VALUE);
-    }
-
-    private double unsent(Answer answer) {
-        double emitted = world.mesh.totalEmitted();
-        return emitted == 0 ? 0 : answer.unshotFlux.value() / emitted;
     }
 
     @Override
@@ -122,6 +122,9 @@ final class Prediction implements Planner {
         out.writeInt(splits);
         out.writeInt(elements);
         out.writeBoolean(refined);
+        for (double w : weight) {
+            out.writeDouble(w);
+        }
     }
 
     @Override
@@ -130,5 +133,8 @@ final class Prediction implements Planner {
         splits = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();
+        for (int c = 0; c < weight.length; c++) {
+            weight[c] = in.readDouble();
+        }
     }
 }

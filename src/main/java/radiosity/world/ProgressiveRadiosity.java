@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import radiosity.scene.SceneFormatException;
 
 /**
@@ -21,8 +22,10 @@ public final class ProgressiveRadiosity {
     private final StopRule stop;
     private int shots;
     private int rounds;
-    /** One per channel: flux that left shooters, W. */
+    /** One per channel: flux that left shooters, lights among them, W. */
     private final double[] shotFlux;
+    /** One per channel: flux of surfaces and lights, W. A light emits what arrives of it. */
+    private final double[] emitted;
     /** What is left of the present round; null where there is none. */
     private Order pending;
     private Planner planner;
@@ -36,6 +39,7 @@ public final class ProgressiveRadiosity {
         this.world = world;
         this.stop = stop;
         shotFlux = new double[world.channels()];
+        emitted = world.mesh.emitted.clone();
     }
 
     /**
@@ -46,10 +50,13 @@ public final class ProgressiveRadiosity {
     public void run(RoundListener listener) throws IOException {
         prepare();
         answer = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE));
+        if (rounds == 0) {
+            countLights();
+        }
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (pending == null) {
-                pending = planner.next(answer);
+                pending = planner.next(answer, unsent());
                 if (pending == null) {
                     return;
                 }
@@ -57,6 +64,14 @@ public final class ProgressiveRadiosity {
             }
             step();
             goOn = listener.afterRound(progress());
+        }
+    }
+
+    /** Before the first shot of a patch, what was received came from lights. */
+    private void countLights() {
+        for (int c = 0; c < shotFlux.length && !world.scene().lights().isEmpty(); c++) {
+            shotFlux[c] = answer.received[c].value();
+            emitted[c] = world.mesh.emitted[c] + shotFlux[c];
         }
     }
 
@@ -101,8 +116,8 @@ public final class ProgressiveRadiosity {
     }
 
     private double unsent() {
-        double emitted = world.mesh.totalEmitted();
-        return emitted == 0 ? 0 : answer.unshotFlux.value() / emitted;
+        double all = DoubleStream.of(emitted).sum();
+        return all == 0 ? 0 : answer.unshotFlux.value() / all;
     }
 
     public Progress progress() {
@@ -111,7 +126,7 @@ public final class ProgressiveRadiosity {
 
     /** Where the light went so far. */
     public EnergyLedger ledger() {
-        return new EnergyLedger(world.mesh.emitted.clone(), shotFlux.clone(), values(answer.received),
+        return new EnergyLedger(emitted.clone(), shotFlux.clone(), values(answer.received),
                 values(answer.absorbed), values(answer.unshot));
     }
 
@@ -135,8 +150,9 @@ public final class ProgressiveRadiosity {
             out.writeInt(shots);
             out.writeInt(rounds);
             out.writeInt(dark);
-            for (double flux : shotFlux) {
-                out.writeDouble(flux);
+            for (int c = 0; c < shotFlux.length; c++) {
+                out.writeDouble(shotFlux[c]);
+                out.writeDouble(emitted[c]);
             }
             planner.write(out);
             byte[] rest = pending == null ? new byte[0] : pending.encode();
@@ -166,6 +182,7 @@ public final class ProgressiveRadiosity {
             dark = in.readInt();
             for (int c = 0; c < shotFlux.length; c++) {
                 shotFlux[c] = in.readDouble();
+                emitted[c] = in.readDouble();
             }
             prepare();
             planner.read(in);

@@ -25,7 +25,7 @@ final class ShootAndSort implements Planner {
     }
 
     @Override
-    public Order next(Answer last) {
+    public Order next(Answer last, double unsent) {
         int size = Math.min(last.candidates.size(), batch(shots));
         return size == 0 ? null : new Order(Order.Kind.SHOOT, 0, false, last.candidates.subList(0, size),
                 Double.POSITIVE_INFINITY, weight, 0, batch(shots + size));

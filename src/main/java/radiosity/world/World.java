@@ -53,9 +53,9 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
 
     /** One round on all partitions: their answers added up. */
     final Answer answer(Order order) throws IOException {
-        Answer all = new Answer(channels(), mesh.totalEmitted());
+        Answer all = new Answer(channels(), mesh.fluxScale());
         for (byte[] bytes : round(order)) {
-            Answer one = new Answer(channels(), mesh.totalEmitted());
+            Answer one = new Answer(channels(), mesh.fluxScale());
             one.read(Wire.input(bytes));
             all.add(one, order.most());
         }
