@@ -36,7 +36,7 @@ public final class HostKey {
         } catch (java.nio.file.FileSystemException e) {
             throw e;
         } catch (GeneralSecurityException | IOException e) {
-            throw noKey(file, e.getMessage());
+            throw noKey(file, e.getMessage() == null ? "another file" : e.getMessage());
         }
     }
 

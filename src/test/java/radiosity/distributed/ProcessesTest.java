@@ -1,0 +1,145 @@
+package radiosity.distributed;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import radiosity.world.HostAddress;
+import radiosity.world.Progress;
+import radiosity.world.ProgressiveRadiosity;
+import radiosity.world.RemoteWorld;
+import radiosity.world.Schedule;
+import radiosity.world.Solution;
+
+/** Hosts that are processes of their own, and what may happen to them: always the same bits, never a hang. */
+@Timeout(120)
+class ProcessesTest {
+
+    private final List<String> notices = new CopyOnWriteArrayList<>();
+
+    /** What happens after a round. */
+    private interface Event {
+        void after(int round) throws IOException, InterruptedException;
+    }
+
+    private Solution solve(Schedule schedule, Event event, Server... servers) throws IOException {
+        List<HostAddress> addresses = new ArrayList<>();
+        for (Server server : servers) {
+            addresses.add(new HostAddress("localhost", server.port()));
+        }
+        try (RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(schedule), addresses, null, 1, notices::add)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, Small.STOP);
+            int[] round = {0};
+            rounds.run(progress -> happen(event, ++round[0], progress));
+            return rounds.solution();
+        }
+    }
+
+    private static boolean happen(Event event, int round, Progress progress) {
+        try {
+            event.after(round);
+            return true;
+        } catch (IOException | InterruptedException e) {
+            throw new IllegalStateException(progress.toString(), e);
+        }
+    }
+
+    private long said(String regex) {
+        return notices.stream().filter(line -> line.matches(regex)).count();
+    }
+
+    @Test
+    void killedHosts_loseNothing() throws Exception {
+        try (Server a = new Server(); Server b = new Server(); Server c = new Server()) {
+            Solution got = solve(Schedule.PREDICT, round -> {
+                if (round == 2) {
+                    a.kill();
+                }
+            }, a, b, c);
+            Small.assertSame(Small.local(Schedule.PREDICT), got);
+            assertEquals(1, said("host localhost:" + a.port() + " lost \\(.*\\); its \\d+ blocks move to \\d hosts?, .*"),
+                    notices::toString);
+            Solution alone = solve(Schedule.PAPER, round -> {
+                if (round == 20) {
+                    b.kill();
+                    c.kill();
+                }
+            }, b, c);
+            Small.assertSame(Small.local(Schedule.PAPER), alone);
+            assertTrue(said(".* move to this machine, .*") >= 1, notices::toString);
+        }
+    }
+
+    @Test
+    void stoppedHost_isTold_andGoesOn() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/bin/kill")) || Files.isExecutable(Path.of("/usr/bin/kill")),
+                "needs the kill command");
+        try (Server a = new Server(); Server b = new Server()) {
+            Solution got = solve(Schedule.PAPER, round -> {
+                if (round == 10) {
+                    b.signal("STOP");
+                    wakeLater(b, 8);
+                }
+            }, a, b);
+            Small.assertSame(Small.local(Schedule.PAPER), got);
+            assertEquals(List.of("host localhost:" + b.port() + " silent for 3 s"), notices);
+        }
+    }
+
+    @Test
+    void hostThatStaysStopped_isLost() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/bin/kill")) || Files.isExecutable(Path.of("/usr/bin/kill")),
+                "needs the kill command");
+        try (Server a = new Server(); Server b = new Server()) {
+            Solution got = solve(Schedule.PREDICT, round -> {
+                if (round == 3) {
+                    b.signal("STOP");
+                }
+            }, a, b);
+            Small.assertSame(Small.local(Schedule.PREDICT), got);
+            assertEquals(1, said("host .* lost \\(silent for 10 s\\); its .*"), notices::toString);
+        }
+    }
+
+    private static void wakeLater(Server server, int seconds) {
+        Thread thread = new Thread(() -> {
+            try {
+                Thread.sleep(1000L * seconds);
+                server.signal("CONT");
+            } catch (IOException | InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    @Test
+    void renderer_withoutAnyHost_ends4() throws Exception {
+        Process process = Server.start("radiosity.cli.RadiosityRenderer", "-h", "1", "localhost:" + Small.freePort(),
+                "scenes/cornell-box.lws", Files.createTempDirectory("radiosity").resolve("foobar.scene").toString());
+        String said = new String(process.getInputStream().readAllBytes());
+        assertEquals(4, process.waitFor(), said);
+        assertTrue(said.contains("(is PartitionServer running there?); starting without it"), said);
+        assertEquals(2, said.lines().count(), said);
+    }
+
+    @Test
+    void server_onATakenPort_ends1() throws Exception {
+        try (Server a = new Server()) {
+            Process second = Server.start("radiosity.cli.PartitionServer", "-port", "" + a.port());
+            String said = new String(second.getInputStream().readAllBytes());
+            assertEquals(1, second.waitFor(), said);
+            assertEquals("-port: expected a port that is free or an rmiregistry's, got " + a.port()
+                    + ", which is taken", said.strip());
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package radiosity.distributed;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** PartitionServer as a process of its own, which can be killed and stopped. */
+final class Server implements AutoCloseable {
+
+    private final int port = Small.freePort();
+    private final Process process;
+
+    Server() throws IOException {
+        process = start("radiosity.cli.PartitionServer", "-port", "" + port, "-t", "1");
+        BufferedReader out = process.inputReader();
+        String line = out.readLine();
+        if (line == null || !line.contains("listening on port " + port)) {
+            throw new IOException("expected a server that listens, got " + line);
+        }
+    }
+
+    static Process start(String program, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.add("-Xmx512m");
+        command.add("-cp");
+        command.add(System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")));
+        command.add(program);
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command).redirectErrorStream(true).start();
+    }
+
+    int port() {
+        return port;
+    }
+
+    String address() {
+        return "localhost:" + port;
+    }
+
+    /** kill -9. */
+    void kill() {
+        process.destroyForcibly();
+    }
+
+    void signal(String name) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", "-" + name, "" + process.pid()).start().waitFor();
+    }
+
+    @Override
+    public void close() throws InterruptedException {
+        process.destroyForcibly();
+        process.waitFor();
+    }
+}
