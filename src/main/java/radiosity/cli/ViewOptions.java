@@ -45,8 +45,16 @@ final class ViewOptions {
     double exposure;
 
     @Option(names = "--tone-mapping", paramLabel = "<curve>", converter = PictureOptions.CurveParser.class,
-            description = "From radiosity to screen: linear, reinhard or filmic (default).")
-    ToneMapping.Operator curve = ToneMapping.Operator.FILMIC;
+            description = "From radiosity to screen: linear, reinhard (default) or filmic.")
+    ToneMapping.Operator curve = ToneMapping.Operator.REINHARD;
+
+    @Option(names = "--web", description = "Serve a page for a browser on this machine instead of a window, until the"
+            + " program is ended.")
+    boolean web;
+
+    @Option(names = "--port", paramLabel = "<n>", converter = PortParser.class,
+            description = "Where to serve it, 0 for any free port. Default: 8080.")
+    int port = 8080;
 
     @Mixin(name = "How to read the LightWave scene (-lw)")
     final SceneOptions scene = new SceneOptions();
@@ -60,12 +68,28 @@ final class ViewOptions {
     @Option(names = "--version", versionHelp = true, description = "Print the version and exit.")
     boolean version;
 
+    /** Reads a port. */
+    static final class PortParser extends Values.Value<Integer> {
+        @Override
+        String expected() {
+            return "a port from 0 to 65535";
+        }
+
+        @Override
+        Integer parse(String text) {
+            return Values.whole(text, 0, 65535);
+        }
+    }
+
     /** Fails where the command line asks for what cannot be meant, or is not there. */
     void check() {
         if (files.size() != 1) {
             String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
             throw Failure.commandLine("file", "expected one " + (lightWave ? "LightWave" : "scene") + " file, got "
                     + (got.isEmpty() ? "none" : got));
+        }
+        if (web && (lightWave || wireframe || screenshot != null)) {
+            throw Failure.commandLine("--web", "expected without -lw, -wf and --screenshot, got one of them");
         }
         if (screenshot != null && !screenshot.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
             throw Failure.commandLine("--screenshot", "expected a name that ends in .png, got " + screenshot);

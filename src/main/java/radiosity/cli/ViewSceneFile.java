@@ -3,11 +3,13 @@ package radiosity.cli;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.net.BindException;
 import picocli.CommandLine.ParseResult;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.LitScene;
 import radiosity.viewer.DisplayException;
 import radiosity.viewer.Walkthrough;
+import radiosity.viewer.WebPage;
 
 /** Displays a scene file and lets the user walk in it (appendix C.4 of the paper). */
 public final class ViewSceneFile {
@@ -57,11 +59,27 @@ public final class ViewSceneFile {
         if (options.screenshot != null) {
             checks.output(options.screenshot);
         }
+        if (options.web) {
+            serve();
+            return;
+        }
         LitScene scene = scene();
         try {
             Walkthrough.show(scene, options.settings());
         } catch (DisplayException e) {
             throw Failure.failed(e.getMessage(), e);
+        }
+    }
+
+    /** Until the process is ended, as by Ctrl-C. */
+    private void serve() throws IOException {
+        try (WebPage page = new WebPage(options.file(), options.curve, options.exposure, options.port)) {
+            System.out.println(page.address());
+            Thread.sleep(Long.MAX_VALUE);
+        } catch (BindException e) {
+            throw Failure.failed("--port: expected a free port, got " + options.port + ", which is in use", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 

@@ -8,13 +8,13 @@ varying vec3 radiosity;
 const float WHITE = 4.0;
 const float DECADES = 3.0;
 
-float luminance(vec3 light) {
+float luminanceOf(vec3 light) {
     return dot(light, vec3(0.2126, 0.7152, 0.0722));
 }
 
 vec3 toneMapped(vec3 x) {
     if (curve == 1) {
-        float l = luminance(x);
+        float l = luminanceOf(x);
         return x * (1.0 + l / (WHITE * WHITE)) / (1.0 + l);
     }
     if (curve == 2) {
@@ -41,7 +41,7 @@ vec3 turbo(float x) {
 void main() {
     vec3 exposed = clamp(radiosity * exposure, 0.0, 1e6);
     if (falseColour == 1) {
-        float decades = log(max(luminance(exposed), 1e-9) / WHITE) / log(10.0);
+        float decades = log(max(luminanceOf(exposed), 1e-9) / WHITE) / log(10.0);
         gl_FragColor = vec4(turbo(clamp(1.0 + decades / DECADES, 0.0, 1.0)), 1.0);
     } else {
         gl_FragColor = vec4(srgb(toneMapped(exposed)), 1.0);

@@ -37,7 +37,7 @@ final class Session {
     public static void main(String[] arguments) throws Exception {
         Path file = Path.of(arguments[0]);
         Walkthrough window = Walkthrough.open(LitScene.read(file), new ViewSettings("test", false, Optional.empty(),
-                ToneMapping.Operator.FILMIC, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
+                ToneMapping.Operator.REINHARD, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
                 Optional.of(file), Optional.empty()));
         window.screenshot();
         while (!window.canvas().hasFocus()) {
