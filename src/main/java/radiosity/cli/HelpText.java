@@ -38,7 +38,7 @@ final class HelpText {
     }
 
     private static void append(StringBuilder text, String title, List<OptionSpec> options) {
-        TextTable table = TextTable.forColumnWidths(Ansi.OFF, WIDTHS);
+        TextTable table = TextTable.forColumnWidths(Help.defaultColorScheme(Ansi.OFF), WIDTHS);
         table.indentWrappedLines = 0;
         for (OptionSpec option : options) {
             table.addRowValues(names(option), String.join(" ", option.description()));

@@ -15,17 +15,21 @@ final class KeyListener implements AutoCloseable {
     private static final long WAIT_MILLISECONDS = 100;
 
     private final Runnable pressed;
-    private final Thread thread = new Thread(this::listen, "key listener");
+    private final Thread thread = new Thread(this::openTerminal, "key listener");
     private volatile boolean closed;
 
     /** @param pressed called once, on a thread of its own */
     KeyListener(Runnable pressed) {
         this.pressed = pressed;
         thread.setDaemon(true);
+    }
+
+    /** Begins to wait; returns at once. */
+    void listen() {
         thread.start();
     }
 
-    private void listen() {
+    private void openTerminal() {
         if (!TerminalStreams.keys()) {
             return;
         }

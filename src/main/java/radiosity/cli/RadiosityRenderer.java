@@ -133,7 +133,9 @@ public final class RadiosityRenderer {
     }
 
     private void calculate(ProgressiveRadiosity radiosity, RadiositySettings settings) throws IOException {
-        try (KeyListener keys = new KeyListener(stop::make); ProgressDisplay display = display()) {
+        try (ProgressDisplay display = display(); KeyListener keys = new KeyListener(stop::make)) {
+            stop.tell(display::message);
+            keys.listen();
             radiosity.run(new Rounds(radiosity, settings, options, files, display, stop));
         }
     }

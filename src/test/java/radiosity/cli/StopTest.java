@@ -46,6 +46,7 @@ class StopTest {
         new ProcessBuilder("kill", "-" + signal, Long.toString(render.pid())).start().waitFor();
         String rest = Program.rest(render);
         assertEquals(expected, render.waitFor(), rest);
+        assertTrue(rest.contains("stopping after this round"), rest);
         goesOn();
     }
 
