@@ -15,6 +15,7 @@ public final class Faces {
 
     /** Of the scene's squared size. */
     public static final double LEAST_AREA = 1e-12;
+    /** Importance of irradiance on a black face. */
     public static final double LEAST_IMPORTANCE = 0.05;
 
     private final Scene scene;

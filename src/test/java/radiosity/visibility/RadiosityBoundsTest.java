@@ -1,0 +1,153 @@
+package radiosity.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The hierarchy against a test of every triangle in double precision, and rays aimed at where triangles meet. */
+class RadiosityBoundsTest {
+
+    /** Triangles of about 1/10 strewn through a cube of size 1. */
+    private static float[] strewn(int n, Random random) {
+        float[] corners = new float[9 * n];
+        for (int i = 0; i < n; i++) {
+            for (int a = 0; a < 3; a++) {
+                float middle = random.nextFloat() - 0.5f;
+                for (int k = 0; k < 3; k++) {
+                    corners[9 * i + 3 * k + a] = middle + 0.1f * (random.nextFloat() - 0.5f);
+                }
+            }
+        }
+        return corners;
+    }
+
+    /**
+     * Moeller and Trumbore in double: by how much a segment is inside the nearest triangle that its line meets between
+     * its ends, or NaN. Small values either way are too close to call in floats.
+     */
+    private static double inside(float[] corners, int i, double[] o, double[] t) {
+        double[] d = {t[0] - o[0], t[1] - o[1], t[2] - o[2]};
+        double[] a = edge(corners, i, 3);
+        double[] b = edge(corners, i, 6);
+        double[] p = cross(d, b);
+        double det = dot(a, p);
+        double[] s = {o[0] - corners[9 * i], o[1] - corners[9 * i + 1], o[2] - corners[9 * i + 2]};
+        double[] q = cross(s, a);
+        double u = dot(s, p) / det;
+        double v = dot(d, q) / det;
+        double at = dot(b, q) / det;
+        return Math.min(Math.min(Math.min(u, v), 1 - u - v), Math.min(at, 1 - at));
+    }
+
+    private static double[] edge(float[] corners, int i, int k) {
+        return new double[] {(double) corners[9 * i + k] - corners[9 * i],
+            (double) corners[9 * i + k + 1] - corners[9 * i + 1], (double) corners[9 * i + k + 2] - corners[9 * i + 2]};
+    }
+
+    private static double[] cross(double[] a, double[] b) {
+        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5, 40, 700})
+    void blocked_isWhatATestOfEveryTriangleSays(int triangles) {
+        Random random = new Random(triangles);
+        float[] corners = strewn(triangles, random);
+        RadiosityBounds bounds = new RadiosityBounds(corners);
+        int blocked = 0;
+        for (int r = 0; r < 4000; r++) {
+            double[] o = {random.nextFloat() - 0.5f, random.nextFloat() - 0.5f, random.nextFloat() - 0.5f};
+            double[] t = {random.nextFloat() - 0.5f, random.nextFloat() - 0.5f, random.nextFloat() - 0.5f};
+            double deepest = Double.NEGATIVE_INFINITY;
+            for (int i = 0; i < triangles; i++) {
+                deepest = Math.max(deepest, inside(corners, i, o, t));
+            }
+            if (Math.abs(deepest) > 1e-3) {
+                assertEquals(deepest > 0, bounds.blocked((float) o[0], (float) o[1], (float) o[2],
+                        (float) t[0], (float) t[1], (float) t[2]));
+                blocked += deepest > 0 ? 1 : 0;
+            }
+        }
+        assertTrue(triangles < 700 || blocked > 100, "some rays were blocked");
+    }
+
+    /** A bumpy sheet of n x n quadrangles in the plane y = 0, watertight. */
+    private static float[] sheet(int n, Random random) {
+        float[] height = new float[(n + 1) * (n + 1)];
+        for (int i = 0; i < height.length; i++) {
+            height[i] = 0.02f * random.nextFloat();
+        }
+        float[] corners = new float[18 * n * n];
+        int at = 0;
+        int[][] order = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+        for (int i = 0; i < n * n; i++) {
+            for (int[] step : order) {
+                int x = i % n + step[0];
+                int z = i / n + step[1];
+                corners[at++] = (float) x / n - 0.5f;
+                corners[at++] = height[z * (n + 1) + x];
+                corners[at++] = (float) z / n - 0.5f;
+            }
+        }
+        return corners;
+    }
+
+    @ParameterizedTest
+    @ValueSource(floats = {1, 1e-2f})
+    void noRay_passesBetweenNeighbours(float scale) {
+        Random random = new Random(7);
+        float[] corners = sheet(20, random);
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] *= scale;
+        }
+        RadiosityBounds bounds = new RadiosityBounds(corners);
+        int missed = 0;
+        for (int r = 0; r < 100_000; r++) {
+            int i = 9 * random.nextInt(corners.length / 9);
+            int k = 3 * random.nextInt(3);
+            int l = (k + 3) % 9;
+            float w = r % 4 == 0 ? 0 : random.nextFloat();
+            float[] to = new float[3];
+            for (int a = 0; a < 3; a++) {
+                to[a] = corners[i + k + a] + w * (corners[i + l + a] - corners[i + k + a]);
+            }
+            if (Math.abs(to[0]) > 0.49f * scale || Math.abs(to[2]) > 0.49f * scale) {
+                continue;
+            }
+            float dx = scale * (random.nextFloat() - 0.5f);
+            float dy = scale * (0.2f + random.nextFloat());
+            float dz = scale * (random.nextFloat() - 0.5f);
+            missed += bounds.blocked(to[0] + dx, to[1] + dy, to[2] + dz, to[0] - dx, to[1] - dy, to[2] - dz) ? 0 : 1;
+        }
+        assertEquals(0, missed);
+    }
+
+    @Test
+    void nearest_isTheFirstOfTwoSheets() {
+        float[] two = {-1, 0, -1, -1, 0, 1, 1, 0, 0, -1, 0.5f, -1, -1, 0.5f, 1, 1, 0.5f, 0};
+        float[] hit = new float[3];
+        RadiosityBounds bounds = new RadiosityBounds(two);
+        assertEquals(1, bounds.nearest(0, 1, 0, 0, -1, 0, 10, hit));
+        assertEquals(0.5f, hit[0], 1e-6f);
+        assertEquals(0, bounds.nearest(0, -1, 0, 0, 1, 0, 10, hit));
+        assertEquals(-1, bounds.nearest(0, 1, 0, 0, -1, 0, 0.4f, hit));
+        assertEquals(-1, new RadiosityBounds(new float[0]).nearest(0, 1, 0, 0, -1, 0, 10, hit));
+    }
+
+    @Test
+    void aSegmentThatEndsOnATriangle_isNotBlockedByIt() {
+        float[] one = {-1, 0, -1, -1, 0, 1, 1, 0, 0};
+        RadiosityBounds bounds = new RadiosityBounds(one);
+        assertEquals(false, bounds.blocked(0, 1, 0, 0, 0, 0));
+        assertEquals(false, bounds.blocked(0, 0, 0, 0.3f, 1, 0.2f));
+        assertEquals(true, bounds.blocked(0, 1, 0, 0, -1, 0));
+    }
+}
