@@ -1,5 +1,7 @@
 package radiosity.patch;
 
+import java.util.Arrays;
+
 /**
  * The elements below a node, by value, and a radiosity at the corners of each.
  *
@@ -9,6 +11,74 @@ package radiosity.patch;
  * @param radiosity 3 x channels per node, corner by corner; 0 for inner nodes. W/m²
  */
 public record PatchTree(int face, long path, int[] child, double[] radiosity) {
+
+    /** A quantity at corner k of an element. */
+    public interface Quantity {
+        double at(int node, int k, int channel);
+    }
+
+    /** A copy of the elements below a node. */
+    public static PatchTree of(RadiosityNodes nodes, int top, Quantity quantity) {
+        int[] order = breadthFirst(nodes, top);
+        int channels = nodes.channels();
+        int[] below = new int[order.length];
+        double[] values = new double[3 * channels * order.length];
+        int next = 1;
+        for (int i = 0; i < order.length; i++) {
+            below[i] = -1;
+            if (!nodes.isElement(order[i])) {
+                below[i] = next;
+                next += 4;
+                continue;
+            }
+            for (int j = 0; j < 3 * channels; j++) {
+                values[3 * channels * i + j] = quantity.at(order[i], j / channels, j % channels);
+            }
+        }
+        return new PatchTree(nodes.face(top), nodes.path(top), below, values);
+    }
+
+    private static int[] breadthFirst(RadiosityNodes nodes, int top) {
+        int[] order = new int[size(nodes, top)];
+        order[0] = top;
+        int end = 1;
+        for (int i = 0; i < end; i++) {
+            for (int k = 0; k < 4 && !nodes.isElement(order[i]); k++) {
+                order[end++] = nodes.child(order[i]) + k;
+            }
+        }
+        return order;
+    }
+
+    private static int size(RadiosityNodes nodes, int top) {
+        int n = 1;
+        for (int k = 0; k < 4 && !nodes.isElement(top); k++) {
+            n += size(nodes, nodes.child(top) + k);
+        }
+        return n;
+    }
+
+    /** Adds to what the elements below a node have shot; they may have been subdivided deeper than this tree is. */
+    public void addShot(RadiosityNodes nodes, int top) {
+        addShot(nodes, top, 0, null);
+    }
+
+    /** @param values 3 x channels at the corners, where this tree goes no deeper; else null */
+    private void addShot(RadiosityNodes nodes, int node, int i, double[] values) {
+        int n = 3 * nodes.channels();
+        boolean ends = values == null && child[i] < 0;
+        double[] here = ends ? Arrays.copyOfRange(radiosity, n * i, n * i + n) : values;
+        if (nodes.isElement(node)) {
+            for (int j = 0; j < n; j++) {
+                nodes.shot()[n * node + j] += here[j];
+            }
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            addShot(nodes, nodes.child(node) + k, here == null ? child[i] + k : i,
+                    here == null ? null : Subdivision.values(here, nodes.channels(), k));
+        }
+    }
 
     /** Radiosity times area summed over the elements, per channel, of the scene's squared size; added to {@code sum}. */
     public void addFlux(Faces faces, double[] sum) {

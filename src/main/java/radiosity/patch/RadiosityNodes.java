@@ -2,7 +2,6 @@ package radiosity.patch;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
  * The patch trees of some blocks and their light, in arrays (section 4.5.7 of the paper); a node is an index.
@@ -16,6 +15,7 @@ public final class RadiosityNodes {
     private final Patcher patcher;
     private final Faces faces;
     private final int channels;
+    private final ReceivingPoints points;
 
     private int nodes;
     private int elements;
@@ -34,30 +34,12 @@ public final class RadiosityNodes {
     /** 3 x channels per node: radiosity S that has been shot at each corner; of leaves only. W/m². */
     private double[] shot;
 
-    private int vertices;
-    /** 3 per vertex. */
-    private float[] position = new float[3 * 64];
-    /** 3 per vertex: where its light is gathered. */
-    private float[] receiver = new float[3 * 64];
-    /** 1 per vertex: a face on which it lies. */
-    private int[] vertexFace = new int[64];
-    /** 1 per vertex: what it is, whoever owns it. */
-    private long[] key = new long[64];
-    /** 1 per vertex: number of the split that made it; 0 in the initial mesh. */
-    private int[] made = new int[64];
-    /** 1 per vertex: inside another object; its elements do without it. */
-    private boolean[] buried = new boolean[64];
-    /** channels per vertex: H in W/m². */
-    private double[] irradiance;
-
     /** Patches and tops of subtrees by name. */
     private final LongIndex names = new LongIndex(64);
     private int[] tops = new int[64];
     private int topCount;
     private int[] patches = new int[64];
     private int patchCount;
-    /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
-    private final LongIndex index = new LongIndex(256);
     private final int[] weights = new int[9];
 
     /** Makes the initial mesh of some blocks. */
@@ -66,7 +48,7 @@ public final class RadiosityNodes {
         faces = patcher.faces();
         channels = faces.channels();
         shot = new double[3 * channels * 64];
-        irradiance = new double[channels * 64];
+        points = new ReceivingPoints(patcher);
         for (Block block : blocks) {
             for (int i = 0; i < block.face().length; i++) {
                 plant(block.face()[i], block.path()[i]);
@@ -86,7 +68,7 @@ public final class RadiosityNodes {
         int node = addNode(f, top, -1, 0);
         int depth = patcher.level(f);
         for (int k = 0; k < 3; k++) {
-            corner[3 * node + k] = vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
+            corner[3 * node + k] = points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
         }
         elements++;
         names.findOrAdd(name(f, top), node);
@@ -126,25 +108,14 @@ public final class RadiosityNodes {
         int[] w = new int[9];
         Path.weights(path[node], w);
         int[] mid = new int[3];
-        float[] at = new float[3];
         for (int k = 0; k < 3; k++) {
             int p = (k + 1) % 3;
             int q = (k + 2) % 3;
-            int u = corner[3 * node + p];
-            int v = corner[3 * node + q];
             int[] between = new int[3];
             for (int a = 0; a < 3; a++) {
-                at[a] = 0.5f * (position[3 * u + a] + position[3 * v + a]);
                 between[a] = (w[3 * p + a] + w[3 * q + a]) >> 1;
             }
-            int known = vertices;
-            mid[k] = vertex(face[node], between, 0, depth, at, 0, with);
-            if (mid[k] == known) {
-                for (int c = 0; c < channels; c++) {
-                    irradiance[channels * known + c] =
-                            0.5 * (irradiance[channels * u + c] + irradiance[channels * v + c]);
-                }
-            }
+            mid[k] = points.between(corner[3 * node + p], corner[3 * node + q], face[node], between, depth, with);
         }
         int first = nodes;
         for (int k = 0; k < 4; k++) {
@@ -182,32 +153,6 @@ public final class RadiosityNodes {
         return nodes++;
     }
 
-    /** The vertex with these weights of the face's corners; made where it is not there yet. */
-    private int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with) {
-        long id = VertexKey.of(faces, f, w, wAt);
-        int v = index.findOrAdd(with == 0 ? id : Hash.mix(id, with), vertices);
-        if (v < vertices) {
-            return v;
-        }
-        if (vertices == key.length) {
-            int more = vertices + vertices / 2;
-            position = Arrays.copyOf(position, 3 * more);
-            receiver = Arrays.copyOf(receiver, 3 * more);
-            vertexFace = Arrays.copyOf(vertexFace, more);
-            key = Arrays.copyOf(key, more);
-            made = Arrays.copyOf(made, more);
-            buried = Arrays.copyOf(buried, more);
-            irradiance = Arrays.copyOf(irradiance, channels * more);
-        }
-        System.arraycopy(at, from, position, 3 * v, 3);
-        patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);
-        vertexFace[v] = f;
-        key[v] = id;
-        made[v] = with;
-        vertices++;
-        return v;
-    }
-
     /*---- What is there ----*/
 
     public Faces faces() {
@@ -229,7 +174,7 @@ public final class RadiosityNodes {
     }
 
     public int vertices() {
-        return vertices;
+        return points.count();
     }
 
     /** Number of patches of the initial mesh. */
@@ -318,47 +263,42 @@ public final class RadiosityNodes {
         return faces.area(face[node]) / (1L << 2 * Path.level(path[node]));
     }
 
-    /** Positions of the vertices, 3 per vertex; not to be modified. */
-    public float[] positions() {
-        return position;
-    }
-
     /** Receiving points, 3 per vertex; not to be modified. */
     public float[] receivers() {
-        return receiver;
+        return points.receivers();
     }
 
     /** The face on which a vertex lies. */
     public int vertexFace(int vertex) {
-        return vertexFace[vertex];
+        return points.face(vertex);
     }
 
     /** What a vertex is, whoever owns it. */
     public long vertexKey(int vertex) {
-        return key[vertex];
+        return points.key(vertex);
     }
 
     /** Number of the split that made a vertex; 0 in the initial mesh. */
     public int made(int vertex) {
-        return made[vertex];
+        return points.made(vertex);
     }
 
     /** The vertices that were made by splits of this number. */
     public int[] verticesMade(int with) {
-        return IntStream.range(0, vertices).filter(v -> made[v] == with).toArray();
+        return points.madeBy(with);
     }
 
     public boolean isBuried(int vertex) {
-        return buried[vertex];
+        return points.isBuried(vertex);
     }
 
     public void bury(int vertex) {
-        buried[vertex] = true;
+        points.bury(vertex);
     }
 
     /** H, channels per vertex, W/m²; whoever owns the tree adds to it. */
     public double[] irradiance() {
-        return irradiance;
+        return points.irradiance();
     }
 
     /** S, 3 x channels per node (meaningful for leaves), W/m²; whoever owns the tree adds to it. */
@@ -368,15 +308,15 @@ public final class RadiosityNodes {
 
     /** Irradiance H at corner k of an element, W/m²: that of its vertex, or the mean of the others if it is buried. */
     public double irradiance(int node, int k, int channel) {
-        if (!buried[corner[3 * node + k]]) {
-            return irradiance[channels * corner[3 * node + k] + channel];
+        if (!points.isBuried(corner[3 * node + k])) {
+            return arrived(corner[3 * node + k], channel);
         }
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
             int v = corner[3 * node + j];
-            if (!buried[v]) {
-                sum += irradiance[channels * v + channel];
+            if (!points.isBuried(v)) {
+                sum += arrived(v, channel);
                 seen++;
             }
         }
@@ -403,11 +343,14 @@ public final class RadiosityNodes {
         int p = corner[3 * node + (k + 1) % 3];
         int q = corner[3 * node + (k + 2) % 3];
         int middle = corner[3 * (child[node] + 3) + k];
-        if (buried[p] || buried[q] || buried[middle]) {
+        if (points.isBuried(p) || points.isBuried(q) || points.isBuried(middle)) {
             return 0;
         }
-        return irradiance[channels * middle + channel]
-                - 0.5 * (irradiance[channels * p + channel] + irradiance[channels * q + channel]);
+        return arrived(middle, channel) - 0.5 * (arrived(p, channel) + arrived(q, channel));
+    }
+
+    private double arrived(int vertex, int channel) {
+        return points.irradiance()[channels * vertex + channel];
     }
 
     /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
@@ -425,74 +368,5 @@ public final class RadiosityNodes {
     public double unshot(int node, int k, int channel) {
         return radiosity(node, k, channel) - shot(node, k, channel)
                 + faces.reflectance(face[node], channel) * bulge(node, channel);
-    }
-
-    /** A quantity at corner k of an element. */
-    public interface Quantity {
-        double at(int node, int k, int channel);
-    }
-
-    /** The elements below a node by value. */
-    public PatchTree tree(int top, Quantity quantity) {
-        int[] order = breadthFirst(top);
-        int[] below = new int[order.length];
-        double[] values = new double[3 * channels * order.length];
-        int next = 1;
-        for (int i = 0; i < order.length; i++) {
-            below[i] = -1;
-            if (!isElement(order[i])) {
-                below[i] = next;
-                next += 4;
-                continue;
-            }
-            for (int k = 0; k < 3; k++) {
-                for (int c = 0; c < channels; c++) {
-                    values[channels * (3 * i + k) + c] = quantity.at(order[i], k, c);
-                }
-            }
-        }
-        return new PatchTree(face[top], path[top], below, values);
-    }
-
-    private int[] breadthFirst(int top) {
-        int[] order = new int[size(top)];
-        order[0] = top;
-        int end = 1;
-        for (int i = 0; i < end; i++) {
-            for (int k = 0; k < 4 && !isElement(order[i]); k++) {
-                order[end++] = child[order[i]] + k;
-            }
-        }
-        return order;
-    }
-
-    private int size(int top) {
-        int n = 1;
-        for (int k = 0; k < 4 && !isElement(top); k++) {
-            n += size(child[top] + k);
-        }
-        return n;
-    }
-
-    /** Adds to what the elements below a node have shot; they may have been subdivided deeper than the tree is. */
-    public void addShot(int top, PatchTree tree) {
-        addShot(top, tree, 0, null);
-    }
-
-    /** @param values 3 x channels at the corners, where the tree goes no deeper; else null */
-    private void addShot(int node, PatchTree tree, int i, double[] values) {
-        int n = 3 * channels;
-        boolean ends = values == null && tree.child()[i] < 0;
-        double[] here = ends ? Arrays.copyOfRange(tree.radiosity(), n * i, n * i + n) : values;
-        if (isElement(node)) {
-            for (int j = 0; j < n; j++) {
-                shot[n * node + j] += here[j];
-            }
-            return;
-        }
-        for (int k = 0; k < 4; k++) {
-            addShot(child[node] + k, tree, here == null ? tree.child()[i] + k : i,
-                    here == null ? null : Subdivision.values(here, channels, k));
-        }
     }
 }

@@ -33,10 +33,10 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return of(nodes, tops, 0, nodes::shot);
     }
 
-    static Shot of(RadiosityNodes nodes, int[] tops, double flux, RadiosityNodes.Quantity quantity) {
+    static Shot of(RadiosityNodes nodes, int[] tops, double flux, PatchTree.Quantity quantity) {
         List<PatchTree> trees = new ArrayList<>(tops.length);
         for (int top : tops) {
-            trees.add(nodes.tree(top, quantity));
+            trees.add(PatchTree.of(nodes, top, quantity));
         }
         return new Shot(trees, flux);
     }
@@ -46,7 +46,7 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         for (PatchTree tree : trees) {
             int top = nodes.find(tree.face(), tree.path());
             if (top >= 0) {
-                nodes.addShot(top, tree);
+                tree.addShot(nodes, top);
             }
         }
     }

@@ -1,0 +1,119 @@
+package radiosity.patch;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/** The vertices of some patch trees, in arrays: where light is gathered, and what has arrived there. */
+final class ReceivingPoints {
+
+    private final Patcher patcher;
+    private final int channels;
+    private int count;
+    /** 3 per vertex. */
+    private float[] position = new float[3 * 64];
+    /** 3 per vertex: where its light is gathered. */
+    private float[] receiver = new float[3 * 64];
+    /** 1 per vertex: a face on which it lies. */
+    private int[] face = new int[64];
+    /** 1 per vertex: what it is, whoever owns it. */
+    private long[] key = new long[64];
+    /** 1 per vertex: number of the split that made it; 0 in the initial mesh. */
+    private int[] made = new int[64];
+    /** 1 per vertex: inside another object; its elements do without it. */
+    private boolean[] buried = new boolean[64];
+    /** channels per vertex: H in W/m². */
+    private double[] irradiance;
+    /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
+    private final LongIndex index = new LongIndex(256);
+
+    ReceivingPoints(Patcher patcher) {
+        this.patcher = patcher;
+        channels = patcher.faces().channels();
+        irradiance = new double[channels * 64];
+    }
+
+    /**
+     * The vertex with certain weights of a face's corners; made where it is not there yet.
+     *
+     * @param w    weights, 3 from {@code wAt}, in units of 2^-30; not modified
+     * @param at   its position, 3 from {@code from}; not modified
+     * @param with 0 in the initial mesh, else number of the split: only vertices of one split are shared
+     */
+    int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with) {
+        long id = VertexKey.of(patcher.faces(), f, w, wAt);
+        int v = index.findOrAdd(with == 0 ? id : Hash.mix(id, with), count);
+        if (v < count) {
+            return v;
+        }
+        if (count == key.length) {
+            makeRoom(count + count / 2);
+        }
+        System.arraycopy(at, from, position, 3 * v, 3);
+        patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);
+        face[v] = f;
+        key[v] = id;
+        made[v] = with;
+        count++;
+        return v;
+    }
+
+    /** The vertex halfway between two; a new one has received what they have in the mean. */
+    int between(int u, int v, int f, int[] w, int depth, int with) {
+        float[] at = new float[3];
+        for (int a = 0; a < 3; a++) {
+            at[a] = 0.5f * (position[3 * u + a] + position[3 * v + a]);
+        }
+        int known = count;
+        int middle = vertex(f, w, 0, depth, at, 0, with);
+        for (int c = 0; c < channels && middle == known; c++) {
+            irradiance[channels * middle + c] = 0.5 * (irradiance[channels * u + c] + irradiance[channels * v + c]);
+        }
+        return middle;
+    }
+
+    private void makeRoom(int room) {
+        position = Arrays.copyOf(position, 3 * room);
+        receiver = Arrays.copyOf(receiver, 3 * room);
+        face = Arrays.copyOf(face, room);
+        key = Arrays.copyOf(key, room);
+        made = Arrays.copyOf(made, room);
+        buried = Arrays.copyOf(buried, room);
+        irradiance = Arrays.copyOf(irradiance, channels * room);
+    }
+
+    int count() {
+        return count;
+    }
+
+    float[] receivers() {
+        return receiver;
+    }
+
+    int face(int v) {
+        return face[v];
+    }
+
+    long key(int v) {
+        return key[v];
+    }
+
+    int made(int v) {
+        return made[v];
+    }
+
+    int[] madeBy(int with) {
+        return IntStream.range(0, count).filter(v -> made[v] == with).toArray();
+    }
+
+    boolean isBuried(int v) {
+        return buried[v];
+    }
+
+    void bury(int v) {
+        buried[v] = true;
+    }
+
+    double[] irradiance() {
+        return irradiance;
+    }
+}
