@@ -19,6 +19,8 @@ public final class RadiosityBounds {
     /** How much of a segment is left out at each end: of the scene's size, and of its own length. */
     static final float END_ABSOLUTE = 4e-6f;
     static final float END_RELATIVE = 1e-5f;
+    /** Nearer to a plane than this a point lies on it, of the scene's size. */
+    private static final double OFF_PLANE = 2e-7;
     /** How far a triangle reaches beyond its edges, of its own size. */
     static final float EDGE = 1e-5f;
     /** Boxes are this much larger than what they hold, of the scene's size. */
@@ -144,7 +146,28 @@ public final class RadiosityBounds {
             return false;
         }
         float t = bx * qx + by * qy + bz * qz;
-        return t > end * det && t < (1 - end) * det;
+        return t > end * det && t < (1 - end) * det && isBetween(k, ox, oy, oz, dx, dy, dz);
+    }
+
+    /**
+     * Whether a triangle's plane truly lies between the ends of a segment: both must be off it by more than float
+     * coordinates are. Otherwise a point near a wall would not see that wall, where the ray's end lies on it but for
+     * rounding, nor what is seen from a long triangle at a small angle.
+     */
+    private boolean isBetween(int k, double ox, double oy, double oz, double dx, double dy, double dz) {
+        double ax = triangle[k + 3];
+        double ay = triangle[k + 4];
+        double az = triangle[k + 5];
+        double bx = triangle[k + 6];
+        double by = triangle[k + 7];
+        double bz = triangle[k + 8];
+        double nx = ay * bz - az * by;
+        double ny = az * bx - ax * bz;
+        double nz = ax * by - ay * bx;
+        double from = nx * (ox - triangle[k]) + ny * (oy - triangle[k + 1]) + nz * (oz - triangle[k + 2]);
+        double to = from + nx * dx + ny * dy + nz * dz;
+        double least = OFF_PLANE * Math.sqrt(nx * nx + ny * ny + nz * nz);
+        return from > least && to < -least || from < -least && to > least;
     }
 
     /**
