@@ -52,7 +52,7 @@ class PaperCommandsTest {
     @Test
     void distributedMode_takesTheHosts() {
         RendererOptions options = parse("-pa 1000 -nr 5 -h 3 andreas daniel igge foobar.lws foobar.scene");
-        assertEquals(List.of("andreas", "daniel", "igge"), options.host.hosts);
+        assertEquals("[andreas, daniel, igge]", options.host.hosts.toString());
         assertEquals(List.of(Path.of("foobar.lws"), Path.of("foobar.scene")), options.files);
     }
 
