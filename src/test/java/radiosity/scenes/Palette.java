@@ -35,11 +35,11 @@ final class Palette {
         Material.lamp("sky 1", 1.80, .95, .57, .1), Material.lamp("sky 2", 1.50, .97, .78, .1),
         Material.lamp("sky 3", 1.12, .90, 1.0, .1), Material.lamp("sky 4", .77, .81, 1.18, .1),
         Material.lamp("sky 5", .55, .70, 1.25, .1), Material.lamp("sky 6", .38, .60, 1.25, .1)};
-    static final Material OPAL = Material.lamp("opal glass", 54, 44, 32, .8);
-    static final Material BULB = Material.lamp("bulb", 460, 365, 245, .8);
+    static final Material OPAL = Material.lamp("opal glass", 50, 45, 37, .8);
+    static final Material BULB = Material.lamp("bulb", 440, 378, 290, .8);
     /** Lets some of the bulb's light through, which a diffuse surface can only do by shining itself. */
-    static final Material SHADE = new Material("lamp shade", 1, .82, .58, .75, 1.6, 3);
-    static final Material DESK_BULB = Material.lamp("desk bulb", 560, 470, 340, .8);
+    static final Material SHADE = new Material("lamp shade", 1, .85, .64, .75, 1.6, 3);
+    static final Material DESK_BULB = Material.lamp("desk bulb", 540, 480, 390, .8);
 
     private Palette() {
     }
