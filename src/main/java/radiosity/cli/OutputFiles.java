@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import radiosity.output.Points;
 import radiosity.output.SceneFile;
@@ -55,7 +56,8 @@ final class OutputFiles {
         extras.put("commandLine", arguments);
         extras.put("settings", SavedCalculation.asJson(settings));
         write(options.output(), file -> SceneFile.write(file, solution, extras, solution.scene().camera(),
-                options.picture.toneMapping(solution)));
+                options.picture.toneMapping(solution), options.textures == null ? OptionalDouble.empty()
+                        : OptionalDouble.of(options.textures)));
     }
 
     /** The picture of {@code -sn}. */

@@ -62,7 +62,6 @@ final class RendererOptions {
         if (host.key != null && host.hosts == null) {
             throw Failure.commandLine("-key", "expected with -h, got it without");
         }
-        notBuilt("-ut", textures);
         notBuilt("--statistics", statistics ? "" : null);
         picture.check();
         if (files.size() != 2) {

@@ -28,6 +28,10 @@ final class ViewOptions {
     @Option(names = {"-wf", "--wireframe"}, description = "Use wireframes.")
     boolean wireframe;
 
+    @Option(names = {"-ut", "--use-textures"},
+            description = "Use textures. Only if the scene was rendered with -ut.")
+    boolean textures;
+
     @Option(names = {"-lw", "--lightwave"}, description = "View a LightWave file, not lit.")
     boolean lightWave;
 
@@ -88,8 +92,11 @@ final class ViewOptions {
             throw Failure.commandLine("file", "expected one " + (lightWave ? "LightWave" : "scene") + " file, got "
                     + (got.isEmpty() ? "none" : got));
         }
-        if (web && (lightWave || wireframe || screenshot != null)) {
-            throw Failure.commandLine("--web", "expected without -lw, -wf and --screenshot, got one of them");
+        if (web && (lightWave || wireframe || textures || screenshot != null)) {
+            throw Failure.commandLine("--web", "expected without -lw, -wf, -ut and --screenshot, got one of them");
+        }
+        if (textures && lightWave) {
+            throw Failure.commandLine("-ut", "expected without -lw, got both");
         }
         if (screenshot != null && !screenshot.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
             throw Failure.commandLine("--screenshot", "expected a name that ends in .png, got " + screenshot);
@@ -103,7 +110,7 @@ final class ViewOptions {
     ViewSettings settings() {
         Optional<ToneMapping> unlit = lightWave
                 ? Optional.of(new ToneMapping(ToneMapping.Operator.LINEAR, Math.pow(2, exposure))) : Optional.empty();
-        return new ViewSettings(file().getFileName() + " (H: keys)", wireframe, unlit, curve, exposure,
+        return new ViewSettings(file().getFileName() + " (H: keys)", wireframe, textures, unlit, curve, exposure,
                 size == null ? USUAL_WIDTH : size.width(), size == null ? 0 : size.height(),
                 lightWave ? Optional.empty() : Optional.of(file()), Optional.ofNullable(screenshot));
     }

@@ -64,6 +64,9 @@ public final class ViewSceneFile {
             return;
         }
         LitScene scene = scene();
+        if (options.textures && scene.textures().isEmpty()) {
+            throw Failure.file(options.file(), "expected textures (RadiosityRenderer -ut <n>), got none", null);
+        }
         try {
             Walkthrough.show(scene, options.settings());
         } catch (DisplayException e) {

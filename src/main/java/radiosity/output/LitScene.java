@@ -19,9 +19,23 @@ import radiosity.world.Solution;
  * @param meshes   one per side of a surface
  * @param origin   what to add to the meshes' positions, scene units
  * @param camera   the scene's, or one chosen for it
+ * @param textures the same with its light in textures, if they were made
  * @param progress what has been calculated so far, in a few words
  */
-public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, String progress) {
+public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, Optional<Textures> textures,
+                       String progress) {
+
+    /**
+     * Light in textures.
+     *
+     * @param toneMapping how radiosity became their colours
+     * @param meshes      one per side of a surface
+     */
+    public record Textures(ToneMapping toneMapping, List<TexturedMesh> meshes) {
+        public Textures {
+            meshes = List.copyOf(meshes);
+        }
+    }
 
     /** From where the shade of an unlit scene comes. */
     private static final Vec3 SHADE_FROM = new Vec3(0.4, 0.8, 0.45).unit();
@@ -42,8 +56,14 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, String pro
             Optional<Camera> camera = file.camera();
             return new LitScene(file.meshes(), file.origin(),
                     camera.isPresent() ? camera.get() : Viewpoint.of(file.solution()),
-                    file.extras().get("shots") + " shots");
+                    textures(file), file.extras().get("shots") + " shots");
         }
+    }
+
+    private static Optional<Textures> textures(SceneFile file) throws IOException {
+        Optional<ToneMapping> toneMapping = file.textureToneMapping();
+        return toneMapping.isEmpty() ? Optional.empty()
+                : Optional.of(new Textures(toneMapping.get(), file.textures()));
     }
 
     /**
@@ -56,7 +76,8 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, String pro
                 List.of(), scene.camera());
         Solution solution = shaded(painted);
         Box box = Box.of(solution.positions());
-        return new LitScene(Mesh.of(solution, box.centre()), box.centre(), Viewpoint.of(solution), "unlit");
+        return new LitScene(Mesh.of(solution, box.centre()), box.centre(), Viewpoint.of(solution),
+                Optional.empty(), "unlit");
     }
 
     private static Surface unlit(Surface surface) {

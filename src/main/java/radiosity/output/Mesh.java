@@ -72,7 +72,7 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
     }
 
     /** The elements of each side, ascending: 2 * surface for its front, + 1 for its back. */
-    private static int[][] bySide(Solution solution) {
+    static int[][] bySide(Solution solution) {
         int[] count = new int[2 * solution.scene().surfaces().size()];
         for (int face : solution.faceOf()) {
             count[side(solution, face)]++;

@@ -26,6 +26,8 @@ final class SceneDocument {
     private static final int UNSIGNED_SHORT = 5123;
     private static final int VERTICES = 34962;
     private static final int INDICES = 34963;
+    private static final int LINEAR = 9729;
+    private static final int CLAMP = 33071;
     static final String UNLIT = "KHR_materials_unlit";
 
     private final ObjectMapper mapper = new ObjectMapper().enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS);
@@ -73,8 +75,50 @@ final class SceneDocument {
         attributes.put("_RADIOSITY", vec3(mesh.radiosity()));
         attributes.put("_IRRADIANCE", vec3(mesh.irradiance()));
         primitive.put("indices", accessor(view(mesh.corners(), INDICES), UNSIGNED_INT, 3 * mesh.elements(), "SCALAR"));
-        primitive.put("material", material(mesh, name));
+        primitive.put("material", material(mesh.surface(), mesh.back(), name));
         child().put("name", name).put("mesh", list("meshes").size() - 1);
+    }
+
+    /** A second scene, in which light is in textures. */
+    void textures(List<TextureBake.Baked> baked, ToneMapping toneMapping, Vec3 origin) throws IOException {
+        ObjectNode second = list("nodes").addObject().put("name", "textures");
+        list("scenes").addObject().put("name", "textures").putArray("nodes").add(list("nodes").size() - 1);
+        if (!origin.equals(Vec3.ZERO)) {
+            put(second.putArray("translation"), origin);
+        }
+        list("samplers").addObject().put("magFilter", LINEAR).put("minFilter", LINEAR).put("wrapS", CLAMP)
+                .put("wrapT", CLAMP);
+        for (TextureBake.Baked side : baked) {
+            second.withArrayProperty("children").add(list("nodes").size());
+            list("nodes").addObject().put("mesh", list("meshes").size());
+            textured(side, toneMapping);
+        }
+    }
+
+    private void textured(TextureBake.Baked side, ToneMapping toneMapping) throws IOException {
+        String name = side.surface().name() + (side.back() ? " (back, texture)" : " (texture)");
+        int positions = vec3(side.positions());
+        int places = accessor(view(side.places(), VERTICES), FLOAT, side.places().length / 2, "VEC2");
+        list("images").addObject().put("mimeType", "image/png")
+                .put("bufferView", view(PictureFormat.PNG.bytes(mapped(side.radiosity(), toneMapping))));
+        list("textures").addObject().put("sampler", 0).put("source", list("images").size() - 1);
+        ObjectNode primitive = list("meshes").addObject().put("name", name).putArray("primitives").addObject();
+        primitive.putObject("attributes").put("POSITION", positions).put("TEXCOORD_0", places);
+        int material = material(side.surface(), side.back(), name);
+        primitive.put("material", material);
+        ((ObjectNode) list("materials").get(material)).withObjectProperty("pbrMetallicRoughness")
+                .putObject("baseColorTexture").put("index", list("textures").size() - 1);
+    }
+
+    private static Picture mapped(Picture radiosity, ToneMapping toneMapping) {
+        float[] rgb = radiosity.rgb().clone();
+        for (int i = 0; i < rgb.length; i += 3) {
+            Rgb y = toneMapping.map(new Rgb(rgb[i], rgb[i + 1], rgb[i + 2]));
+            rgb[i] = (float) y.r();
+            rgb[i + 1] = (float) y.g();
+            rgb[i + 2] = (float) y.b();
+        }
+        return new Picture(radiosity.width(), radiosity.height(), rgb);
     }
 
     private ObjectNode child() {
@@ -82,15 +126,14 @@ final class SceneDocument {
         return list("nodes").addObject();
     }
 
-    private int material(Mesh mesh, String name) {
+    private int material(Surface surface, boolean back, String name) {
         ObjectNode material = list("materials").addObject().put("name", name).put("doubleSided", false);
         material.putObject("pbrMetallicRoughness").put("metallicFactor", 0);
         material.putObject("extensions").putObject(UNLIT);
-        Surface surface = mesh.surface();
         ObjectNode extras = material.putObject("extras").put("surface", surface.name());
         put(extras.putArray("reflectance"), surface.reflectance());
         put(extras.putArray("exitance"), surface.exitance());
-        extras.put("twoSided", surface.twoSided()).put("back", mesh.back());
+        extras.put("twoSided", surface.twoSided()).put("back", back);
         return list("materials").size() - 1;
     }
 

@@ -11,6 +11,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
@@ -58,6 +59,12 @@ public final class SceneFile implements Closeable {
      */
     public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
                              ToneMapping toneMapping) throws IOException {
+        write(file, solution, extras, camera, toneMapping, OptionalDouble.empty());
+    }
+
+    /** @param samples of textures besides, per scene unit; empty for none */
+    public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
+                             ToneMapping toneMapping, OptionalDouble samples) throws IOException {
         Solution closed = TJunctions.close(solution);
         Box box = Box.of(closed.positions());
         Vec3 origin = origin(box);
@@ -67,7 +74,13 @@ public final class SceneFile implements Closeable {
         }
         double near = box.diagonal() > 0 ? NEAR * box.diagonal() : NEAR;
         camera.ifPresent(c -> document.camera(c, near, origin));
-        document.extras("radiosity", content(closed, extras, document));
+        Map<String, Object> content = content(closed, extras, document);
+        if (samples.isPresent()) {
+            document.textures(new TextureBake(closed, origin, samples.getAsDouble()).bake(), toneMapping, origin);
+            content.put("textures", Map.of("samples", samples.getAsDouble(), "curve", toneMapping.operator().name(),
+                    "exposure", toneMapping.exposure()));
+        }
+        document.extras("radiosity", content);
         byte[] json = document.json();
         WholeFile.write(file, channel -> GlbWriter.write(channel, json, document.arrays));
     }
@@ -127,6 +140,25 @@ public final class SceneFile implements Closeable {
     /** One mesh per side of a surface, in the order of the file. */
     public List<Mesh> meshes() throws IOException {
         return meshes.read();
+    }
+
+    /** The sides of surfaces with their light in textures; empty where it was written without. */
+    public List<TexturedMesh> textures() throws IOException {
+        return meshes.readTextured();
+    }
+
+    /** How radiosity became the colours of the textures; empty where there are none. */
+    public Optional<ToneMapping> textureToneMapping() throws IOException {
+        Optional<Place> textures = radiosity.optional("textures");
+        if (textures.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(new ToneMapping(ToneMapping.Operator.valueOf(textures.get().at("curve").text()),
+                    textures.get().at("exposure").number()));
+        } catch (IllegalArgumentException e) {
+            throw textures.get().wrong("a tone mapping");
+        }
     }
 
     /** What to add to the meshes' positions, scene units. */

@@ -69,6 +69,9 @@ public final class SceneInfo {
         long vertices = 0;
         for (int i = 0; root.optional("meshes").isPresent() && i < root.at("meshes").size(); i++) {
             Place primitive = root.at("meshes").at(i).at("primitives").at(0);
+            if (primitive.at("attributes").optional("_RADIOSITY").isEmpty()) {
+                continue;
+            }
             Place material = root.at("materials").at(primitive.at("material").integer());
             surfaces.add(material.at("extras").at("surface").text());
             elements += accessor(primitive.at("indices")).at("count").integer() / 3;

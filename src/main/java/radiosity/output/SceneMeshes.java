@@ -74,6 +74,33 @@ final class SceneMeshes {
         return meshes;
     }
 
+    /** The second scene, if there is one. */
+    List<TexturedMesh> readTextured() throws IOException {
+        List<TexturedMesh> meshes = new ArrayList<>();
+        if (root.at("scenes").size() > 1) {
+            Place second = root.at("nodes").at(root.at("scenes").at(1).at("nodes").at(0).integer());
+            Optional<Place> children = second.optional("children");
+            for (int i = 0; children.isPresent() && i < children.get().size(); i++) {
+                Place node = root.at("nodes").at(children.get().at(i).integer());
+                meshes.add(textured(root.at("meshes").at(node.at("mesh").integer()).at("primitives").at(0)));
+            }
+        }
+        return meshes;
+    }
+
+    private TexturedMesh textured(Place primitive) throws IOException {
+        Place attributes = primitive.at("attributes");
+        float[] positions = floats(attributes.at("POSITION"), -1);
+        if (positions.length % 9 != 0) {
+            throw attributes.wrong("3 vertices per triangle");
+        }
+        int texture = root.at("materials").at(primitive.at("material").integer()).at("pbrMetallicRoughness")
+                .at("baseColorTexture").at("index").integer();
+        Place image = root.at("images").at(root.at("textures").at(texture).at("source").integer());
+        return new TexturedMesh(positions, floats(attributes.at("TEXCOORD_0"), "VEC2", 2, positions.length / 3),
+                glb.view(image.at("bufferView").integer()).array());
+    }
+
     private Mesh mesh(Place primitive) throws IOException {
         Place attributes = primitive.at("attributes");
         float[] positions = floats(attributes.at("POSITION"), -1);
@@ -95,7 +122,11 @@ final class SceneMeshes {
 
     /** @param vertices how many there must be, or -1 for any number */
     private float[] floats(Place accessor, int vertices) throws IOException {
-        ByteBuffer bytes = bytes(accessor, FLOAT, "VEC3", 3, vertices);
+        return floats(accessor, "VEC3", 3, vertices);
+    }
+
+    private float[] floats(Place accessor, String type, int components, int vertices) throws IOException {
+        ByteBuffer bytes = bytes(accessor, FLOAT, type, components, vertices);
         float[] values = new float[bytes.remaining() / 4];
         bytes.asFloatBuffer().get(values);
         for (float value : values) {

@@ -1,6 +1,8 @@
 package radiosity.viewer;
 
 import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -31,6 +33,7 @@ final class Display {
     /** The exposure for the scene as it is now. */
     private double automaticExposure;
     private boolean wireframe;
+    private boolean textures;
     private boolean falseColour;
     private boolean help;
     /** Whether the exposure follows the scene. */
@@ -51,6 +54,7 @@ final class Display {
         this.window = window;
         walker = new Walker(scene.camera(), this::allowed);
         walking = new Walking(walker, this::look, () -> extent.size());
+        textures = settings.textures();
         automatic = settings.toneMapping().isEmpty();
         toneMapping = settings.toneMapping().orElse(new ToneMapping(settings.curve(), 1));
         show(scene);
@@ -68,8 +72,26 @@ final class Display {
         obstacles = CompletableFuture.supplyAsync(() -> new Obstacles(other));
         automaticExposure = ToneMapping.automatic(settings.curve(), other.meshes(), settings.stops()).exposure();
         toneMapping(automatic ? automaticExposure : toneMapping.exposure(), toneMapping.operator());
-        stage.scene(SceneShapes.of(other, shader.appearance()));
+        surfaces();
         look();
+    }
+
+    private void surfaces() {
+        try {
+            stage.scene(textures && scene.textures().isPresent()
+                    ? TexturedShapes.of(scene.textures().get(), shader, SceneShapes.bounds(scene))
+                    : SceneShapes.of(scene, shader.vertices()));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Light of textures or of vertices. */
+    void textures() {
+        textures = !textures;
+        surfaces();
+        status(scene.textures().isEmpty() ? "no textures: they are made by RadiosityRenderer -ut"
+                : textures ? "textures" : "vertices");
     }
 
     /** As {@link #show}, and says so. */

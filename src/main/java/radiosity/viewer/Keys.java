@@ -26,6 +26,7 @@ final class Keys extends KeyAdapter {
         {"T", "next tone mapping: linear, reinhard, filmic"},
         {"C", "luminance in colours, with a scale"},
         {"X", "wireframe"},
+        {"U", "light of textures or of vertices"},
         {"K", "walk through walls or not"},
         {"F11", "full screen"},
         {"H", "this help"},
@@ -83,6 +84,7 @@ final class Keys extends KeyAdapter {
             case KeyEvent.VK_T -> display.nextCurve();
             case KeyEvent.VK_C -> display.falseColour();
             case KeyEvent.VK_X -> display.wireframe();
+            case KeyEvent.VK_U -> display.textures();
             case KeyEvent.VK_K -> display.collisions();
             case KeyEvent.VK_F11 -> display.fullScreen();
             case KeyEvent.VK_H, KeyEvent.VK_F1 -> display.help();

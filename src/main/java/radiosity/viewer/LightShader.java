@@ -3,6 +3,7 @@ package radiosity.viewer;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.jogamp.java3d.Appearance;
 import org.jogamp.java3d.GLSLShaderProgram;
 import org.jogamp.java3d.PolygonAttributes;
@@ -12,34 +13,32 @@ import org.jogamp.java3d.ShaderAttributeObject;
 import org.jogamp.java3d.ShaderAttributeSet;
 import org.jogamp.java3d.ShaderAttributeValue;
 import org.jogamp.java3d.SourceCodeShader;
+import org.jogamp.java3d.Texture;
 import radiosity.output.ToneMapping;
 
-/** How the light of the vertices becomes colour on the screen: exposure and curve are numbers that cost nothing. */
+/** How light becomes colour on the screen: exposure and curve are numbers that cost nothing. */
 final class LightShader {
 
-    private static final String EXPOSURE = "exposure";
-    private static final String CURVE = "curve";
-    private static final String FALSE_COLOUR = "falseColour";
+    private static final String VERSION = "#version 120\n";
 
-    private final ShaderAttributeObject exposure = attribute(EXPOSURE, 1f);
-    private final ShaderAttributeObject curve = attribute(CURVE, 0);
-    private final ShaderAttributeObject falseColour = attribute(FALSE_COLOUR, 0);
+    private final ShaderAttributeObject exposure = attribute("exposure", 1f);
+    private final ShaderAttributeObject curve = attribute("curve", 0);
+    private final ShaderAttributeObject falseColour = attribute("falseColour", 0);
+    private final ShaderAttributeObject bakedExposure = attribute("bakedExposure", 1f);
+    private final ShaderAttributeObject bakedCurve = attribute("bakedCurve", 0);
+    private final ShaderAttributeObject image = attribute("image", 0);
     private final PolygonAttributes polygons = new PolygonAttributes();
-    private final ShaderAppearance appearance = new ShaderAppearance();
+    private final GLSLShaderProgram textureProgram;
+    private final ShaderAttributeSet textureAttributes;
+    private final Appearance vertices;
 
     LightShader() {
         polygons.setCapability(PolygonAttributes.ALLOW_MODE_WRITE);
-        GLSLShaderProgram program = new GLSLShaderProgram();
-        program.setShaders(new Shader[] {shader(Shader.SHADER_TYPE_VERTEX, "light.vert"),
-            shader(Shader.SHADER_TYPE_FRAGMENT, "light.frag")});
-        program.setShaderAttrNames(new String[] {EXPOSURE, CURVE, FALSE_COLOUR});
-        ShaderAttributeSet attributes = new ShaderAttributeSet();
-        attributes.put(exposure);
-        attributes.put(curve);
-        attributes.put(falseColour);
-        appearance.setShaderProgram(program);
-        appearance.setShaderAttributeSet(attributes);
-        appearance.setPolygonAttributes(polygons);
+        List<ShaderAttributeObject> light = List.of(exposure, curve, falseColour);
+        List<ShaderAttributeObject> texture = List.of(exposure, curve, falseColour, bakedExposure, bakedCurve, image);
+        vertices = appearance(program("light.vert", VERSION, light), attributes(light));
+        textureProgram = program("texture.vert", VERSION + "#define TEXTURES\n", texture);
+        textureAttributes = attributes(texture);
     }
 
     private static ShaderAttributeObject attribute(String name, Object value) {
@@ -48,18 +47,58 @@ final class LightShader {
         return attribute;
     }
 
-    private static Shader shader(int type, String name) {
+    /** @param head what the fragment shader begins with in place of its version */
+    private static GLSLShaderProgram program(String vertex, String head, List<ShaderAttributeObject> attributes) {
+        GLSLShaderProgram program = new GLSLShaderProgram();
+        program.setShaders(new Shader[] {shader(Shader.SHADER_TYPE_VERTEX, source(vertex)),
+            shader(Shader.SHADER_TYPE_FRAGMENT, source("light.frag").replace(VERSION, head))});
+        program.setShaderAttrNames(attributes.stream().map(ShaderAttributeObject::getAttributeName)
+                .toArray(String[]::new));
+        return program;
+    }
+
+    private static ShaderAttributeSet attributes(List<ShaderAttributeObject> attributes) {
+        ShaderAttributeSet set = new ShaderAttributeSet();
+        attributes.forEach(set::put);
+        return set;
+    }
+
+    private ShaderAppearance appearance(GLSLShaderProgram program, ShaderAttributeSet attributes) {
+        ShaderAppearance appearance = new ShaderAppearance();
+        appearance.setShaderProgram(program);
+        appearance.setShaderAttributeSet(attributes);
+        appearance.setPolygonAttributes(polygons);
+        return appearance;
+    }
+
+    private static Shader shader(int type, String source) {
+        return new SourceCodeShader(Shader.SHADING_LANGUAGE_GLSL, type, source);
+    }
+
+    private static String source(String name) {
         try (InputStream in = LightShader.class.getResourceAsStream(name)) {
-            return new SourceCodeShader(Shader.SHADING_LANGUAGE_GLSL, type,
-                    new String(in.readAllBytes(), StandardCharsets.UTF_8));
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new IllegalStateException("the jar has every shader", e);
         }
     }
 
-    /** For every surface of the scene. */
-    Appearance appearance() {
+    /** For surfaces with light at their vertices. */
+    Appearance vertices() {
+        return vertices;
+    }
+
+    /** For a surface with its light in a texture. */
+    Appearance textured(Texture texture) {
+        ShaderAppearance appearance = appearance(textureProgram, textureAttributes);
+        appearance.setTexture(texture);
         return appearance;
+    }
+
+    /** @param toneMapping how radiosity became the textures' colours */
+    void baked(ToneMapping toneMapping) {
+        bakedExposure.setValue((float) toneMapping.exposure());
+        bakedCurve.setValue(toneMapping.operator().ordinal());
     }
 
     void toneMapping(ToneMapping toneMapping) {

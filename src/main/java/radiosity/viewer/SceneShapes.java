@@ -27,20 +27,29 @@ final class SceneShapes {
     static BranchGroup of(LitScene scene, Appearance appearance) {
         BranchGroup group = new BranchGroup();
         group.setCapability(BranchGroup.ALLOW_DETACH);
-        Extent extent = Extent.of(scene);
-        Vec3 c = extent.centre().minus(scene.origin());
-        BoundingSphere bounds = new BoundingSphere(new Point3d(c.x(), c.y(), c.z()), extent.size());
+        BoundingSphere bounds = bounds(scene);
         for (Mesh mesh : scene.meshes()) {
-            group.addChild(shape(mesh, appearance, bounds));
+            group.addChild(shape(triangles(mesh), appearance, bounds));
         }
         return group;
     }
 
-    private static Shape3D shape(Mesh mesh, Appearance appearance, BoundingSphere bounds) {
+    static BoundingSphere bounds(LitScene scene) {
+        Extent extent = Extent.of(scene);
+        Vec3 c = extent.centre().minus(scene.origin());
+        return new BoundingSphere(new Point3d(c.x(), c.y(), c.z()), extent.size());
+    }
+
+    private static IndexedTriangleArray triangles(Mesh mesh) {
         IndexedTriangleArray triangles = new IndexedTriangleArray(mesh.vertices(), FORMAT, mesh.corners().length);
         triangles.setCoordRefBuffer(buffer(mesh.positions()));
         triangles.setColorRefBuffer(buffer(mesh.radiosity()));
         triangles.setCoordIndicesRef(mesh.corners());
+        return triangles;
+    }
+
+    /** A shape whose bounds Java 3D need not search. */
+    static Shape3D shape(GeometryArray triangles, Appearance appearance, BoundingSphere bounds) {
         Shape3D shape = new Shape3D(triangles, appearance);
         shape.setPickable(false);
         shape.setCollidable(false);

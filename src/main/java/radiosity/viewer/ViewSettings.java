@@ -9,6 +9,7 @@ import radiosity.output.ToneMapping;
  *
  * @param title       of the window
  * @param wireframe   whether to show the elements' edges only ({@code -wf})
+ * @param textures    whether to show the light of the textures ({@code -ut})
  * @param toneMapping how radiosity becomes brightness; empty: automatic exposure
  * @param curve       of the automatic choice
  * @param stops       how much brighter than the automatic choice, EV
@@ -17,8 +18,8 @@ import radiosity.output.ToneMapping;
  * @param followed    the scene file, to be shown again when it is replaced
  * @param screenshot  a picture to write of the first complete view, whereupon the window closes
  */
-public record ViewSettings(String title, boolean wireframe, Optional<ToneMapping> toneMapping,
-                           ToneMapping.Operator curve, double stops, int width, int height,
+public record ViewSettings(String title, boolean wireframe, boolean textures,
+                           Optional<ToneMapping> toneMapping, ToneMapping.Operator curve, double stops, int width, int height,
                            Optional<Path> followed, Optional<Path> screenshot) {
 
     public ViewSettings {

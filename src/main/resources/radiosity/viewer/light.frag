@@ -3,7 +3,14 @@
 uniform float exposure;
 uniform int curve;        // ToneMapping.Operator, by its number
 uniform int falseColour;  // 1: luminance in colours, see FalseColour
+#ifdef TEXTURES
+uniform sampler2D image;       // radiosity as bakedCurve and bakedExposure made it, sRGB
+uniform float bakedExposure;
+uniform int bakedCurve;
+varying vec2 place;
+#else
 varying vec3 radiosity;
+#endif
 
 const float WHITE = 4.0;
 const float DECADES = 3.0;
@@ -38,7 +45,31 @@ vec3 turbo(float x) {
         dot(a, vec4(0.10667330, 12.64194608, -60.58204836, 110.36276771)) + dot(b, vec2(-89.90310912, 27.34824973)));
 }
 
+#ifdef TEXTURES
+vec3 linear(vec3 code) {
+    return mix(code / 12.92, pow((code + 0.055) / 1.055, vec3(2.4)), step(0.04045, code));
+}
+
+// The inverse of toneMapped; what was clipped to white stays there.
+vec3 exposedBefore(vec3 y) {
+    if (bakedCurve == 1) {
+        float l = luminanceOf(y);
+        float b = 0.5 * WHITE * WHITE * (1.0 - l);
+        return l > 0.0 ? y * (sqrt(b * b + WHITE * WHITE * l) - b) / l : y;
+    }
+    if (bakedCurve == 2) {
+        vec3 a = 2.51 - 2.43 * y;
+        vec3 b = 0.03 - 0.59 * y;
+        return (sqrt(b * b + 0.56 * a * y) - b) / (2.0 * a);
+    }
+    return y;
+}
+#endif
+
 void main() {
+#ifdef TEXTURES
+    vec3 radiosity = exposedBefore(linear(texture2D(image, place).rgb)) / bakedExposure;
+#endif
     vec3 exposed = clamp(radiosity * exposure, 0.0, 1e6);
     if (falseColour == 1) {
         float decades = log(max(luminanceOf(exposed), 1e-9) / WHITE) / log(10.0);

@@ -122,7 +122,7 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"-ut 2 a b", "--statistics a b"})
+    @ValueSource(strings = {"--statistics a b"})
     void whatIsNotBuilt_isRefused(String commandLine) {
         Failure failure = assertThrows(Failure.class, () -> parse(commandLine));
         assertTrue(failure.getMessage().endsWith("not built yet"), failure.getMessage());

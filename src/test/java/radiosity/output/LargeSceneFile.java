@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
@@ -11,6 +12,9 @@ import radiosity.world.Solution;
 
 /** Writes the scene file of a room with many elements, to measure how fast it opens (docs/PERFORMANCE.md). */
 public final class LargeSceneFile {
+
+    /** Of its textures, per scene unit. */
+    private static final double SAMPLES = 40;
 
     private LargeSceneFile() { }
 
@@ -33,6 +37,7 @@ public final class LargeSceneFile {
         }
         Solution solution = room.solution(null);
         Camera camera = new Camera(new Vec3(5, 5, 9), new Vec3(0, 0, -1), new Vec3(0, 1, 0), 0.7, 4.0 / 3);
-        SceneFile.write(file, solution, Map.of(), Optional.of(camera), ToneMapping.automatic(solution));
+        SceneFile.write(file, solution, Map.of(), Optional.of(camera), ToneMapping.automatic(solution),
+                OptionalDouble.of(SAMPLES));
     }
 }

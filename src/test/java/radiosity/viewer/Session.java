@@ -36,7 +36,7 @@ final class Session {
     /** @param arguments scene file, width, height */
     public static void main(String[] arguments) throws Exception {
         Path file = Path.of(arguments[0]);
-        Walkthrough window = Walkthrough.open(LitScene.read(file), new ViewSettings("test", false, Optional.empty(),
+        Walkthrough window = Walkthrough.open(LitScene.read(file), new ViewSettings("test", false, false, Optional.empty(),
                 ToneMapping.Operator.REINHARD, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
                 Optional.of(file), Optional.empty()));
         window.screenshot();

@@ -27,7 +27,7 @@ class ViewSceneFileTest {
 
     @BeforeAll
     static void render() {
-        scene = Rendered.cornellBox(folder);
+        scene = Rendered.cornellBox(folder, "-ut", "0.2");
     }
 
     /**
@@ -76,6 +76,36 @@ class ViewSceneFileTest {
             }
         }
         return brightest;
+    }
+
+    @Test
+    void textures_showWhatVerticesShow() throws Exception {
+        BufferedImage vertices = screenshot(scene.toString());
+        BufferedImage textures = screenshot("-ut", scene.toString());
+        double difference = Rendered.difference(vertices, textures);
+        assertTrue(difference <= 2, "mean difference " + difference + " of 255");
+        assertTrue(difference > 0, "not the same triangles");
+        assertTrue(seams(vertices, textures) < 10, "pixels that differ much: " + seams(vertices, textures));
+    }
+
+    /** Pixels of two pictures that differ by more than a tenth in a channel. */
+    private static int seams(BufferedImage a, BufferedImage b) {
+        int count = 0;
+        for (int i = 0; i < a.getWidth() * a.getHeight(); i++) {
+            Color p = new Color(a.getRGB(i % a.getWidth(), i / a.getWidth()));
+            Color q = new Color(b.getRGB(i % a.getWidth(), i / a.getWidth()));
+            count += Math.max(Math.abs(p.getRed() - q.getRed()), Math.abs(p.getGreen() - q.getGreen())) > 25 ? 1 : 0;
+        }
+        return count;
+    }
+
+    @Test
+    void sceneWithoutTextures_isToldWithExitCode3() throws Exception {
+        Path bare = folder.resolve("bare.scene");
+        assertEquals(0, RadiosityRenderer.run("-q", "-dr", "scenes/cornell-box.lws", bare.toString()));
+        Ended ended = run(Xvfb.java(ViewSceneFile.class, "-ut", bare.toString()));
+        assertEquals(3, ended.exitCode());
+        assertEquals(bare + ": expected textures (RadiosityRenderer -ut <n>), got none", ended.text().strip());
     }
 
     @Test

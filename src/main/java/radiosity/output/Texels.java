@@ -1,0 +1,104 @@
+package radiosity.output;
+
+import radiosity.scene.Rgb;
+
+/** A texture into which elements are drawn: each texel takes the light at its middle. */
+final class Texels {
+
+    /** A texel whose middle lies this far outside an element, in weights, still belongs to it. */
+    private static final double EDGE = 1e-6;
+
+    private final int width;
+    private final int height;
+    private float[] rgb;
+    private boolean[] known;
+
+    Texels(int width, int height) {
+        this.width = width;
+        this.height = height;
+        rgb = new float[3 * width * height];
+        known = new boolean[width * height];
+    }
+
+    /**
+     * Draws a triangle.
+     *
+     * @param x     of its corners, texels; not modified
+     * @param y     of its corners, texels; not modified
+     * @param light at its corners; not modified
+     */
+    void draw(double[] x, double[] y, Rgb[] light) {
+        double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+        if (area == 0) {
+            return;
+        }
+        int bottom = last(Math.max(y[0], Math.max(y[1], y[2])), height);
+        int right = last(Math.max(x[0], Math.max(x[1], x[2])), width);
+        for (int j = first(Math.min(y[0], Math.min(y[1], y[2]))); j <= bottom; j++) {
+            for (int i = first(Math.min(x[0], Math.min(x[1], x[2]))); i <= right; i++) {
+                double px = i + 0.5 - x[0];
+                double py = j + 0.5 - y[0];
+                double v = (px * (y[2] - y[0]) - (x[2] - x[0]) * py) / area;
+                double w = ((x[1] - x[0]) * py - px * (y[1] - y[0])) / area;
+                if (v >= -EDGE && w >= -EDGE && v + w <= 1 + EDGE) {
+                    set(j * width + i, light, v, w);
+                }
+            }
+        }
+    }
+
+    private static int first(double least) {
+        return Math.max(0, (int) Math.floor(least - 0.5));
+    }
+
+    private static int last(double most, int size) {
+        return Math.min(size - 1, (int) Math.ceil(most - 0.5));
+    }
+
+    private void set(int texel, Rgb[] light, double v, double w) {
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * texel + c] = (float) (light[0].channel(c) * (1 - v - w) + light[1].channel(c) * v
+                    + light[2].channel(c) * w);
+        }
+        known[texel] = true;
+    }
+
+    /** What was drawn, carried on beyond its edges: a texel that nothing was drawn on takes its neighbours' mean. */
+    Picture padded(int texels) {
+        for (int ring = 0; ring < texels; ring++) {
+            float[] wider = rgb.clone();
+            boolean[] now = known.clone();
+            for (int t = 0; t < known.length; t++) {
+                if (!known[t]) {
+                    now[t] = mean(t, wider);
+                }
+            }
+            rgb = wider;
+            known = now;
+        }
+        return new Picture(width, height, rgb);
+    }
+
+    /** Puts the mean of the known neighbours of a texel into {@code to}, if there are any. */
+    private boolean mean(int texel, float[] to) {
+        int count = 0;
+        float[] sum = new float[3];
+        int x = texel % width;
+        int y = texel / width;
+        for (int j = Math.max(0, y - 1); j <= Math.min(height - 1, y + 1); j++) {
+            for (int i = Math.max(0, x - 1); i <= Math.min(width - 1, x + 1); i++) {
+                int n = j * width + i;
+                if (known[n]) {
+                    count++;
+                    for (int c = 0; c < 3; c++) {
+                        sum[c] += rgb[3 * n + c];
+                    }
+                }
+            }
+        }
+        for (int c = 0; c < 3 && count > 0; c++) {
+            to[3 * texel + c] = sum[c] / count;
+        }
+        return count > 0;
+    }
+}

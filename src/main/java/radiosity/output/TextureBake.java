@@ -1,0 +1,135 @@
+package radiosity.output;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.world.Solution;
+
+/** Calculates one texture for each side of a surface from all of its elements (section 4.6 of the paper). */
+final class TextureBake {
+
+    /** What OpenGL of any age can show. */
+    private static final int LARGEST = 8192;
+
+    private final Solution solution;
+    private final Vec3 origin;
+    private final double samples;
+    /** The lowest vertex of the plane part that each vertex belongs to. */
+    private final Parts parts;
+
+    /**
+     * One side of a surface, whole.
+     *
+     * @param surface   what it is made of
+     * @param back      whether this is the back of a two-sided surface
+     * @param positions x, y, z relative to the origin, 3 per vertex, scene units; 3 vertices per original triangle
+     * @param places    u, v in the texture, v downwards, 2 per vertex
+     * @param radiosity the texture, W/m²
+     */
+    record Baked(Surface surface, boolean back, float[] positions, float[] places, Picture radiosity) { }
+
+    /**
+     * @param origin  what is subtracted from every position
+     * @param samples per scene unit, above 0
+     */
+    TextureBake(Solution solution, Vec3 origin, double samples) {
+        this.solution = solution;
+        this.origin = origin;
+        this.samples = samples;
+        parts = new Parts(solution.vertices(), solution.corners());
+    }
+
+    /** The sides of all surfaces, in the order of {@link Mesh#of}. */
+    List<Baked> bake() throws IOException {
+        List<Baked> baked = new ArrayList<>();
+        int[][] sides = Mesh.bySide(solution);
+        for (int side = 0; side < sides.length; side++) {
+            if (sides[side].length > 0) {
+                baked.add(bake(solution.scene().surfaces().get(side >> 1), (side & 1) == 1, sides[side]));
+            }
+        }
+        return baked;
+    }
+
+    private Baked bake(Surface surface, boolean back, int[] elements) throws IOException {
+        Map<Integer, List<Integer>> byPart = new LinkedHashMap<>();
+        for (int e : elements) {
+            byPart.computeIfAbsent(parts.of(solution.corners()[3 * e]), p -> new ArrayList<>()).add(e);
+        }
+        List<List<Integer>> partElements = List.copyOf(byPart.values());
+        List<Chart> charts = partElements.stream().map(this::chart).toList();
+        Shelves shelves = new Shelves(charts);
+        if (Math.max(shelves.width, shelves.height) > LARGEST) {
+            throw new IOException("-ut, surface " + surface.name() + ": expected a texture of at most " + LARGEST
+                    + " texels, got " + shelves.width + "x" + shelves.height + "; give fewer samples");
+        }
+        Texels texels = new Texels(shelves.width, shelves.height);
+        List<float[]> triangles = new ArrayList<>();
+        for (int c = 0; c < charts.size(); c++) {
+            for (int e : partElements.get(c)) {
+                draw(texels, charts.get(c), shelves.x[c], shelves.y[c], e);
+            }
+            int chart = c;
+            partElements.get(c).stream().map(e -> solution.faceOf()[e]).distinct()
+                    .forEach(face -> triangles.add(triangle(face, charts.get(chart), shelves, chart)));
+        }
+        return baked(surface, back, triangles, texels.padded(Chart.PAD));
+    }
+
+    private Chart chart(List<Integer> elements) {
+        int face = solution.faceOf()[elements.get(0)];
+        Vec3 along = corner(face, 1).minus(corner(face, 0));
+        List<Vec3> points = elements.stream().map(e -> solution.faceOf()[e]).distinct()
+                .flatMap(f -> IntStream.range(0, 3).mapToObj(k -> corner(f, k))).toList();
+        return Chart.of(along, Elements.normal(solution, elements.get(0)), points, samples);
+    }
+
+    /** Corner k of an original triangle, counter-clockwise seen from the face's visible side. */
+    private Vec3 corner(int face, int k) {
+        return solution.scene().corner(face >> 1, (face & 1) == 0 ? k : (3 - k) % 3);
+    }
+
+    private void draw(Texels texels, Chart chart, int left, int top, int element) {
+        double[] x = new double[3];
+        double[] y = new double[3];
+        Rgb[] b = new Rgb[3];
+        for (int k = 0; k < 3; k++) {
+            Vec3 p = Elements.corner(solution, element, k);
+            x[k] = left + chart.x(p);
+            y[k] = top + chart.y(p);
+            b[k] = solution.radiosityAt(element, k);
+        }
+        texels.draw(x, y, b);
+    }
+
+    /** x, y, z, u, v of three corners. */
+    private float[] triangle(int face, Chart chart, Shelves shelves, int c) {
+        float[] vertices = new float[15];
+        for (int k = 0; k < 3; k++) {
+            Vec3 corner = corner(face, k);
+            Vec3 p = corner.minus(origin);
+            vertices[5 * k] = (float) p.x();
+            vertices[5 * k + 1] = (float) p.y();
+            vertices[5 * k + 2] = (float) p.z();
+            vertices[5 * k + 3] = (float) ((shelves.x[c] + chart.x(corner)) / shelves.width);
+            vertices[5 * k + 4] = (float) ((shelves.y[c] + chart.y(corner)) / shelves.height);
+        }
+        return vertices;
+    }
+
+    private static Baked baked(Surface surface, boolean back, List<float[]> triangles, Picture texture) {
+        float[] positions = new float[9 * triangles.size()];
+        float[] places = new float[6 * triangles.size()];
+        for (int i = 0; i < 3 * triangles.size(); i++) {
+            System.arraycopy(triangles.get(i / 3), i % 3 * 5, positions, 3 * i, 3);
+            System.arraycopy(triangles.get(i / 3), i % 3 * 5 + 3, places, 2 * i, 2);
+        }
+        return new Baked(surface, back, positions, places, texture);
+    }
+}

@@ -1,0 +1,118 @@
+package radiosity.output;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
+import radiosity.world.Solution;
+
+class TextureBakeTest {
+
+    private static final double SAMPLES = 7.3;
+
+    @TempDir
+    Path folder;
+
+    /** Light that rises evenly along every axis, as elements and textures both can carry it. */
+    private static Rgb light(Vec3 p) {
+        return new Rgb(1 + p.x(), 2 + p.y(), 3 + p.z());
+    }
+
+    private static Solution room() {
+        return Handmade.room(new Vec3(-1, -1, -1), 3, TextureBakeTest::light).solution();
+    }
+
+    private static double channel(TextureBake.Baked baked, int c, double u, double v) {
+        Picture texture = baked.radiosity();
+        double x = u * texture.width() - 0.5;
+        double y = v * texture.height() - 0.5;
+        int i = (int) Math.floor(x);
+        int j = (int) Math.floor(y);
+        double sum = 0;
+        for (int k = 0; k < 4; k++) {
+            int texel = (j + k / 2) * texture.width() + i + k % 2;
+            sum += texture.rgb()[3 * texel + c] * (k % 2 == 0 ? i + 1 - x : x - i) * (k / 2 == 0 ? j + 1 - y : y - j);
+        }
+        return sum;
+    }
+
+    @Test
+    void texture_holdsTheLightOfItsElements() throws IOException {
+        List<TextureBake.Baked> sides = new TextureBake(room(), Vec3.ZERO, SAMPLES).bake();
+        assertEquals(6, sides.size());
+        for (TextureBake.Baked side : sides) {
+            for (int t = 0; t < side.positions().length / 9; t++) {
+                assertLight(side, t, 1 / 3.0, 1 / 3.0, 1e-5);
+                assertLight(side, t, 0.98, 0.01, 0.6 / SAMPLES);
+                assertLight(side, t, 0, 0.5, 0.6 / SAMPLES);
+            }
+        }
+    }
+
+    /** At a point of a triangle by its weights; near an edge the padding may be off by half a texel. */
+    private static void assertLight(TextureBake.Baked side, int t, double a, double b, double error) {
+        double[] w = {a, b, 1 - a - b};
+        double[] place = new double[2];
+        double[] p = new double[3];
+        for (int k = 0; k < 3; k++) {
+            for (int i = 0; i < 3; i++) {
+                p[i] += w[k] * side.positions()[9 * t + 3 * k + i];
+            }
+            place[0] += w[k] * side.places()[6 * t + 2 * k];
+            place[1] += w[k] * side.places()[6 * t + 2 * k + 1];
+        }
+        Rgb b0 = light(new Vec3(p[0], p[1], p[2])).times(side.surface().reflectance());
+        for (int c = 0; c < 3; c++) {
+            assertEquals(b0.channel(c), channel(side, c, place[0], place[1]), error, side.surface().name());
+        }
+    }
+
+    @Test
+    void plainParts_keepApart() throws IOException {
+        Handmade made = new Handmade();
+        int surface = made.surface("s", 0.5);
+        Vec3 x = new Vec3(1, 0, 0);
+        Vec3 y = new Vec3(0, 1, 0);
+        made.grid(surface, Vec3.ZERO, x, y, 2, 2, p -> Rgb.grey(2));
+        made.grid(surface, new Vec3(5, 0, 0), x, y, 2, 2, p -> Rgb.grey(20));
+        Picture texture = new TextureBake(made.solution(), Vec3.ZERO, 4).bake().get(0).radiosity();
+        for (float value : texture.rgb()) {
+            assertTrue(value == 0 || value == 1 || value == 10, "a mixture of two parts: " + value);
+        }
+    }
+
+    @Test
+    void file_keepsTexturesBesideItsMeshes() throws IOException {
+        Path file = folder.resolve("room.scene");
+        Solution room = room();
+        ToneMapping toneMapping = ToneMapping.automatic(room);
+        SceneFile.write(file, room, Map.of(), Optional.empty(), toneMapping, OptionalDouble.of(SAMPLES));
+        try (SceneFile read = SceneFile.open(file)) {
+            assertEquals(6, read.meshes().size());
+            assertEquals(6, read.textures().size());
+            assertEquals(Optional.of(toneMapping), read.textureToneMapping());
+            BufferedImage image = ImageIO.read(new ByteArrayInputStream(read.textures().get(0).png()));
+            assertTrue(image.getWidth() >= 3 * SAMPLES && image.getWidth() < 3 * SAMPLES + 6);
+        }
+        assertTrue(SceneInfo.lines(file).stream().anyMatch(line -> line.startsWith("surfaces     6")));
+    }
+
+    @Test
+    void tooManySamples_areRefused() {
+        IOException error = assertThrows(IOException.class, () -> new TextureBake(room(), Vec3.ZERO, 1e4).bake());
+        assertTrue(error.getMessage().startsWith("-ut, surface floor: expected"), error.getMessage());
+    }
+}
