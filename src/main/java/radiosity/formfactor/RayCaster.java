@@ -29,6 +29,8 @@ public final class RayCaster implements FormFactorCalculator {
     private static final double NEAR_4 = 0.003;
     /** Triangles drawn from a cluster for one ray. */
     private static final int CLUSTER_DRAWS = 8;
+    /** How far the ends of rays stand off their surfaces at most, of the scene's size. */
+    private static final float LIFT = 4e-6f;
     /** Rays at one element. */
     private static final int MOST_RAYS = 64;
     /** Nearer than this to a shooter's plane nothing is received from it; of the scene's size. */
@@ -164,7 +166,8 @@ public final class RayCaster implements FormFactorCalculator {
         float tx = fa * corner[at] + fb * corner[at + 3] + fc * corner[at + 6];
         float ty = fa * corner[at + 1] + fb * corner[at + 4] + fc * corner[at + 7];
         float tz = fa * corner[at + 2] + fb * corner[at + 5] + fc * corner[at + 8];
-        if (!bounds.blocked(px, py, pz, tx, ty, tz)) {
+        float[] normal = s.normal;
+        if (sees(px, py, pz, nx, ny, nz, tx, ty, tz, normal[3 * found], normal[3 * found + 1], normal[3 * found + 2])) {
             double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
             reach(s, found, fa, fb, fc, power * sum, gathering);
         }
@@ -244,7 +247,7 @@ public final class RayCaster implements FormFactorCalculator {
                 float tx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6];
                 float ty = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7];
                 float tz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8];
-                if (!bounds.blocked(px, py, pz, tx, ty, tz)) {
+                if (sees(px, py, pz, nx, ny, nz, tx, ty, tz, sx, sy, sz)) {
                     reach(s, node, a, b, c, group, gathering);
                 }
                 sum += group;
@@ -254,6 +257,21 @@ public final class RayCaster implements FormFactorCalculator {
             }
         }
         gathering.close(sum > 0 ? factor / sum : 0);
+    }
+
+    /**
+     * Whether nothing stands between a receiving point and a sample point. Both ends are lifted off their surfaces a
+     * little, but by no more than half of what they see of each other's side: a ray that runs almost in a surface
+     * would be stopped by that surface itself.
+     */
+    private boolean sees(float px, float py, float pz, float nx, float ny, float nz, float tx, float ty, float tz,
+                         float sx, float sy, float sz) {
+        float dx = tx - px;
+        float dy = ty - py;
+        float dz = tz - pz;
+        float up = Math.min(LIFT, 0.5f * (nx * dx + ny * dy + nz * dz));
+        float down = Math.min(LIFT, -0.5f * (sx * dx + sy * dy + sz * dz));
+        return !bounds.blocked(px + up * nx, py + up * ny, pz + up * nz, tx + down * sx, ty + down * sy, tz + down * sz);
     }
 
     /** Finds the element under a sample point. */
