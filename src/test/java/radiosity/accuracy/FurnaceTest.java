@@ -21,8 +21,8 @@ class FurnaceTest {
     private static final Surface WALL = Rooms.grey("wall", 1, 0.5);
     private static final double EXACT = 2;
     private static final Solve SOLVE = Solve.byDefault().unsent(1e-5);
-    /** Rays that carry a fifth of what they do by default. */
-    private static final Solve FINE = SOLVE.tolerance(0.01);
+    /** Rays that carry an eighth of what they do by default. */
+    private static final Solve FINE = SOLVE.tolerance(0.006);
 
     @ParameterizedTest
     @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
