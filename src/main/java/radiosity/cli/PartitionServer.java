@@ -8,7 +8,6 @@ import java.rmi.server.ExportException;
 import java.time.LocalTime;
 import java.time.temporal.ChronoUnit;
 import java.util.concurrent.CountDownLatch;
-import picocli.CommandLine.ParseResult;
 import radiosity.world.HostAddress;
 import radiosity.world.HostKey;
 import radiosity.world.PartitionPort;
@@ -33,24 +32,7 @@ public final class PartitionServer {
      */
     static int run(String... arguments) {
         ServerOptions options = new ServerOptions();
-        try {
-            CommandLineParser parser = new CommandLineParser(options);
-            ParseResult parsed = parser.parse(arguments);
-            if (parsed.isUsageHelpRequested()) {
-                System.out.print(parser.help());
-            } else if (parsed.isVersionHelpRequested()) {
-                System.out.println(Version.text());
-            } else {
-                new PartitionServer(options).serve();
-            }
-            return ExitCode.DONE;
-        } catch (ExportException e) {
-            Failure taken = Failure.failed("-port", "expected a port that is free or an rmiregistry's, got "
-                    + options.port + ", which is taken");
-            return new Outcome(System.err, options.debug).of(taken);
-        } catch (Exception e) {
-            return new Outcome(System.err, options.debug).of(e);
-        }
+        return CommandRun.of(options, () -> options.debug, new PartitionServer(options)::serve, arguments);
     }
 
     private void serve() throws IOException {
@@ -60,10 +42,18 @@ public final class PartitionServer {
         InetAddress bind = bind();
         HostKey key = options.key == null ? null : key(options.key);
         int second = options.secondPort == null ? 0 : options.secondPort;
-        PartitionPort port = PartitionPort.open(
-                new PartitionPort.Options(options.port, second, bind, key, options.threads), PartitionServer::print);
+        PartitionPort port = open(new PartitionPort.Options(options.port, second, bind, key, options.threads));
         print(listening(port.port(), bind, key));
         forEver();
+    }
+
+    private static PartitionPort open(PartitionPort.Options options) throws IOException {
+        try {
+            return PartitionPort.open(options, PartitionServer::print);
+        } catch (ExportException e) {
+            throw Failure.failed("-port", "expected a port that is free or an rmiregistry's, got " + options.registryPort()
+                    + ", which is taken");
+        }
     }
 
     private String listening(int port, InetAddress bind, HostKey key) {

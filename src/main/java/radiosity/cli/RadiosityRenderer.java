@@ -2,10 +2,10 @@ package radiosity.cli;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import picocli.CommandLine.ParseResult;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.SceneInfo;
 import radiosity.scene.Scene;
@@ -47,25 +47,20 @@ public final class RadiosityRenderer {
         RendererOptions options = new RendererOptions();
         StopRequest stop = new StopRequest();
         try (SaveBeforeExit ending = new SaveBeforeExit(stop)) {
-            try {
-                CommandLineParser parser = new CommandLineParser(options);
-                ParseResult parsed = parser.parse(arguments);
-                if (parsed.isUsageHelpRequested()) {
-                    System.out.print(parser.help());
-                } else if (parsed.isVersionHelpRequested()) {
-                    System.out.println(Version.text());
-                } else if (options.file.info != null) {
-                    new FileChecks().input(options.file.info);
-                    SceneInfo.lines(options.file.info).forEach(System.out::println);
+            return CommandRun.of(options, () -> options.debug, () -> {
+                if (options.file.info != null) {
+                    printInfo(options.file.info);
                 } else {
                     options.check();
                     new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
                 }
-                return ExitCode.DONE;
-            } catch (Exception | OutOfMemoryError | StackOverflowError e) {
-                return new Outcome(System.err, options.debug).of(e);
-            }
+            }, arguments);
         }
+    }
+
+    private static void printInfo(Path scene) throws IOException {
+        new FileChecks().input(scene);
+        SceneInfo.lines(scene).forEach(System.out::println);
     }
 
     /** Figure 7 of the paper, from top to bottom. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.BindException;
-import picocli.CommandLine.ParseResult;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.LitScene;
 import radiosity.viewer.DisplayException;
@@ -36,21 +35,10 @@ public final class ViewSceneFile {
      */
     public static int run(String... arguments) {
         ViewOptions options = new ViewOptions();
-        try {
-            CommandLineParser parser = new CommandLineParser(options);
-            ParseResult parsed = parser.parse(arguments);
-            if (parsed.isUsageHelpRequested()) {
-                System.out.print(parser.help());
-            } else if (parsed.isVersionHelpRequested()) {
-                System.out.println(Version.text());
-            } else {
-                options.check();
-                new ViewSceneFile(options).view();
-            }
-            return ExitCode.DONE;
-        } catch (Exception | OutOfMemoryError | StackOverflowError e) {
-            return new Outcome(System.err, options.debug).of(e);
-        }
+        return CommandRun.of(options, () -> options.debug, () -> {
+            options.check();
+            new ViewSceneFile(options).view();
+        }, arguments);
     }
 
     private void view() throws IOException {

@@ -1,0 +1,40 @@
+package radiosity.cli;
+
+import java.util.function.BooleanSupplier;
+import picocli.CommandLine.ParseResult;
+
+/** One run of a program: reads its command line, answers --help and --version, and says in one line what went wrong. */
+final class CommandRun {
+
+    /** What a program does. */
+    interface Work {
+        void run() throws Exception;
+    }
+
+    private CommandRun() { }
+
+    /**
+     * Runs a program.
+     *
+     * @param options   annotated; filled before the work begins
+     * @param debug     asked after that: whether to print where in the program an error came from
+     * @param arguments of the command line
+     * @return its {@link ExitCode}
+     */
+    static int of(Object options, BooleanSupplier debug, Work work, String... arguments) {
+        try {
+            CommandLineParser parser = new CommandLineParser(options);
+            ParseResult parsed = parser.parse(arguments);
+            if (parsed.isUsageHelpRequested()) {
+                System.out.print(parser.help());
+            } else if (parsed.isVersionHelpRequested()) {
+                System.out.println(Version.text());
+            } else {
+                work.run();
+            }
+            return ExitCode.DONE;
+        } catch (Exception | OutOfMemoryError | StackOverflowError e) {
+            return new Outcome(System.err, debug.getAsBoolean()).of(e);
+        }
+    }
+}
