@@ -46,7 +46,7 @@ final class Outcome {
         if (error instanceof java.nio.file.FileSystemException problem) {
             return problem.getFile() + ": expected to be read and written, got " + FileChecks.reason(problem);
         }
-        return "expected no error, got " + error + " (--debug prints where)";
+        return "expected no error, got " + error.toString().replaceAll("\\s*\\R\\s*", " ") + " (--debug prints where)";
     }
 
     /** Section C.7 of the paper. */
