@@ -73,12 +73,14 @@ public final class RadiosityRenderer {
         try (World world = world(scene, settings)) {
             checkTriangles(scene, world);
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule());
-            if (saved != null) {
+            Journal journal = new Journal(options.output(), settings, err::println);
+            if (!journal.resume(radiosity) && saved != null) {
                 radiosity.resume(saved.state());
             }
             ending.begin();
-            calculate(radiosity, settings);
+            calculate(radiosity, settings, journal);
             save(world, radiosity);
+            journal.delete();
         }
     }
 
@@ -127,11 +129,12 @@ public final class RadiosityRenderer {
         return options.file.disableRendering ? new StopRule(0, 1) : options.calculation.stopRule();
     }
 
-    private void calculate(ProgressiveRadiosity radiosity, RadiositySettings settings) throws IOException {
+    private void calculate(ProgressiveRadiosity radiosity, RadiositySettings settings, Journal journal)
+            throws IOException {
         try (ProgressDisplay display = display(); KeyListener keys = new KeyListener(stop::make)) {
             stop.tell(display::message);
             keys.listen();
-            radiosity.run(new Rounds(radiosity, settings, options, files, display, stop));
+            radiosity.run(new Rounds(radiosity, settings, options, files, journal, display, stop));
         }
     }
 
@@ -141,6 +144,9 @@ public final class RadiosityRenderer {
         Summary summary = new Summary(radiosity.progress(), solution.ledger(), world.patchArea(), seconds());
         files.saveRest(solution, summary);
         summary.print(System.out);
+        if (options.statistics && world instanceof RemoteWorld remote) {
+            new StatisticsTable(remote.statistics()).print(System.out);
+        }
     }
 
     /** Since the start of the process. */

@@ -45,7 +45,7 @@ final class RendererOptions {
     @Option(names = {"-q", "--quiet"}, description = "Quiet mode: no iteration numbers and per cent left.")
     boolean quiet;
 
-    @Option(names = "--statistics", description = "Print a table of what was calculated where at the end.")
+    @Option(names = "--statistics", description = "With -h: print a table of what was calculated where at the end.")
     boolean statistics;
 
     @Option(names = "--debug", description = "Print where in the program an error came from.")
@@ -62,18 +62,14 @@ final class RendererOptions {
         if (host.key != null && host.hosts == null) {
             throw Failure.commandLine("-key", "expected with -h, got it without");
         }
-        notBuilt("--statistics", statistics ? "" : null);
+        if (statistics && host.hosts == null) {
+            throw Failure.commandLine("--statistics", "expected with -h, got it without");
+        }
         picture.check();
         if (files.size() != 2) {
             String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
             throw Failure.commandLine("files", "expected a LightWave scene and a scene file to write, got "
                     + (got.isEmpty() ? "none" : got));
-        }
-    }
-
-    private static void notBuilt(String option, Object value) {
-        if (value != null) {
-            throw Failure.commandLine(option, "expected not to be given, got it: not built yet");
         }
     }
 

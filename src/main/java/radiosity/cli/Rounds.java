@@ -8,7 +8,7 @@ import radiosity.world.RoundListener;
 import radiosity.world.Solution;
 
 /**
- * What happens after every round: progress, files of {@code -si} and {@code -sn}, and whether to go on.
+ * What happens after every round: progress, journal, files of {@code -si} and {@code -sn}, and whether to go on.
  *
  * <p>A file that cannot be written now is told and does not end the calculation.
  */
@@ -19,15 +19,17 @@ final class Rounds implements RoundListener {
     private final FileOptions when;
     private final Integer snapshots;
     private final OutputFiles files;
+    private final Journal journal;
     private final ProgressDisplay display;
     private final StopRequest stop;
     private int before;
 
     Rounds(ProgressiveRadiosity radiosity, RadiositySettings settings, RendererOptions options, OutputFiles files,
-           ProgressDisplay display, StopRequest stop) {
+           Journal journal, ProgressDisplay display, StopRequest stop) {
         this.radiosity = radiosity;
         this.settings = settings;
         this.files = files;
+        this.journal = journal;
         this.display = display;
         this.stop = stop;
         when = options.file;
@@ -39,6 +41,7 @@ final class Rounds implements RoundListener {
     public boolean afterRound(Progress progress) {
         display.show(progress);
         try {
+            journal.keep(radiosity);
             save(passed(when.saveInterval, progress.shots()), passed(snapshots, progress.shots()));
         } catch (Failure | IOException e) {
             display.message(Outcome.line(e));

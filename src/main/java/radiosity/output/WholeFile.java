@@ -12,17 +12,18 @@ import java.nio.file.StandardOpenOption;
  *
  * <p>Whatever ends the program, the old file or the new one is there under its name.
  */
-final class WholeFile {
+public final class WholeFile {
 
     /** What writes the content. */
-    interface Content {
+    public interface Content {
         void writeTo(FileChannel channel) throws IOException;
     }
 
     private WholeFile() {
     }
 
-    static void write(Path file, Content content) throws IOException {
+    /** Replaces a file, or makes it. */
+    public static void write(Path file, Content content) throws IOException {
         Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
         if (Files.exists(target) && !Files.isRegularFile(target)) {
             throw new IOException(file + ": expected a file that can be replaced, got something else");

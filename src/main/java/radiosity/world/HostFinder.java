@@ -15,6 +15,9 @@ final class HostFinder implements AutoCloseable {
 
     private static final int CONNECT_SECONDS = 5;
     private static final int RETRY_SECONDS = 2;
+    /** A host is busy for a while after its master was killed. */
+    private static final int BUSY_SECONDS = 6;
+    private static final int BUSY_LOOK_MILLISECONDS = 300;
 
     private final byte[] task;
     private final String fingerprint;
@@ -61,8 +64,8 @@ final class HostFinder implements AutoCloseable {
     /** A session, or null where there can be none now. */
     private Host open(Link link, boolean tell) {
         try {
-            FutureTask<Host> opening = Host.start(() -> session(link));
-            Host host = opening.get(CONNECT_SECONDS, TimeUnit.SECONDS);
+            FutureTask<Host> opening = Host.start(() -> session(link, tell));
+            Host host = opening.get(CONNECT_SECONDS + (tell ? BUSY_SECONDS : 0), TimeUnit.SECONDS);
             host.await(Host.start(() -> host.load(task, fingerprint)));
             return host;
         } catch (TimeoutException e) {
@@ -91,9 +94,24 @@ final class HostFinder implements AutoCloseable {
         return null;
     }
 
-    private Host session(Link link) throws IOException {
-        RemotePartition remote = link.connect();
+    /** Who the host is, as soon as it is free; or who it is if it stays busy. */
+    private static Greeting greeting(RemotePartition remote, boolean patient) throws IOException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(patient ? BUSY_SECONDS : 0);
         Greeting greeting = Greeting.decode(remote.greet());
+        while (!greeting.busy().isEmpty() && System.nanoTime() < end) {
+            try {
+                TimeUnit.MILLISECONDS.sleep(BUSY_LOOK_MILLISECONDS);
+            } catch (InterruptedException e) {
+                return greeting;
+            }
+            greeting = Greeting.decode(remote.greet());
+        }
+        return greeting;
+    }
+
+    private Host session(Link link, boolean patient) throws IOException {
+        RemotePartition remote = link.connect();
+        Greeting greeting = greeting(remote, patient);
         if (!greeting.build().equals(Build.id())) {
             throw new RefusedException(greeting.version().equals(Build.version())
                     ? "runs another build of " + Build.version() + ": copy the jar there"

@@ -144,6 +144,11 @@ public final class ProgressiveRadiosity {
         return new Merger(world.mesh, blocks, dark).solution(shots, rounds, answer.unshotFlux.value(), ledger(), state(blocks));
     }
 
+    /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */
+    public byte[] state() throws IOException {
+        return state(world.blocks());
+    }
+
     private byte[] state(List<byte[]> blocks) {
         return Wire.bytes(out -> {
             out.writeUTF(world.mesh.fingerprint());

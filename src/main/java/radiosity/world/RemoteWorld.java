@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.Consumer;
 import radiosity.scene.Scene;
@@ -38,6 +39,7 @@ public final class RemoteWorld extends World {
     private final Dealing dealing;
     private final ShotLog log = new ShotLog();
     private final Cadence checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS);
+    private final RoundTimes times = new RoundTimes();
     private final Balance balance = new Balance();
     private final List<Host> hosts = new ArrayList<>();
     private final List<HostStatistics> gone = new ArrayList<>();
@@ -88,9 +90,11 @@ public final class RemoteWorld extends World {
         }
         while (true) {
             long now = ++number;
+            long begin = System.nanoTime();
             byte[] ask = bytes;
             Map<Host, Reply> replies = onAll(hosts, host -> host.round(now, ask));
             if (lost.isEmpty()) {
+                times.add(replies.values(), (System.nanoTime() - begin) * 1e-9);
                 return answers(replies, order);
             }
             recover();
@@ -275,11 +279,11 @@ public final class RemoteWorld extends World {
         recover();
     }
 
-    /** One per host that is or was there. */
-    public List<HostStatistics> statistics() {
+    /** What was computed where so far. */
+    public WorldStatistics statistics() {
         List<HostStatistics> all = new ArrayList<>(gone);
         hosts.forEach(host -> all.add(host.load.statistics(host.name(), "working", dealing.blocks(host).size())));
-        return all;
+        return times.statistics(all);
     }
 
     @Override
@@ -294,7 +298,7 @@ public final class RemoteWorld extends World {
     private static void finish(FutureTask<Object> closing) {
         try {
             closing.get();
-        } catch (java.util.concurrent.ExecutionException | InterruptedException e) {
+        } catch (ExecutionException | InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }

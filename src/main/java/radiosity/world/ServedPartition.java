@@ -21,6 +21,8 @@ final class ServedPartition implements RemotePartition {
 
     /** How long a master may be silent: more than its heartbeat takes to be noticed as missing, and no longer. */
     static final int LEASE_SECONDS = 12;
+    /** How long before another master, or the same one started anew, may have the host. */
+    private static final int TAKEOVER_SECONDS = 4;
     /** Bytes of block states in one answer; one state may be larger. */
     private static final int ANSWER_BYTES = 8 << 20;
 
@@ -65,14 +67,14 @@ final class ServedPartition implements RemotePartition {
 
     @Override
     public synchronized byte[] greet() {
-        expire();
+        expire(TAKEOVER_SECONDS);
         String busy = current == null ? "" : "busy for " + current.master + " since " + current.since;
         return new Greeting(Build.version(), Build.id(), threads, Runtime.getRuntime().maxMemory(), busy).encode();
     }
 
     @Override
     public synchronized void open(long id, byte[] master) {
-        expire();
+        expire(TAKEOVER_SECONDS);
         if (current != null) {
             throw new IllegalStateException("busy for " + current.master + " since " + current.since);
         }
@@ -82,8 +84,12 @@ final class ServedPartition implements RemotePartition {
     }
 
     /** Frees what a master that is gone has left behind. */
-    synchronized void expire() {
-        if (current != null && clock.getAsLong() - current.heard > LEASE_SECONDS * 1_000_000_000L) {
+    void expire() {
+        expire(LEASE_SECONDS);
+    }
+
+    private synchronized void expire(int seconds) {
+        if (current != null && clock.getAsLong() - current.heard > seconds * 1_000_000_000L) {
             log.accept(current.master + " is gone");
             current = null;
         }

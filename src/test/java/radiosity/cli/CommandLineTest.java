@@ -122,10 +122,10 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"--statistics a b"})
-    void whatIsNotBuilt_isRefused(String commandLine) {
+    @ValueSource(strings = {"--statistics a b", "-key k a b"})
+    void whatNeedsHosts_isRefusedWithout(String commandLine) {
         Failure failure = assertThrows(Failure.class, () -> parse(commandLine));
-        assertTrue(failure.getMessage().endsWith("not built yet"), failure.getMessage());
+        assertTrue(failure.getMessage().endsWith("expected with -h, got it without"), failure.getMessage());
         assertEquals(ExitCode.COMMAND_LINE, failure.exitCode());
     }
 

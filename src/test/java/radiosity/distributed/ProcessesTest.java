@@ -1,6 +1,8 @@
 package radiosity.distributed;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -12,6 +14,8 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.output.SceneFile;
 import radiosity.world.HostAddress;
 import radiosity.world.Progress;
 import radiosity.world.ProgressiveRadiosity;
@@ -140,6 +144,38 @@ class ProcessesTest {
             assertEquals(1, second.waitFor(), said);
             assertEquals("-port: expected a port that is free or an rmiregistry's, got " + a.port()
                     + ", which is taken", said.strip());
+        }
+    }
+
+    /** The same command goes on from the journal, and the hosts have noticed that their master is gone. */
+    @Test
+    void killedMaster_isResumed(@TempDir Path directory) throws Exception {
+        Path output = directory.resolve("foobar.scene");
+        Path journal = directory.resolve("foobar.scene.journal");
+        String[] local = {"-it", "600", "-pa", "1500", "-nr", "60", "scenes/cornell-box.lws",
+            directory.resolve("local.scene").toString()};
+        String[] there = {"-h", "1", "", "-it", "600", "-pa", "1500", "-nr", "60", "scenes/cornell-box.lws",
+            output.toString()};
+        Process reference = Server.start("radiosity.cli.RadiosityRenderer", local);
+        String said = new String(reference.getInputStream().readAllBytes());
+        assertEquals(0, reference.waitFor(), said);
+        try (Server host = new Server()) {
+            there[2] = host.address();
+            Process master = Server.start("radiosity.cli.RadiosityRenderer", there);
+            while (master.isAlive() && !Files.exists(journal)) {
+                Thread.sleep(20);
+            }
+            master.destroyForcibly().waitFor();
+            assertTrue(Files.exists(journal), "cut off before its end");
+            Process second = Server.start("radiosity.cli.RadiosityRenderer", there);
+            String secondSaid = new String(second.getInputStream().readAllBytes());
+            assertEquals(0, second.waitFor(), secondSaid);
+            assertTrue(secondSaid.contains("foobar.scene.journal: going on after "), secondSaid);
+        }
+        assertFalse(Files.exists(journal));
+        try (SceneFile expected = SceneFile.open(directory.resolve("local.scene"));
+                SceneFile got = SceneFile.open(output)) {
+            assertArrayEquals(expected.state(), got.state());
         }
     }
 }

@@ -14,7 +14,6 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -111,7 +110,7 @@ class RemoteWorldTest {
             });
             assertSame(local(schedule), rounds.solution());
             assertTrue(said("host igge joined"), notices::toString);
-            assertTrue(Stream.of(world.statistics()).flatMap(List::stream)
+            assertTrue(world.statistics().hosts().stream()
                     .anyMatch(host -> host.name().equals("igge") && host.blocks() > 0), "it works again");
         }
     }

@@ -1,0 +1,29 @@
+package radiosity.world;
+
+import java.util.Collection;
+import java.util.List;
+
+/** Sums over the rounds of a {@link RemoteWorld}. */
+final class RoundTimes {
+
+    private final long begin = System.nanoTime();
+    private int rounds;
+    private double criticalPath;
+    private double cpu;
+    private double slowest;
+    private double wall;
+
+    /** @param seconds wall time of the round */
+    void add(Collection<Reply> replies, double seconds) {
+        rounds++;
+        criticalPath += replies.stream().mapToDouble(Reply::cpu).max().orElse(0);
+        cpu += replies.stream().mapToDouble(Reply::cpu).sum();
+        slowest += replies.stream().mapToDouble(Reply::seconds).max().orElse(0);
+        wall += seconds;
+    }
+
+    WorldStatistics statistics(List<HostStatistics> hosts) {
+        double all = (System.nanoTime() - begin) * 1e-9;
+        return new WorldStatistics(hosts, rounds, criticalPath, cpu, wall - slowest, all - wall);
+    }
+}
