@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -46,10 +47,29 @@ public final class ScalingTable {
 
     private static WorldStatistics solve(Scene scene, RadiositySettings settings, StopRule stop, int hosts)
             throws IOException {
-        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, TestLink.sound(hosts, 1))) {
+        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, links(hosts))) {
             new ProgressiveRadiosity(world, stop).run(progress -> true);
             return world.statistics();
         }
+    }
+
+    /** Hosts that compute one after the other, so that none is slowed by the others. */
+    private static List<Link> links(int hosts) {
+        List<Link> links = TestLink.sound(hosts, 1);
+        Object turn = new Object();
+        for (Link link : links) {
+            RemotePartition alone = ((TestLink) link).behind;
+            ((TestLink) link).behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
+                    new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
+                        if (!method.getName().equals("round")) {
+                            return method.invoke(alone, arguments);
+                        }
+                        synchronized (turn) {
+                            return method.invoke(alone, arguments);
+                        }
+                    });
+        }
+        return links;
     }
 
     private static void print(int hosts, WorldStatistics statistics, double wall, double one) {
