@@ -110,6 +110,12 @@ final class Display {
         stage.look(camera(), scene.origin(), extent);
     }
 
+    /** Puts everything where it belongs in a window of another size. */
+    void resized() {
+        look();
+        overlay();
+    }
+
     Camera camera() {
         int height = Math.max(1, stage.canvas().getHeight());
         return walker.camera((double) Math.max(1, stage.canvas().getWidth()) / height);
@@ -234,7 +240,7 @@ final class Display {
         if (help) {
             labels.add(new Overlay.Label(Overlay.help(), EDGE, EDGE));
         }
-        stage.canvas().overlay(labels);
+        stage.canvas().overlay(Overlay.of(labels, width, height));
         stage.redraw();
     }
 

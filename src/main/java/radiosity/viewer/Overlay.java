@@ -33,6 +33,27 @@ final class Overlay {
      */
     record Label(BufferedImage image, int x, int y) { }
 
+    /**
+     * All labels in one image: Java 3D cuts a second one to the size of the first.
+     *
+     * @param width  of the window, pixels
+     * @param height of the window, pixels
+     * @return null where there are none
+     */
+    static BufferedImage of(List<Label> labels, int width, int height) {
+        if (labels.isEmpty()) {
+            return null;
+        }
+        BufferedImage whole = new BufferedImage(Math.max(1, width), Math.max(1, height),
+                BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = whole.createGraphics();
+        for (Label label : labels) {
+            g.drawImage(label.image(), label.x(), label.y(), null);
+        }
+        g.dispose();
+        return whole;
+    }
+
     /** Lines of text in a panel. */
     static BufferedImage text(List<String> lines) {
         FontMetrics metrics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics()

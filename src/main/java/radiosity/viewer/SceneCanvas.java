@@ -2,7 +2,6 @@ package radiosity.viewer;
 
 import java.awt.GraphicsConfiguration;
 import java.awt.image.BufferedImage;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jogamp.java3d.Appearance;
@@ -20,16 +19,16 @@ final class SceneCanvas extends Canvas3D {
 
     /** Draws nothing that can be seen, but without a shader: Java 3D draws the overlay with the last one. */
     private final Shape3D plain = new Shape3D(new PointArray(1, GeometryArray.COORDINATES), new Appearance());
-    private volatile List<Overlay.Label> overlay = List.of();
+    private volatile BufferedImage overlay;
     private final AtomicReference<CompletableFuture<BufferedImage>> wanted = new AtomicReference<>();
 
     SceneCanvas(GraphicsConfiguration configuration) {
         super(configuration);
     }
 
-    /** @param labels drawn over the scene; their images are not modified afterwards */
-    void overlay(List<Overlay.Label> labels) {
-        overlay = List.copyOf(labels);
+    /** @param image drawn over the scene from the upper left corner on, not modified afterwards; null for nothing */
+    void overlay(BufferedImage image) {
+        overlay = image;
     }
 
     /** A copy of the next picture; somebody must see to it that it is drawn. */
@@ -40,11 +39,10 @@ final class SceneCanvas extends Canvas3D {
     /** Called by Java 3D when the scene is drawn and not yet shown. */
     @Override
     public void postRender() {
-        if (!overlay.isEmpty()) {
+        BufferedImage text = overlay;
+        if (text != null) {
             getGraphicsContext3D().draw(plain);
-        }
-        for (Overlay.Label label : overlay) {
-            getGraphics2D().drawAndFlushImage(label.image(), label.x(), label.y(), this);
+            getGraphics2D().drawAndFlushImage(text, 0, 0, this);
         }
         CompletableFuture<BufferedImage> copy = wanted.getAndSet(null);
         if (copy != null) {

@@ -12,6 +12,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -56,7 +57,7 @@ public final class Walkthrough {
         stage.canvas().addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
-                display.look();
+                display.resized();
             }
         });
     }
@@ -80,7 +81,7 @@ public final class Walkthrough {
      * Opens a window and returns when it is closed, or with a screenshot asked for, when that is written.
      *
      * @throws DisplayException if there is no display, or one without OpenGL 2
-     * @throws IOException      if the screenshot cannot be written
+     * @throws IOException      if a texture cannot be read, or the screenshot not be written
      */
     public static void show(LitScene scene, ViewSettings settings) throws DisplayException, IOException {
         Walkthrough walkthrough = open(scene, settings);
@@ -98,7 +99,7 @@ public final class Walkthrough {
         }
     }
 
-    static Walkthrough open(LitScene scene, ViewSettings settings) throws DisplayException {
+    static Walkthrough open(LitScene scene, ViewSettings settings) throws DisplayException, IOException {
         try {
             if (GraphicsEnvironment.isHeadless()) {
                 throw new DisplayException(noDisplay("none"), null);
@@ -110,6 +111,9 @@ public final class Walkthrough {
             });
             return opened.get();
         } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof UncheckedIOException unreadable) {
+                throw unreadable.getCause();
+            }
             throw new DisplayException(noDisplay(String.valueOf(e.getCause())), e);
         } catch (AWTError | UnsatisfiedLinkError | NoClassDefFoundError e) {
             throw new DisplayException(noDisplay(e.getMessage()), e);

@@ -10,7 +10,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 
-/** Writes the scene file of a room with many elements, to measure how fast it opens (docs/PERFORMANCE.md). */
+/** Writes the scene file of a room with many elements, to measure how fast it opens (docs/VIEWER.md). */
 public final class LargeSceneFile {
 
     /** Of its textures, per scene unit. */

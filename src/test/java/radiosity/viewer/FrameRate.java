@@ -14,7 +14,7 @@ import radiosity.output.Mesh;
 import radiosity.output.TexturedMesh;
 import radiosity.output.ToneMapping;
 
-/** Measures section 5.3 of the paper, textures against triangles; docs/PERFORMANCE.md has the command and figures. */
+/** Measures section 5.3 of the paper, textures against triangles; docs/VIEWER.md has the command and figures. */
 final class FrameRate {
 
     private static final int FRAMES = 100;

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.cli.RadiosityRenderer;
 import radiosity.cli.ViewSceneFile;
+import radiosity.output.LargeSceneFile;
 
 /** ViewSceneFile as a program of its own. */
 class ViewSceneFileTest {
@@ -144,6 +145,21 @@ class ViewSceneFileTest {
         refused(Files.writeString(folder.resolve("newer.scene"), newer, StandardCharsets.ISO_8859_1),
                 "newer program");
         refused(folder.resolve("absent.scene"), "none");
+    }
+
+    @Test
+    void millionTriangles_openInHalfAGibibyte() throws Exception {
+        Path large = folder.resolve("large.scene");
+        assertEquals(new Ended("", 0), run(Xvfb.java(LargeSceneFile.class, large.toString(), "1000000")));
+        try (Xvfb display = new Xvfb()) {
+            Path picture = folder.resolve("large.png");
+            ProcessBuilder program = display.program(ViewSceneFile.class, "--screenshot", picture.toString(), "--size",
+                    "200x150", large.toString());
+            program.command().set(program.command().indexOf("-Xmx2g"), "-Xmx512m");
+            assertEquals(new Ended("", 0), run(program));
+            Color wall = new Color(Rendered.picture(picture).getRGB(100, 50));
+            assertTrue(wall.getGreen() > wall.getBlue() + 40, "higher is greener: " + wall);
+        }
     }
 
     @Test
