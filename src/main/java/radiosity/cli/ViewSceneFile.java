@@ -44,15 +44,15 @@ public final class ViewSceneFile {
     private void view() throws IOException {
         FileChecks checks = new FileChecks();
         checks.input(options.file());
-        if (options.screenshot != null) {
-            checks.output(options.screenshot);
+        if (options.window.screenshot != null) {
+            checks.output(options.window.screenshot);
         }
-        if (options.web) {
+        if (options.window.web) {
             serve();
             return;
         }
         LitScene scene = scene();
-        if (options.textures && scene.textures().isEmpty()) {
+        if (options.window.textures && scene.textures().isEmpty()) {
             throw Failure.file(options.file(), "expected textures (RadiosityRenderer -ut <n>), got none", null);
         }
         try {
@@ -64,18 +64,18 @@ public final class ViewSceneFile {
 
     /** Until the process is ended, as by Ctrl-C. */
     private void serve() throws IOException {
-        try (WebPage page = new WebPage(options.file(), options.curve, options.exposure, options.port)) {
+        try (WebPage page = new WebPage(options.file(), options.window.curve, options.window.exposure, options.window.port)) {
             System.out.println(page.address());
             Thread.sleep(Long.MAX_VALUE);
         } catch (BindException e) {
-            throw Failure.failed("--port: expected a free port, got " + options.port + ", which is in use", e);
+            throw Failure.failed("--port: expected a free port, got " + options.window.port + ", which is in use", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
     private LitScene scene() throws IOException {
-        return options.lightWave ? LitScene.unlit(
+        return options.window.lightWave ? LitScene.unlit(
                 LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print))
                 : LitScene.read(options.file());
     }

@@ -1,0 +1,59 @@
+package radiosity.cli;
+
+import java.nio.file.Path;
+import picocli.CommandLine.Option;
+import radiosity.output.ToneMapping;
+
+/** What {@link ViewSceneFile} shows, and where (appendix C.5 of the paper). */
+final class WindowOptions {
+
+    static final int USUAL_WIDTH = 800;
+
+    @Option(names = {"-wf", "--wireframe"}, description = "Use wireframes.")
+    boolean wireframe;
+
+    @Option(names = {"-ut", "--use-textures"},
+            description = "Use textures. Only if the scene was rendered with -ut.")
+    boolean textures;
+
+    @Option(names = {"-lw", "--lightwave"}, description = "View a LightWave file, not lit.")
+    boolean lightWave;
+
+    @Option(names = "--screenshot", paramLabel = "<file.png>",
+            description = "Write a picture of the window and close it.")
+    Path screenshot;
+
+    @Option(names = "--size", paramLabel = "<WxH>", converter = PictureSize.Parser.class,
+            description = "Size of the picture in pixels. Default: " + USUAL_WIDTH + " wide, as high as the scene's"
+                    + " camera has it.")
+    PictureSize size;
+
+    @Option(names = "--exposure", paramLabel = "<stops>", converter = PictureOptions.Stops.class,
+            description = "How much brighter than chosen from the scene, in stops; each doubles. Default: 0.")
+    double exposure;
+
+    @Option(names = "--tone-mapping", paramLabel = "<curve>", converter = PictureOptions.CurveParser.class,
+            description = "From radiosity to screen: linear, reinhard (default) or filmic.")
+    ToneMapping.Operator curve = ToneMapping.Operator.REINHARD;
+
+    @Option(names = "--web", description = "Serve a page for a browser on this machine instead of a window, until the"
+            + " program is ended.")
+    boolean web;
+
+    @Option(names = "--port", paramLabel = "<n>", converter = PortParser.class,
+            description = "Where to serve it, 0 for any free port. Default: 8080.")
+    int port = 8080;
+
+    /** Reads a port. */
+    static final class PortParser extends Values.Value<Integer> {
+        @Override
+        String expected() {
+            return "a port from 0 to 65535";
+        }
+
+        @Override
+        Integer parse(String text) {
+            return Values.whole(text, 0, 65535);
+        }
+    }
+}
