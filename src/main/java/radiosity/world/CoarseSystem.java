@@ -21,6 +21,7 @@ final class CoarseSystem {
 
     private static final int MOST_SWEEPS = 2000;
     private static final double ENOUGH = 1e-5;
+    private static final int SWEEPS_PER_CORRECTION = 8;
     /** What an empty row takes on the wire, and what one entry of a row. */
     private static final int ROW_BYTES = 13;
     private static final int ENTRY_BYTES = 24;
@@ -35,6 +36,8 @@ final class CoarseSystem {
     private final int[][] column;
     /** Per vertex: weights of the three corners of each of them. */
     private final float[][] entry;
+    /** Channels per vertex: irradiance that comes of all exitance, W/m²; null until it is needed. */
+    private double[] mode;
 
     CoarseSystem(InitialMesh mesh) {
         faces = mesh.faces;
@@ -107,6 +110,13 @@ final class CoarseSystem {
      * @return channels per vertex, W/m²
      */
     double[] irradiance(double[] unshot) {
+        if (mode == null) {
+            mode = solution(exitance());
+        }
+        return solution(unshot);
+    }
+
+    private double[] solution(double[] unshot) {
         double[] h = new double[channels * nodes.vertices()];
         for (int c = 0; c < channels; c++) {
             solve(unshot, h, c);
@@ -114,27 +124,71 @@ final class CoarseSystem {
         return h;
     }
 
-    /** Gauss-Seidel (section 2.1 of the paper). */
+    /** E, channels per node. */
+    private double[] exitance() {
+        double[] e = noUnshot();
+        for (int i = 0; i < e.length; i++) {
+            e[i] = faces.exitance(nodes.face(i / channels), i % channels);
+        }
+        return e;
+    }
+
+    /**
+     * Gauss-Seidel (section 2.1 of the paper). In white rooms it leaves an error of the shape of the light itself, which
+     * falls by the reflectance per sweep only; that one is taken out now and then: as much of that shape is added as
+     * makes the sum of the equations hold.
+     */
     private void solve(double[] unshot, double[] h, int c) {
         double change = Double.POSITIVE_INFINITY;
         double size = 0;
-        for (int sweep = 0; sweep < MOST_SWEEPS && change > ENOUGH * size; sweep++) {
+        for (int sweep = 1; sweep <= MOST_SWEEPS && change > ENOUGH * size; sweep++) {
+            if (sweep % SWEEPS_PER_CORRECTION == 0) {
+                correct(unshot, h, c);
+            }
             change = 0;
             size = 0;
             for (int v = 0; v < column.length; v++) {
-                double sum = 0;
-                for (int i = 0; i < column[v].length; i++) {
-                    int patch = column[v][i];
-                    double rho = faces.reflectance(nodes.face(patch), c);
-                    double u = unshot[channels * patch + c];
-                    for (int k = 0; k < 3; k++) {
-                        sum += entry[v][3 * i + k] * (u + rho * corner(patch, k, h, c));
-                    }
-                }
+                double sum = direct(v, unshot, c) + indirect(v, h, c);
                 change += Math.abs(sum - h[channels * v + c]);
                 size += Math.abs(sum);
                 h[channels * v + c] = sum;
             }
+        }
+    }
+
+    /** What arrives at a vertex from unshot radiosity. */
+    private double direct(int v, double[] unshot, int c) {
+        double sum = 0;
+        for (int i = 0; i < column[v].length; i++) {
+            double u = unshot[channels * column[v][i] + c];
+            sum += ((double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2]) * u;
+        }
+        return sum;
+    }
+
+    /** What arrives at a vertex by reflection of irradiance. */
+    private double indirect(int v, double[] h, int c) {
+        double sum = 0;
+        for (int i = 0; i < column[v].length; i++) {
+            int patch = column[v][i];
+            double rho = faces.reflectance(nodes.face(patch), c);
+            for (int k = 0; k < 3; k++) {
+                sum += entry[v][3 * i + k] * rho * corner(patch, k, h, c);
+            }
+        }
+        return sum;
+    }
+
+    private void correct(double[] unshot, double[] h, int c) {
+        double[] shape = mode == null ? h.clone() : mode;
+        double missing = 0;
+        double unit = 0;
+        for (int v = 0; v < column.length; v++) {
+            missing += direct(v, unshot, c) + indirect(v, h, c) - h[channels * v + c];
+            unit += shape[channels * v + c] - indirect(v, shape, c);
+        }
+        for (int v = 0; v < column.length && unit > 0; v++) {
+            h[channels * v + c] += missing / unit * shape[channels * v + c];
         }
     }
 

@@ -28,7 +28,7 @@ class EnclosuresTest {
 
     private static final String FILE = "enclosures.json";
 
-    private static final Set<String> WHITE = Set.of("furnace-cube-0.999", "furnace-block-0.9");
+    private static final Set<String> WHITE = Set.of("furnace-block-0.9");
 
     static Stream<String> furnaces() {
         return ids("furnace").filter(id -> !WHITE.contains(id));
@@ -57,7 +57,7 @@ class EnclosuresTest {
         }
     }
 
-    @Disabled("reached -0.216 % in furnace-cube-0.999 and +0.141 % in furnace-block-0.9")
+    @Disabled("reached +0.141 %: the visible share is sampled")
     @ParameterizedTest
     @MethodSource("whiteFurnaces")
     void whiteFurnace_isExactOnAverage(String id) {
