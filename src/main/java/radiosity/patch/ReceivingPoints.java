@@ -40,8 +40,13 @@ final class ReceivingPoints {
      * @param with 0 in the initial mesh, else number of the split: only vertices of one split are shared
      */
     int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with) {
+        return vertex(f, w, wAt, depth, at, from, with, with);
+    }
+
+    /** @param shared 0 where all of this place are one vertex, else what those that are one have in common */
+    private int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with, long shared) {
         long id = VertexKey.of(patcher.faces(), f, w, wAt);
-        int v = index.findOrAdd(with == 0 ? id : Hash.mix(id, with), count);
+        int v = index.findOrAdd(with == 0 ? id : Hash.mix(id, shared), count);
         if (v < count) {
             return v;
         }
@@ -57,14 +62,19 @@ final class ReceivingPoints {
         return v;
     }
 
-    /** The vertex halfway between two; a new one has received what they have in the mean. */
+    /**
+     * The vertex halfway between two; a new one has received what they have in the mean. It is shared only by who has
+     * both ends in common: ends of different histories would give it another value from each side, and which of them
+     * came first would depend on how blocks are dealt.
+     */
     int between(int u, int v, int f, int[] w, int depth, int with) {
         float[] at = new float[3];
         for (int a = 0; a < 3; a++) {
             at[a] = 0.5f * (position[3 * u + a] + position[3 * v + a]);
         }
         int known = count;
-        int middle = vertex(f, w, 0, depth, at, 0, with);
+        long ends = Hash.mix(Math.min(u, v), Math.max(u, v));
+        int middle = vertex(f, w, 0, depth, at, 0, with, Hash.mix(ends, with));
         for (int c = 0; c < channels && middle == known; c++) {
             irradiance[channels * middle + c] = 0.5 * (irradiance[channels * u + c] + irradiance[channels * v + c]);
         }
