@@ -65,6 +65,10 @@ final class Display {
         new Mouse(this).listenTo(stage.canvas());
     }
 
+    Walking walking() {
+        return walking;
+    }
+
     /** Shows another scene from where the user stands. */
     void show(LitScene other) {
         scene = other;

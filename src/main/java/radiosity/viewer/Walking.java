@@ -4,12 +4,13 @@ import java.awt.event.KeyEvent;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
 import javax.swing.Timer;
 
 /** Walks while keys are held down, as fast as the scene is large; on the event thread. */
 final class Walking {
 
-    private static final int FRAME_MILLISECONDS = 15;
+    static final int FRAME_MILLISECONDS = 15;
     /** Per second, of the scene's size. */
     private static final double SPEED = 0.12;
     private static final double HURRY = 4;
@@ -27,7 +28,9 @@ final class Walking {
     private final DoubleSupplier size;
     /** Key codes, with the time of their release or {@link #HELD}. */
     private final Map<Integer, Long> keys = new HashMap<>();
-    private final Timer timer = new Timer(FRAME_MILLISECONDS, e -> tick(System.nanoTime()));
+    private final Timer timer = new Timer(FRAME_MILLISECONDS, e -> tick());
+    /** Nanoseconds from any beginning. */
+    private LongSupplier clock = System::nanoTime;
     private boolean hurry;
     private double pace = 1;
     private long last;
@@ -39,6 +42,12 @@ final class Walking {
         this.size = size;
     }
 
+    /** @param other nanoseconds from any beginning; {@link System#nanoTime} unless this is called */
+    void clock(LongSupplier other) {
+        clock = other;
+        last = clock.getAsLong();
+    }
+
     /** Returns whether the key is one of walking. */
     boolean pressed(int key, boolean shift) {
         if (!walks(key)) {
@@ -47,14 +56,14 @@ final class Walking {
         hurry = shift;
         keys.put(key, HELD);
         if (!timer.isRunning()) {
-            last = System.nanoTime();
+            last = clock.getAsLong();
             timer.start();
         }
         return true;
     }
 
     void released(int key) {
-        keys.computeIfPresent(key, (k, time) -> System.nanoTime());
+        keys.computeIfPresent(key, (k, time) -> clock.getAsLong());
     }
 
     /** Lets go of every key, as when the window is no longer the one typed into. */
@@ -77,7 +86,9 @@ final class Walking {
         };
     }
 
-    private void tick(long now) {
+    /** Walks for the time since the last call. */
+    void tick() {
+        long now = clock.getAsLong();
         double seconds = Math.min(LONGEST, (now - last) / 1e9);
         last = now;
         double way = seconds * SPEED * size.getAsDouble() * pace * (hurry ? HURRY : 1);

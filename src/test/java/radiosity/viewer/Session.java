@@ -1,14 +1,18 @@
 package radiosity.viewer;
 
-import java.awt.Point;
+import java.awt.KeyboardFocusManager;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.InputStreamReader;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
 import javax.imageio.ImageIO;
 import javax.swing.SwingUtilities;
 import radiosity.output.LitScene;
@@ -16,21 +20,30 @@ import radiosity.output.ToneMapping;
 import radiosity.scene.Camera;
 
 /**
- * A window that is used as a person would, by lines on standard input; each is answered by one line.
+ * A window that is used by lines on standard input; each is answered by one line.
  *
- * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y; probe X Y; camera; exposure; shot FILE
+ * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y; probe X Y; camera; exposure; shot FILE; real KEY
+ *
+ * <p>Keys and mouse are events given to the canvas, and time is a counter: however busy the machine is, a key is held
+ * for as long as it says. Only {@code real} presses a key of the display, until the window has walked.
  */
 final class Session {
 
-    private static final int SETTLE = 150;
+    private static final long STEP = Walking.FRAME_MILLISECONDS * 1_000_000L;
+    /** A key of the display that has done nothing after so many looks is pressed again. */
+    private static final int LOOKS = 100;
+    private static final int MOST_PRESSES = 60;
+    private static final int LOOK_MILLISECONDS = 10;
 
     private final Walkthrough window;
-    private final Robot robot;
+    private volatile long nanoseconds;
 
     private Session(Walkthrough window) throws Exception {
         this.window = window;
-        robot = new Robot();
-        robot.setAutoWaitForIdle(true);
+        onEventThread(() -> {
+            window.display().walking().clock(() -> nanoseconds);
+            return null;
+        });
     }
 
     /** @param arguments scene file, width, height */
@@ -40,12 +53,7 @@ final class Session {
                 ToneMapping.Operator.REINHARD, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
                 Optional.of(file), Optional.empty()));
         window.screenshot();
-        while (!window.canvas().hasFocus()) {
-            Thread.sleep(10);
-        }
         Session session = new Session(window);
-        // the first key of a fresh display may only tell its window which keyboard there is
-        session.hold(new String[] {"F9"}, SETTLE);
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
         for (String line = in.readLine(); line != null; line = in.readLine()) {
             System.out.println(session.answer(line.split(" ")));
@@ -54,17 +62,39 @@ final class Session {
         System.exit(0);
     }
 
+    private static <T> T onEventThread(Callable<T> task) throws Exception {
+        FutureTask<T> future = new FutureTask<>(task);
+        SwingUtilities.invokeAndWait(future);
+        return future.get();
+    }
+
     private String answer(String[] words) throws Exception {
+        return switch (words[0]) {
+            case "shot" -> String.valueOf(ImageIO.write(window.screenshot(), "png", new File(words[1])));
+            case "real" -> real(key(words[1]));
+            default -> onEventThread(() -> said(words));
+        };
+    }
+
+    private String said(String[] words) throws ReflectiveOperationException {
         switch (words[0]) {
-            case "hold" -> hold(words[1].split("\\+"), Integer.parseInt(words[2]));
+            case "hold" -> hold(words[1].split("\\+"), number(words, 2));
             case "click" -> mouse(number(words, 1), number(words, 2), number(words, 1), number(words, 2));
             case "drag" -> mouse(number(words, 1), number(words, 2), number(words, 3), number(words, 4));
-            case "shot" -> ImageIO.write(window.screenshot(), "png", new File(words[1]));
+            case "camera" -> {
+                return text(window.display().camera());
+            }
+            case "exposure" -> {
+                return String.valueOf(window.display().toneMapping().exposure());
+            }
+            case "probe" -> {
+                return window.display().probe(number(words, 1), number(words, 2)).map(Probe::lines)
+                        .map(lines -> String.join("; ", lines)).orElse("nothing");
+            }
             default -> {
-                return said(words);
+                return "unknown";
             }
         }
-        Thread.sleep(SETTLE);
         return "done";
     }
 
@@ -76,34 +106,73 @@ final class Session {
         return KeyEvent.class.getField("VK_" + name).getInt(null);
     }
 
-    private void hold(String[] keys, int milliseconds) throws Exception {
+    /** Presses keys, lets so much time go by in steps, and releases them. */
+    private void hold(String[] keys, int milliseconds) throws ReflectiveOperationException {
+        int modifiers = List.of(keys).contains("SHIFT") ? InputEvent.SHIFT_DOWN_MASK : 0;
         for (String key : keys) {
-            robot.keyPress(key(key));
+            give(KeyEvent.KEY_PRESSED, key(key), modifiers);
         }
-        Thread.sleep(milliseconds);
+        pass(milliseconds * 1_000_000L);
         for (String key : keys) {
-            robot.keyRelease(key(key));
+            give(KeyEvent.KEY_RELEASED, key(key), modifiers);
         }
+        window.display().walking().stop();
+    }
+
+    private void pass(long time) {
+        for (long end = nanoseconds + time; nanoseconds < end;) {
+            nanoseconds += STEP;
+            window.display().walking().tick();
+        }
+    }
+
+    /** Straight to the canvas: whether the window has the focus makes no difference. */
+    private void give(int id, int key, int modifiers) {
+        char typed = key < 128 ? Character.toLowerCase((char) key) : KeyEvent.CHAR_UNDEFINED;
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(window.canvas(),
+                new KeyEvent(window.canvas(), id, 0, modifiers, key, typed));
     }
 
     private void mouse(int x0, int y0, int x1, int y1) {
-        Point corner = window.canvas().getLocationOnScreen();
-        robot.mouseMove(corner.x + x0, corner.y + y0);
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        robot.mouseMove(corner.x + x1, corner.y + y1);
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        move(MouseEvent.MOUSE_PRESSED, x0, y0);
+        if (x0 != x1 || y0 != y1) {
+            move(MouseEvent.MOUSE_DRAGGED, x1, y1);
+        }
+        move(MouseEvent.MOUSE_RELEASED, x1, y1);
     }
 
-    private String said(String[] words) throws Exception {
-        String[] answer = new String[1];
-        SwingUtilities.invokeAndWait(() -> answer[0] = switch (words[0]) {
-            case "camera" -> text(window.display().camera());
-            case "exposure" -> String.valueOf(window.display().toneMapping().exposure());
-            case "probe" -> window.display().probe(number(words, 1), number(words, 2)).map(Probe::lines)
-                    .map(lines -> String.join("; ", lines)).orElse("nothing");
-            default -> "unknown";
-        });
-        return answer[0];
+    private void move(int id, int x, int y) {
+        window.canvas().dispatchEvent(new MouseEvent(window.canvas(), id, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1,
+                false, MouseEvent.BUTTON1));
+    }
+
+    /**
+     * Holds a key of the display until the window has walked a step: the first key of a fresh display may only tell its
+     * window which keyboard there is.
+     */
+    private String real(int key) throws Exception {
+        Robot robot = new Robot();
+        String before = onEventThread(() -> text(window.display().camera()));
+        for (int press = 0; press < MOST_PRESSES; press++) {
+            robot.keyPress(key);
+            boolean walked = walks(before);
+            robot.keyRelease(key);
+            if (walked) {
+                return "walked";
+            }
+        }
+        return "stands";
+    }
+
+    private boolean walks(String before) throws Exception {
+        for (int look = 0; look < LOOKS; look++) {
+            nanoseconds += STEP;
+            if (!onEventThread(() -> text(window.display().camera())).equals(before)) {
+                return true;
+            }
+            Thread.sleep(LOOK_MILLISECONDS);
+        }
+        return false;
     }
 
     /** Eye and direction, separated by spaces. */

@@ -27,8 +27,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The window on the Cornell box, used by key and mouse on a display in memory. */
-@org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable(named = "RADIOSITY_WINDOW_TESTS", matches = "1",
-        disabledReason = "keys and mouse of a real window depend on an idle machine; set RADIOSITY_WINDOW_TESTS=1")
 class WindowTest {
 
     /** Half the window shows the left wall at this height, and so on; pixels. */
@@ -110,6 +108,23 @@ class WindowTest {
     void picture_isTheRenderers() throws IOException {
         double difference = difference(shot("same"), Rendered.picture(folder.resolve("box.png")));
         assertTrue(difference <= 2, "mean difference " + difference + " of 255");
+    }
+
+    @Test
+    void keyOfTheDisplay_reachesTheWindow() throws IOException {
+        double[] start = camera();
+        assertEquals("walked", say("real UP"));
+        double[] there = camera();
+        assertTrue((there[0] - start[0]) * start[3] + (there[2] - start[2]) * start[5] > 0, "ahead");
+    }
+
+    @Test
+    void heldKey_walksAsFarAsItIsHeld() throws IOException {
+        double[] start = camera();
+        say("hold UP 150");
+        double once = camera()[2] - start[2];
+        say("hold UP 300");
+        assertEquals(3 * once, camera()[2] - start[2], 1e-9 * Math.abs(once));
     }
 
     @Test
