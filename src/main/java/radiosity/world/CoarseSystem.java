@@ -3,7 +3,9 @@ package radiosity.world;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.LongIndex;
@@ -32,10 +34,14 @@ final class CoarseSystem {
     private final int channels;
     /** Number of a vertex by its key. */
     private final LongIndex index;
-    /** Per vertex: the patches that it sees; null until known. */
+    /** Per vertex: the patches that it sees, as far as they are known. */
     private final int[][] column;
     /** Per vertex: weights of the three corners of each of them. */
     private final float[][] entry;
+    /** Shots of {@link #importance} of which the rows are known. */
+    private int taken;
+    /** Per vertex: up to which of them its own row is; several partitions may have it, and say the same. */
+    private final int[] parts;
     /** Channels per vertex: irradiance that comes of all exitance, W/m²; null until it is needed. */
     private double[] mode;
 
@@ -50,13 +56,27 @@ final class CoarseSystem {
         }
         column = new int[nodes.vertices()][];
         entry = new float[nodes.vertices()][];
+        Arrays.fill(column, new int[0]);
+        Arrays.fill(entry, new float[0]);
+        parts = new int[nodes.vertices()];
     }
 
-    /** @param rows of each partition: number of vertices, then for each its key, whether it is buried, its elements */
-    void take(List<byte[]> rows) throws IOException {
+    /**
+     * The next part of all rows: what is seen of the shots of {@link #importance} that come next.
+     *
+     * @param shots how many
+     * @param rows  of each partition: number of vertices, then for each its key, whether it is buried, its elements
+     */
+    void take(int shots, List<byte[]> rows) throws IOException {
+        taken += shots;
         for (byte[] part : rows) {
             read(Wire.input(part));
         }
+    }
+
+    /** Whether all rows are known as a whole. */
+    boolean isMade() {
+        return taken == blocks.size();
     }
 
     /** For each vertex its key, whether it is buried, and its {@link Rows}. */
@@ -67,9 +87,11 @@ final class CoarseSystem {
                 nodes.bury(v);
             }
             int size = Wire.count(in, ENTRY_BYTES);
-            column[v] = new int[size];
-            entry[v] = new float[3 * size];
-            for (int i = 0; i < size; i++) {
+            int from = parts[v] == taken ? column[v].length - size : column[v].length;
+            parts[v] = taken;
+            column[v] = Arrays.copyOf(column[v], from + size);
+            entry[v] = Arrays.copyOf(entry[v], 3 * (from + size));
+            for (int i = from; i < from + size; i++) {
                 column[v][i] = nodes.find(in.readInt(), in.readLong());
                 for (int k = 0; k < 3; k++) {
                     entry[v][3 * i + k] = in.readFloat();
@@ -107,19 +129,22 @@ final class CoarseSystem {
      * Irradiance that will come of unshot radiosity.
      *
      * @param unshot channels per node of the initial mesh, for patches, W/m²; not modified
-     * @return channels per vertex, W/m²
+     * @param goOn   asked now and then
+     * @return channels per vertex, W/m²; null where it was not to go on
      */
-    double[] irradiance(double[] unshot) {
+    double[] irradiance(double[] unshot, BooleanSupplier goOn) {
         if (mode == null) {
-            mode = solution(exitance());
+            mode = solution(exitance(), goOn);
         }
-        return solution(unshot);
+        return mode == null ? null : solution(unshot, goOn);
     }
 
-    private double[] solution(double[] unshot) {
+    private double[] solution(double[] unshot, BooleanSupplier goOn) {
         double[] h = new double[channels * nodes.vertices()];
         for (int c = 0; c < channels; c++) {
-            solve(unshot, h, c);
+            if (!solve(unshot, h, c, goOn)) {
+                return null;
+            }
         }
         return h;
     }
@@ -137,11 +162,16 @@ final class CoarseSystem {
      * Gauss-Seidel (section 2.1 of the paper). In white rooms it leaves an error of the shape of the light itself, which
      * falls by the reflectance per sweep only; that one is taken out now and then: as much of that shape is added as
      * makes the sum of the equations hold.
+     *
+     * @return whether it is solved; else it was not to go on
      */
-    private void solve(double[] unshot, double[] h, int c) {
+    private boolean solve(double[] unshot, double[] h, int c, BooleanSupplier goOn) {
         double change = Double.POSITIVE_INFINITY;
         double size = 0;
         for (int sweep = 1; sweep <= MOST_SWEEPS && change > ENOUGH * size; sweep++) {
+            if (!goOn.getAsBoolean()) {
+                return false;
+            }
             if (sweep % SWEEPS_PER_CORRECTION == 0) {
                 correct(unshot, h, c);
             }
@@ -154,6 +184,7 @@ final class CoarseSystem {
                 h[channels * v + c] = sum;
             }
         }
+        return true;
     }
 
     /** What arrives at a vertex from unshot radiosity. */

@@ -43,6 +43,8 @@ final class PartitionImpl implements Partition {
     private final RadiosityNodes nodes;
     /** Nodes that shoot together: single patches in the paper's schedule, else those of a block. */
     private final int[][] shooters;
+    /** The coarse mesh's vertices while their rows are made; else null. */
+    private RadiosityNodes coarse;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
 
@@ -62,14 +64,14 @@ final class PartitionImpl implements Partition {
         nodes = new RadiosityNodes(mesh.patcher, mine);
         shooters = mesh.predicts() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         flux = new double[shooters.length];
-        bury(0);
+        bury(nodes, 0);
         light(0);
     }
 
-    private void bury(int first) {
-        int count = nodes.vertices() - first;
+    private void bury(RadiosityNodes of, int first) {
+        int count = of.vertices() - first;
         crew.run((count + RUN - 1) / RUN, i ->
-                burial.look(nodes, first + i * RUN, Math.min(nodes.vertices(), first + (i + 1) * RUN)));
+                burial.look(of, first + i * RUN, Math.min(of.vertices(), first + (i + 1) * RUN)));
     }
 
     private int[][] patches() {
@@ -112,7 +114,7 @@ final class PartitionImpl implements Partition {
     private void split(Order order) {
         int known = nodes.vertices();
         new MeshRefinement(nodes, order.weight(), order.meshError()).splitAll(order.number());
-        bury(known);
+        bury(nodes, known);
         Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(known);
     }
@@ -167,21 +169,24 @@ final class PartitionImpl implements Partition {
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), of.vertexKey(v), shooter, sum);
     }
 
-    /** Rows of the coarse system for the vertices that this partition's blocks have in it. */
+    /** Rows of the coarse system for the vertices that this partition's blocks have in it, or parts of them. */
     private byte[] rows(Order order) {
-        RadiosityNodes coarse = new RadiosityNodes(mesh.coarse, mine);
+        if (coarse == null) {
+            coarse = coarse();
+        }
+        RadiosityNodes receivers = coarse;
+        coarse = order.more() ? coarse : null;
         Shooter[] all = shooters(order);
         RayCaster calculator = new RayCaster(bounds, 1, order.tolerance(), 1);
-        byte[][] row = new byte[coarse.vertices()][];
+        byte[][] row = new byte[receivers.vertices()][];
         crew.run(row.length, v -> {
-            burial.look(coarse, v, v + 1);
             Rows seen = new Rows();
-            for (int i = 0; i < all.length && !coarse.isBuried(v); i++) {
-                gather(calculator, all[i], coarse, v, seen);
+            for (int i = 0; i < all.length && !receivers.isBuried(v); i++) {
+                gather(calculator, all[i], receivers, v, seen);
             }
             row[v] = Wire.bytes(out -> {
-                out.writeLong(coarse.vertexKey(v));
-                out.writeBoolean(coarse.isBuried(v));
+                out.writeLong(receivers.vertexKey(v));
+                out.writeBoolean(receivers.isBuried(v));
                 seen.write(out);
             });
         });
@@ -191,6 +196,12 @@ final class PartitionImpl implements Partition {
                 out.write(bytes);
             }
         });
+    }
+
+    private RadiosityNodes coarse() {
+        RadiosityNodes made = new RadiosityNodes(mesh.coarse, mine);
+        bury(made, 0);
+        return made;
     }
 
     private void subdivide(int round) {
@@ -203,7 +214,7 @@ final class PartitionImpl implements Partition {
                 nodes.split(node, round);
             }
         }
-        bury(known);
+        bury(nodes, known);
     }
 
     private Answer answer(int most) {

@@ -3,6 +3,8 @@ package radiosity.world;
 import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
+import java.util.List;
+import java.util.function.BooleanSupplier;
 
 /** Decides who shoots in the next round; a schedule at work. */
 sealed interface Planner permits ShootAndSort, Prediction {
@@ -12,9 +14,13 @@ sealed interface Planner permits ShootAndSort, Prediction {
      *
      * @param last   what the partitions answered to the last one
      * @param unsent unshot flux relative to the emitted
-     * @return what to do, or null where nothing is left
+     * @param goOn   asked now and then where it takes long to decide; changes nothing
+     * @return what to do, or null where nothing is left, or where it was not to go on
      */
-    Order next(Answer last, double unsent) throws IOException;
+    Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException;
+
+    /** Told what the partitions answered to an order for {@link Order.Kind#ROWS}, or to a part of one. */
+    default void take(int shots, List<byte[]> rows) throws IOException { }
 
     /** Told that so many patches have shot. */
     void shot(int patches);

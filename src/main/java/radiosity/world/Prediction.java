@@ -5,6 +5,7 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import radiosity.patch.Faces;
 
 /**
@@ -41,7 +42,7 @@ final class Prediction implements Planner {
     private int elements;
     private boolean refined;
 
-    Prediction(World world) throws IOException {
+    Prediction(World world) {
         this.world = world;
         area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
         RadiositySettings settings = world.settings();
@@ -50,11 +51,22 @@ final class Prediction implements Planner {
         weight = new double[world.channels()];
         Arrays.fill(weight, 1);
         coarse = new CoarseSystem(world.mesh);
-        coarse.take(world.round(new Order(Order.Kind.ROWS, 0, false, coarse.importance(), ROW_TOLERANCE, weight, 0, 0)));
+    }
+
+    /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
+    private Order rows() {
+        double[] equal = new double[weight.length];
+        Arrays.fill(equal, 1);
+        return new Order(Order.Kind.ROWS, 0, false, coarse.importance(), ROW_TOLERANCE, equal, 0, 0);
     }
 
     @Override
-    public Order next(Answer last, double unsent) throws IOException {
+    public void take(int shots, List<byte[]> rows) throws IOException {
+        coarse.take(shots, rows);
+    }
+
+    @Override
+    public Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         boolean look = !refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent <= SETTLED;
         if (look) {
             return split(last);
@@ -65,7 +77,7 @@ final class Prediction implements Planner {
                 return gather();
             }
         }
-        return shoot(last);
+        return shoot(last, goOn);
     }
 
     private Order split(Answer last) {
@@ -80,13 +92,19 @@ final class Prediction implements Planner {
         return order(Order.Kind.GATHER, world.totals());
     }
 
-    private Order shoot(Answer last) {
+    private Order shoot(Answer last, BooleanSupplier goOn) {
         if (last.candidates.isEmpty()) {
             return null;
         }
+        if (!coarse.isMade()) {
+            return rows();
+        }
         double[] unshot = coarse.noUnshot();
         last.candidates.forEach(shot -> coarse.restrict(shot, unshot));
-        double[] h = coarse.irradiance(unshot);
+        double[] h = coarse.irradiance(unshot, goOn);
+        if (h == null) {
+            return null;
+        }
         if (stage == Stage.NOTHING) {
             weigh(last, h);
         }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import radiosity.scene.SceneFormatException;
 
@@ -14,9 +15,6 @@ import radiosity.scene.SceneFormatException;
  * <p>Who shoots is the schedule's choice, see {@link Schedule}.
  */
 public final class ProgressiveRadiosity {
-
-    /** How long a step may take: a stop is never farther away. */
-    private static final double STEP_SECONDS = 0.3;
 
     private final World world;
     private final StopRule stop;
@@ -32,8 +30,7 @@ public final class ProgressiveRadiosity {
     private Answer answer;
     /** The round whose new vertices have not gathered yet; 0 where there is none. */
     private int dark;
-    /** Shots per step, from how long the last one took; without influence on the result. */
-    private double pace = 1;
+    private final Pace pace = new Pace();
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this.world = world;
@@ -56,15 +53,27 @@ public final class ProgressiveRadiosity {
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (pending == null) {
-                pending = planner.next(answer, unsent());
+                pending = planner.next(answer, unsent(), nowAndThen(listener));
                 if (pending == null) {
                     return;
                 }
-                pending = pending.numbered(++rounds);
+                pending = pending.changes() ? pending.numbered(++rounds) : pending;
             }
             step();
             goOn = listener.afterRound(progress());
         }
+    }
+
+    /** Asks the listener as often as between steps. */
+    private BooleanSupplier nowAndThen(RoundListener listener) {
+        long[] asked = {System.nanoTime()};
+        return () -> {
+            if ((System.nanoTime() - asked[0]) * 1e-9 < Pace.STEP_SECONDS) {
+                return true;
+            }
+            asked[0] = System.nanoTime();
+            return listener.afterRound(progress());
+        };
     }
 
     /** Before the first shot of a patch, what was received came from lights. */
@@ -75,7 +84,7 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    private void prepare() throws IOException {
+    private void prepare() {
         if (planner == null) {
             planner = world.mesh.predicts() ? new Prediction(world) : new ShootAndSort(world.channels());
         }
@@ -88,23 +97,29 @@ public final class ProgressiveRadiosity {
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
     private void step() throws IOException {
         boolean counts = pending.kind() == Order.Kind.SHOOT;
-        int left = pending.shots().size();
-        int size = Math.min(left, (int) Math.max(1, pace));
+        int size = Math.min(pending.shots().size(), pace.size(pending.kind(), answer.elements, pending.shots().size()));
         if (counts) {
             size = Math.min(size, stop.shots() - shots);
         }
         Order now = pending.first(size);
         long begin = System.nanoTime();
-        answer = world.answer(now);
-        double seconds = (System.nanoTime() - begin) * 1e-9;
-        pace = Math.min(1e6, Math.max(1, size) * Math.min(4, STEP_SECONDS / seconds));
+        carryOut(now);
+        pace.took(size, (System.nanoTime() - begin) * 1e-9);
         pending = now.more() ? pending.after(size) : null;
-        dark = now.kind() == Order.Kind.SPLIT ? now.number() : now.more() ? dark : 0;
         if (counts) {
             shots += size;
             now.shots().forEach(this::count);
             planner.shot(size);
         }
+    }
+
+    private void carryOut(Order now) throws IOException {
+        if (now.kind() == Order.Kind.ROWS) {
+            planner.take(now.shots().size(), world.round(now));
+            return;
+        }
+        answer = world.answer(now);
+        dark = now.kind() == Order.Kind.SPLIT ? now.number() : now.more() ? dark : 0;
     }
 
     private void count(Shot shot) {
@@ -160,7 +175,7 @@ public final class ProgressiveRadiosity {
                 out.writeDouble(emitted[c]);
             }
             planner.write(out);
-            byte[] rest = pending == null ? new byte[0] : pending.encode();
+            byte[] rest = pending == null || !pending.changes() ? new byte[0] : pending.encode();
             Wire.write(out, rest);
             for (byte[] block : blocks) {
                 Wire.write(out, block);

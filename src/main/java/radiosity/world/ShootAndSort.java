@@ -4,6 +4,7 @@ import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /**
  * Shooting and sorting (section 2.2 of the paper): whoever has most unshot flux shoots.
@@ -25,7 +26,7 @@ final class ShootAndSort implements Planner {
     }
 
     @Override
-    public Order next(Answer last, double unsent) {
+    public Order next(Answer last, double unsent, BooleanSupplier goOn) {
         int size = Math.min(last.candidates.size(), batch(shots));
         return size == 0 ? null : new Order(Order.Kind.SHOOT, 0, false, last.candidates.subList(0, size),
                 Double.POSITIVE_INFINITY, weight, 0, batch(shots + size));

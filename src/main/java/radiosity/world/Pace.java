@@ -1,0 +1,44 @@
+package radiosity.world;
+
+/**
+ * How many shots to do at a time, so that a user who wants to stop does not wait; without influence on the result.
+ *
+ * <p>The first of a kind of round is done alone. Shots are not alike: of those before, the slow ones are remembered.
+ */
+final class Pace {
+
+    /** How long a step is to take, s: a stop is not much farther away. */
+    static final double STEP_SECONDS = 0.25;
+    /** A step holds so many times as many shots as the last one, at most. */
+    private static final int GROWTH = 2;
+    /** How much of a slow step is remembered from one step to the next. */
+    private static final double MEMORY = 0.8;
+
+    private Order.Kind kind;
+    private int elements;
+    private int last;
+    private double secondsPerShot;
+
+    /**
+     * How many of the shots that are left to do next.
+     *
+     * @param now     kind of the present round
+     * @param receive elements that there are
+     */
+    int size(Order.Kind now, int receive, int left) {
+        if (now != kind || receive != elements) {
+            kind = now;
+            elements = receive;
+            last = 0;
+            secondsPerShot = 0;
+        }
+        double most = secondsPerShot == 0 ? 1 : Math.min(GROWTH * (double) last, STEP_SECONDS / secondsPerShot);
+        return (int) Math.max(1, Math.min(left, most));
+    }
+
+    /** Told what the step took that was asked for last. */
+    void took(int shots, double seconds) {
+        last = Math.max(1, shots);
+        secondsPerShot = Math.max(seconds / last, MEMORY * secondsPerShot);
+    }
+}

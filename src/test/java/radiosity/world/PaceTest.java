@@ -1,0 +1,60 @@
+package radiosity.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.function.IntToDoubleFunction;
+import org.junit.jupiter.api.Test;
+
+/** Steps are bounded in the work that they hold, whatever the shots of a round cost. */
+class PaceTest {
+
+    private static final int SHOTS = 5000;
+
+    /** Longest step and number of steps of a round whose shots take so long, s. */
+    private static double[] round(Pace pace, int elements, IntToDoubleFunction cost) {
+        double longest = 0;
+        int steps = 0;
+        for (int done = 0; done < SHOTS; steps++) {
+            int size = pace.size(Order.Kind.SHOOT, elements, SHOTS - done);
+            double seconds = 0;
+            for (int i = done; i < done + size; i++) {
+                seconds += cost.applyAsDouble(i);
+            }
+            pace.took(size, seconds);
+            longest = Math.max(longest, seconds);
+            done += size;
+        }
+        return new double[] {longest, steps};
+    }
+
+    @Test
+    void equalShots_fillSteps() {
+        double[] found = round(new Pace(), 1, i -> 1e-3);
+        assertTrue(found[0] <= Pace.STEP_SECONDS, "longest " + found[0]);
+        assertTrue(found[1] < 1.5 * SHOTS * 1e-3 / Pace.STEP_SECONDS, "steps " + found[1]);
+    }
+
+    @Test
+    void slowShotsAmongFastOnes_areNotForgotten() {
+        double[] found = round(new Pace(), 1, i -> i / 100 % 2 == 0 ? 1e-3 : 5e-3);
+        assertTrue(found[0] <= 5 * Pace.STEP_SECONDS, "longest " + found[0]);
+    }
+
+    @Test
+    void slowShots_areDoneOneByOne() {
+        assertEquals(2, round(new Pace(), 1, i -> 2)[0]);
+    }
+
+    @Test
+    void moreElements_beginAnew() {
+        Pace pace = new Pace();
+        round(pace, 1, i -> 1e-6);
+        assertTrue(round(pace, 1000, i -> 1e-3)[0] <= Pace.STEP_SECONDS);
+    }
+
+    @Test
+    void roundWithoutShots_isOneStep() {
+        assertEquals(1, new Pace().size(Order.Kind.SPLIT, 0, 0));
+    }
+}

@@ -1,0 +1,43 @@
+package radiosity.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static radiosity.world.SameBitsTest.SCENE;
+import static radiosity.world.SameBitsTest.settings;
+import static radiosity.world.SameBitsTest.shots;
+
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Stopped wherever the listener is asked, a calculation can be looked at, and goes on to the same bits. */
+class StopAnywhereTest {
+
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    void stoppedAnywhere_goesOnToTheSameBits(Schedule schedule) throws IOException {
+        Solution atOnce = SameBitsTest.solve(new LocalWorld(SCENE, settings(schedule), 2), shots(100));
+        for (int asked = 1; asked < 40; asked += 1 + asked / 6) {
+            Solution stopped = stopped(schedule, asked);
+            ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(SCENE, settings(schedule), 2), shots(100));
+            rest.resume(stopped.state());
+            rest.run(progress -> true);
+            SameBitsTest.assertSame(atOnce, rest.solution());
+        }
+    }
+
+    private static Solution stopped(Schedule schedule, int asked) throws IOException {
+        ProgressiveRadiosity radiosity = new ProgressiveRadiosity(new LocalWorld(SCENE, settings(schedule), 2), shots(100));
+        int[] left = {asked};
+        radiosity.run(progress -> --left[0] > 0);
+        assertTrue(left[0] >= 0, "asked once more after a no");
+        return radiosity.solution();
+    }
+
+    @Test
+    void prediction_isAskedWhileItsRowsAreMade() throws IOException {
+        assertEquals(0, stopped(Schedule.PREDICT, 1).shots());
+        assertEquals(0, stopped(Schedule.PREDICT, 2).shots());
+    }
+}
