@@ -36,6 +36,11 @@ final class CalculationOptions {
                     + " select paper.")
     Schedule schedule;
 
+    @Option(names = "--layers",
+            description = "Keep the light of each lamp (a surface that emits, a light) apart, so that lamps can be dimmed"
+                    + " and coloured in the viewer.")
+    boolean layers;
+
     @Option(names = {"-t", "--threads"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
             description = "Number of threads. Default: one per processor.")
     int threads = Runtime.getRuntime().availableProcessors();
@@ -51,7 +56,8 @@ final class CalculationOptions {
     RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
         return new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
-                schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError());
+                schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError(),
+                layers || otherwise.layers());
     }
 
     /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */

@@ -115,6 +115,7 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
+        checks.layers(settings.layers());
         checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
     }
 

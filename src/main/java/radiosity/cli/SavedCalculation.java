@@ -41,6 +41,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         }
         json.put("tolerance", settings.tolerance());
         json.put("meshError", settings.meshError());
+        json.put("layers", settings.layers());
         json.put("schedule", settings.schedule().name().toLowerCase(Locale.ROOT));
         return json;
     }
@@ -52,7 +53,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         }
         return new RadiositySettings(number(file, json, "patchArea"), (int) number(file, json, "rays"),
                 json.containsKey("meshing") ? number(file, json, "meshing") : Double.POSITIVE_INFINITY, schedule,
-                number(file, json, "tolerance"), number(file, json, "meshError"));
+                number(file, json, "tolerance"), number(file, json, "meshError"), Boolean.TRUE.equals(json.get("layers")));
     }
 
     private static double number(Path file, Map<?, ?> json, String name) throws SceneFormatException {
@@ -79,6 +80,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         checkSetting("-pa", settings.patchArea(), asked.patchArea());
         checkSetting("-nr", settings.rays(), asked.rays());
         checkSetting("-mt", settings.meshing(), asked.meshing());
+        checkSetting("--layers", settings.layers(), asked.layers());
         checkSetting("--schedule", settings.schedule(), asked.schedule());
     }
 

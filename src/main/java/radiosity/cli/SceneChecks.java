@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.world.RadiositySettings;
 
 /** What makes a render pointless or very long, told before it starts. */
 final class SceneChecks {
@@ -24,6 +25,15 @@ final class SceneChecks {
     void light() {
         if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
             warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
+        }
+    }
+
+    /** Fails where more lamps have layers than can have. */
+    void layers(boolean kept) {
+        int lamps = scene.lamps().size();
+        if (kept && lamps > RadiositySettings.MOST_LAMPS) {
+            throw Failure.commandLine("--layers", "expected a scene of at most " + RadiositySettings.MOST_LAMPS
+                    + " lamps, got " + lamps);
         }
     }
 

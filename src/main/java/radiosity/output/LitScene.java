@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import radiosity.scene.Camera;
+import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -19,10 +20,12 @@ import radiosity.world.Solution;
  * @param meshes   one per side of a surface
  * @param origin   what to add to the meshes' positions, scene units
  * @param camera   the scene's, or one chosen for it
+ * @param lamps    whose light can be mixed anew; empty where the meshes have no layers
  * @param textures the same with its light in textures, if they were made
  * @param progress what has been calculated so far, in a few words
  */
-public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, Optional<Textures> textures,
+public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp> lamps,
+                       Optional<Textures> textures,
                        String progress) {
 
     /**
@@ -44,6 +47,17 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, Optional<T
 
     public LitScene {
         meshes = List.copyOf(meshes);
+        lamps = List.copyOf(lamps);
+    }
+
+    /**
+     * The same scene with its lamps dimmed or coloured.
+     *
+     * @param factors of each lamp's light, at least 0
+     */
+    public LitScene mixed(List<Rgb> factors) {
+        return new LitScene(meshes.stream().map(mesh -> mesh.mixed(lamps, factors)).toList(), origin, camera, lamps,
+                textures, progress);
     }
 
     /**
@@ -56,7 +70,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, Optional<T
             Optional<Camera> camera = file.camera();
             return new LitScene(file.meshes(), file.origin(),
                     camera.isPresent() ? camera.get() : Viewpoint.of(file.solution()),
-                    textures(file), file.extras().get("shots") + " shots");
+                    file.lamps(), textures(file), file.extras().get("shots") + " shots");
         }
     }
 
@@ -77,7 +91,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, Optional<T
         Solution solution = shaded(painted);
         Box box = Box.of(solution.positions());
         return new LitScene(Mesh.of(solution, box.centre()), box.centre(), Viewpoint.of(solution),
-                Optional.empty(), "unlit");
+                List.of(), Optional.empty(), "unlit");
     }
 
     private static Surface unlit(Surface surface) {

@@ -3,6 +3,8 @@ package radiosity.output;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
+import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -17,10 +19,15 @@ import radiosity.world.Solution;
  * @param normals    unit vectors out of the visible side, 3 per vertex
  * @param irradiance H for red, green and blue, 3 per vertex, W/m²
  * @param radiosity  B = E + rho H, 3 per vertex, W/m²
+ * @param layers     of each lamp its share of the irradiance, 3 per vertex, W/m²; empty where they are not kept apart
  * @param corners    vertices, 3 per element, counter-clockwise seen from the visible side
  */
 public record Mesh(Surface surface, boolean back, float[] positions, float[] normals, float[] irradiance,
-                   float[] radiosity, int[] corners) {
+                   float[] radiosity, List<float[]> layers, int[] corners) {
+
+    public Mesh {
+        layers = List.copyOf(layers);
+    }
 
     /** Number of vertices. */
     public int vertices() {
@@ -46,6 +53,32 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
     /** H at corner k of an element, W/m². */
     public Rgb irradiance(int element, int k) {
         return at(irradiance, corners[3 * element + k]);
+    }
+
+    /**
+     * This surface in the light of lamps that are dimmed or coloured.
+     *
+     * @param lamps   whose layers these are
+     * @param factors of each lamp's light, at least 0
+     */
+    Mesh mixed(List<Lamp> lamps, List<Rgb> factors) {
+        Rgb exitance = surface.exitance();
+        for (int layer = 0; layer < lamps.size(); layer++) {
+            if (lamps.get(layer).isSurface(surface.name())) {
+                exitance = exitance.times(factors.get(layer));
+            }
+        }
+        float[] h = new float[irradiance.length];
+        float[] b = new float[irradiance.length];
+        for (int i = 0; i < h.length; i++) {
+            double sum = 0;
+            for (int layer = 0; layer < lamps.size(); layer++) {
+                sum += factors.get(layer).channel(i % 3) * layers.get(layer)[i];
+            }
+            h[i] = (float) sum;
+            b[i] = (float) (exitance.channel(i % 3) + surface.reflectance().channel(i % 3) * sum);
+        }
+        return new Mesh(surface, back, positions, normals, h, b, layers, corners);
     }
 
     private static Rgb at(float[] array, int vertex) {
@@ -107,7 +140,7 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
             corners[i] = local[v];
         }
         Mesh mesh = new Mesh(surface, back, new float[3 * count], new float[3 * count], new float[3 * count],
-                new float[3 * count], corners);
+                new float[3 * count], layers(solution.lamps().size(), 3 * count), corners);
         for (int i = 0; i < count; i++) {
             mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]));
             local[vertices[i]] = -1;
@@ -115,15 +148,24 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
         return mesh;
     }
 
+    private static List<float[]> layers(int count, int length) {
+        return IntStream.range(0, count).mapToObj(layer -> new float[length]).toList();
+    }
+
     private void put(int i, Solution solution, int vertex, Vec3 origin, Vec3 normal) {
         double[] x = solution.positions();
         put(positions, i, x[3 * vertex] - origin.x(), x[3 * vertex + 1] - origin.y(), x[3 * vertex + 2] - origin.z());
         put(normals, i, normal.x(), normal.y(), normal.z());
         Rgb h = solution.irradianceAt(vertex);
-        put(irradiance, i, h.r(), h.g(), h.b());
-        Rgb e = surface.exitance();
-        Rgb reflected = h.times(surface.reflectance());
-        put(radiosity, i, e.r() + reflected.r(), e.g() + reflected.g(), e.b() + reflected.b());
+        put(irradiance, i, h);
+        put(radiosity, i, surface.exitance().plus(h.times(surface.reflectance())));
+        for (int layer = 0; layer < layers.size(); layer++) {
+            put(layers.get(layer), i, solution.irradianceAt(vertex, layer));
+        }
+    }
+
+    private static void put(float[] array, int i, Rgb light) {
+        put(array, i, light.r(), light.g(), light.b());
     }
 
     private static void put(float[] array, int i, double... xyz) {

@@ -74,6 +74,9 @@ final class SceneDocument {
         attributes.put("COLOR_0", colours(mesh, toneMapping));
         attributes.put("_RADIOSITY", vec3(mesh.radiosity()));
         attributes.put("_IRRADIANCE", vec3(mesh.irradiance()));
+        for (int layer = 0; layer < mesh.layers().size(); layer++) {
+            attributes.put("_IRRADIANCE_" + layer, vec3(mesh.layers().get(layer)));
+        }
         primitive.put("indices", accessor(view(mesh.corners(), INDICES), UNSIGNED_INT, 3 * mesh.elements(), "SCALAR"));
         primitive.put("material", material(mesh.surface(), mesh.back(), name));
         child().put("name", name).put("mesh", list("meshes").size() - 1);

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import radiosity.scene.Camera;
+import radiosity.scene.Lamp;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
 import radiosity.world.Solution;
@@ -48,7 +50,7 @@ public final class SceneFile implements Closeable {
             throw glb.wrong("", "scene file format " + FORMAT_VERSION + " or older", "format " + version
                     + ", of a newer program");
         }
-        meshes = new SceneMeshes(glb);
+        meshes = new SceneMeshes(glb, lamps());
     }
 
     /**
@@ -101,6 +103,9 @@ public final class SceneFile implements Closeable {
         content.put("rounds", solution.rounds());
         content.put("unshotFlux", solution.unshotFlux());
         content.put("ledger", solution.ledger());
+        if (!solution.lamps().isEmpty()) {
+            content.put("lamps", solution.lamps());
+        }
         byte[] state = solution.state();
         if (state.length > 0) {
             content.put("state", Map.of("bufferView", document.view(state), "sha256", sha256(state)));
@@ -140,6 +145,17 @@ public final class SceneFile implements Closeable {
     /** One mesh per side of a surface, in the order of the file. */
     public List<Mesh> meshes() throws IOException {
         return meshes.read();
+    }
+
+    /** Whose light is kept apart in layers; empty where it is not. */
+    public List<Lamp> lamps() throws IOException {
+        List<Lamp> lamps = new ArrayList<>();
+        Optional<Place> list = radiosity.optional("lamps");
+        for (int i = 0; list.isPresent() && i < list.get().size(); i++) {
+            Place lamp = list.get().at(i);
+            lamps.add(new Lamp(lamp.at("name").text(), lamp.at("surface").node().booleanValue(), lamp.at("index").integer()));
+        }
+        return lamps;
     }
 
     /** The sides of surfaces with their light in textures; empty where it was written without. */

@@ -11,7 +11,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import radiosity.scene.Camera;
+import radiosity.scene.Lamp;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
@@ -21,7 +23,7 @@ public final class SceneInfo {
 
     /** Keys of extras.radiosity that have a line of their own. */
     private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
-            "ledger", "state", "channels");
+            "ledger", "state", "channels", "lamps");
 
     private static final int MOST_NAMES = 20;
 
@@ -41,6 +43,7 @@ public final class SceneInfo {
             info.line("file", path + ", " + Files.size(path) + " bytes");
             info.program();
             info.geometry();
+            info.lamps();
             info.ledger();
             info.camera();
             info.rest();
@@ -80,14 +83,23 @@ public final class SceneInfo {
             box.include(position);
             radiosity.include(accessor(primitive.at("attributes").at("_RADIOSITY")));
         }
-        line("surfaces", surfaces.size() + ": " + String.join(", ", surfaces.stream().limit(MOST_NAMES).toList())
-                + (surfaces.size() > MOST_NAMES ? ", ..." : ""));
+        line("surfaces", surfaces.size() + ": " + names(surfaces.stream()));
         line("elements", String.valueOf(elements));
         line("vertices", String.valueOf(vertices));
         if (elements > 0) {
             line("box", text(vec(box.low).plus(file.origin())) + " to " + text(vec(box.high).plus(file.origin())));
             line("radiosity", text(vec(radiosity.low)) + " to " + text(vec(radiosity.high)) + " W/m2");
         }
+    }
+
+    private void lamps() throws IOException {
+        List<Lamp> lamps = file.lamps();
+        line("lamps", lamps.isEmpty() ? "not kept apart" : lamps.size() + " kept apart: " + names(lamps.stream().map(Lamp::name)));
+    }
+
+    private static String names(Stream<String> names) {
+        List<String> all = names.toList();
+        return String.join(", ", all.subList(0, Math.min(MOST_NAMES, all.size()))) + (all.size() > MOST_NAMES ? ", ..." : "");
     }
 
     private static Vec3 vec(double[] v) {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import radiosity.scene.Camera;
+import radiosity.scene.Lamp;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
@@ -16,11 +17,14 @@ final class SceneMeshes {
     private static final int UNSIGNED_INT = 5125;
 
     private final GlbReader glb;
+    private final List<Lamp> lamps;
     private final Place root;
     private final Place top;
 
-    SceneMeshes(GlbReader glb) throws IOException {
+    /** @param lamps whose light is kept apart */
+    SceneMeshes(GlbReader glb, List<Lamp> lamps) throws IOException {
         this.glb = glb;
+        this.lamps = lamps;
         root = new Place(glb.name, glb.json);
         Place scene = root.at("scenes").at(root.at("scene").integer());
         top = root.at("nodes").at(scene.at("nodes").at(0).integer());
@@ -108,7 +112,15 @@ final class SceneMeshes {
         Place extras = root.at("materials").at(primitive.at("material").integer()).at("extras");
         return new Mesh(surface(extras), extras.at("back").node().booleanValue(), positions,
                 floats(attributes.at("NORMAL"), n), floats(attributes.at("_IRRADIANCE"), n),
-                floats(attributes.at("_RADIOSITY"), n), corners(primitive.at("indices"), n));
+                floats(attributes.at("_RADIOSITY"), n), layers(attributes, n), corners(primitive.at("indices"), n));
+    }
+
+    private List<float[]> layers(Place attributes, int vertices) throws IOException {
+        List<float[]> layers = new ArrayList<>();
+        for (int layer = 0; layer < lamps.size(); layer++) {
+            layers.add(floats(attributes.at("_IRRADIANCE_" + layer), vertices));
+        }
+        return layers;
     }
 
     private static Surface surface(Place extras) throws IOException {

@@ -91,7 +91,7 @@ final class TJunctions {
         for (int e = 0; e < solution.elements(); e++) {
             emit(e, new Polygon(c[3 * e], hanging(e, 0), c[3 * e + 1], hanging(e, 1), c[3 * e + 2], hanging(e, 2)));
         }
-        return new Solution(solution.scene(), solution.channels(), withCreated(positions, 0, 3),
+        return new Solution(solution.scene(), solution.channels(), solution.lamps(), withCreated(positions, 0, 3),
                 withCreated(solution.irradiance(), 3, solution.channels()), corners.build().toArray(),
                 faceOf.build().toArray(), solution.shots(), solution.rounds(), solution.unshotFlux(),
                 solution.ledger(), solution.state());

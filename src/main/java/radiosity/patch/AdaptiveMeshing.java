@@ -25,16 +25,25 @@ public final class AdaptiveMeshing {
         return nodes.isElement(node) && nodes.depthBelowPatch(node) < DEEPEST && difference(nodes, node) > threshold;
     }
 
-    /** Largest difference of radiosity between two corners, over the channels, W/m². */
+    /** Largest difference of radiosity between two corners, over the colours, W/m². */
     private static double difference(RadiosityNodes nodes, int node) {
         double largest = 0;
-        for (int c = 0; c < nodes.channels(); c++) {
-            double a = nodes.radiosity(node, 0, c);
-            double b = nodes.radiosity(node, 1, c);
-            double d = nodes.radiosity(node, 2, c);
+        for (int c = 0; c < nodes.faces().colours(); c++) {
+            double a = radiosity(nodes, node, 0, c);
+            double b = radiosity(nodes, node, 1, c);
+            double d = radiosity(nodes, node, 2, c);
             double range = Math.max(a, Math.max(b, d)) - Math.min(a, Math.min(b, d));
             largest = Math.max(largest, range);
         }
         return largest;
+    }
+
+    /** Of all layers. */
+    private static double radiosity(RadiosityNodes nodes, int node, int k, int colour) {
+        double sum = 0;
+        for (int c = colour; c < nodes.channels(); c += nodes.faces().colours()) {
+            sum += nodes.radiosity(node, k, c);
+        }
+        return sum;
     }
 }

@@ -1,6 +1,8 @@
 package radiosity.patch;
 
 import java.util.Arrays;
+import java.util.List;
+import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -23,6 +25,10 @@ public final class Faces {
     private final Vec3 centre;
     /** Largest extent of the scene's box, scene units: the unit of every length here. */
     private final double size;
+    /** 1 where everything in the scene is grey, else 3. */
+    private final int colours;
+    /** What has a layer of its own; empty where all light is kept as one. */
+    private final List<Lamp> lamps;
     private final int channels;
     private int count;
     private int dropped;
@@ -43,13 +49,21 @@ public final class Faces {
     private final double[] exitance;
     private final double[] reflectance;
 
+    /** All light of a scene as one. */
     public Faces(Scene scene) {
+        this(scene, false);
+    }
+
+    /** @param layered whether the light of each lamp is kept apart: in channels of its own */
+    public Faces(Scene scene, boolean layered) {
         this.scene = scene;
+        lamps = layered ? scene.lamps() : List.of();
         double[] box = box(scene);
         centre = new Vec3((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
         double extent = Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
         size = extent > 0 ? extent : 1;
-        channels = isGrey(scene) ? 1 : 3;
+        colours = isGrey(scene) ? 1 : 3;
+        channels = colours * layers();
         int most = mostFaces(scene);
         side = new int[most];
         corner = new float[9 * most];
@@ -66,12 +80,22 @@ public final class Faces {
         exitance = new double[channels * count];
         reflectance = new double[channels * count];
         for (int f = 0; f < count; f++) {
-            Surface surface = scene.surface(triangle(f));
+            int s = scene.surfaceOf()[triangle(f)];
+            Surface surface = scene.surfaces().get(s);
             for (int c = 0; c < channels; c++) {
-                exitance[channels * f + c] = surface.exitance().channel(c);
-                reflectance[channels * f + c] = surface.reflectance().channel(c);
+                exitance[channels * f + c] = isOf(true, s, c) ? surface.exitance().channel(c % colours) : 0;
+                reflectance[channels * f + c] = surface.reflectance().channel(c % colours);
             }
         }
+    }
+
+    /** Whether the light of this surface, or of this light, is in a channel. */
+    private boolean isOf(boolean surface, int index, int channel) {
+        if (lamps.isEmpty()) {
+            return true;
+        }
+        Lamp lamp = lamps.get(channel / colours);
+        return lamp.surface() == surface && lamp.index() == index;
     }
 
     private static double[] box(Scene scene) {
@@ -164,9 +188,29 @@ public final class Faces {
         return size;
     }
 
-    /** 1 where everything in the scene is grey, else 3. */
+    /** {@link #colours} times {@link #layers}, layer by layer. */
     public int channels() {
         return channels;
+    }
+
+    /** 1 where everything in the scene is grey, else 3. */
+    public int colours() {
+        return colours;
+    }
+
+    /** As many as there are lamps where their light is kept apart, else 1. */
+    public int layers() {
+        return Math.max(1, lamps.size());
+    }
+
+    /** What has a layer of its own; empty where all light is kept as one. */
+    public List<Lamp> lamps() {
+        return lamps;
+    }
+
+    /** What a light's {@link radiosity.scene.Light#power()} is in a channel. */
+    public double power(int light, int channel) {
+        return isOf(false, light, channel) ? scene.lights().get(light).power().channel(channel % colours) : 0;
     }
 
     /** The original triangle of a face. */

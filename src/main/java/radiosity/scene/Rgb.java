@@ -13,6 +13,10 @@ public record Rgb(double r, double g, double b) {
         return new Rgb(r * s, g * s, b * s);
     }
 
+    public Rgb plus(Rgb v) {
+        return new Rgb(r + v.r, g + v.g, b + v.b);
+    }
+
     public Rgb times(Rgb v) {
         return new Rgb(r * v.r, g * v.g, b * v.b);
     }

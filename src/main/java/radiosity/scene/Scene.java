@@ -1,7 +1,10 @@
 package radiosity.scene;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * The original triangles of a world and their surfaces (section 4.5.1 of the paper).
@@ -49,6 +52,14 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         if (!holds) {
             throw new IllegalArgumentException("scene: expected " + expected + ", got " + got);
         }
+    }
+
+    /** The surfaces that emit and have triangles, then the lights. */
+    public List<Lamp> lamps() {
+        Stream<Lamp> emitting = Arrays.stream(surfaceOf).distinct().sorted().filter(s -> surfaces.get(s).emits())
+                .mapToObj(s -> new Lamp(surfaces.get(s).name(), true, s));
+        Stream<Lamp> shining = IntStream.range(0, lights.size()).mapToObj(l -> new Lamp(lights.get(l).name(), false, l));
+        return Stream.concat(emitting, shining).toList();
     }
 
     /** Number of original triangles. */

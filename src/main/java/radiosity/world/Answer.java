@@ -4,16 +4,18 @@ import java.io.DataInputStream;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import radiosity.patch.Faces;
 
 /** What a partition says after a round: its best candidates for the next one, and its part of the ledger. */
 final class Answer {
 
     /** Largest unshot flux first. */
     final List<Shot> candidates = new ArrayList<>();
-    /** Sum of |U| A over elements and channels, W. */
-    final ExactSum unshotFlux;
+    /** One per layer: sum of |U| A over elements and colours, W. */
+    final ExactSum[] unshotFlux;
     /** One per channel, W: what arrived. */
     final ExactSum[] received;
     /** One per channel, W: the part of it that was not reflected. */
@@ -23,19 +25,22 @@ final class Answer {
     int elements;
 
     /** @param scale flux that is emitted, W */
-    Answer(int channels, double scale) {
-        unshotFlux = new ExactSum(scale);
+    Answer(Faces faces, double scale) {
+        int channels = faces.channels();
+        unshotFlux = sums(faces.layers(), scale);
         received = sums(channels, scale);
         absorbed = sums(channels, scale);
         unshot = sums(channels, scale);
     }
 
-    private static ExactSum[] sums(int channels, double scale) {
-        ExactSum[] sums = new ExactSum[channels];
-        for (int c = 0; c < channels; c++) {
-            sums[c] = new ExactSum(scale);
-        }
+    private static ExactSum[] sums(int count, double scale) {
+        ExactSum[] sums = new ExactSum[count];
+        Arrays.setAll(sums, i -> new ExactSum(scale));
         return sums;
+    }
+
+    private List<ExactSum[]> sums() {
+        return List.of(unshotFlux, received, absorbed, unshot);
     }
 
     /** Adds another partition's answer; keeps the best candidates of both. */
@@ -49,19 +54,17 @@ final class Answer {
     }
 
     void addSums(Answer other) {
-        unshotFlux.add(other.unshotFlux);
-        for (int c = 0; c < received.length; c++) {
-            received[c].add(other.received[c]);
-            absorbed[c].add(other.absorbed[c]);
-            unshot[c].add(other.unshot[c]);
+        for (int q = 0; q < sums().size(); q++) {
+            for (int i = 0; i < sums().get(q).length; i++) {
+                sums().get(q)[i].add(other.sums().get(q)[i]);
+            }
         }
         elements += other.elements;
     }
 
     void write(DataOutput out) throws IOException {
         Wire.write(candidates, received.length, out);
-        write(out, unshotFlux);
-        for (ExactSum[] sums : List.of(received, absorbed, unshot)) {
+        for (ExactSum[] sums : sums()) {
             for (ExactSum sum : sums) {
                 write(out, sum);
             }
@@ -76,8 +79,7 @@ final class Answer {
 
     void read(DataInputStream in) throws IOException {
         candidates.addAll(Wire.shots(in));
-        unshotFlux.with(in.readLong(), in.readLong());
-        for (ExactSum[] sums : List.of(received, absorbed, unshot)) {
+        for (ExactSum[] sums : sums()) {
             for (ExactSum sum : sums) {
                 sum.with(in.readLong(), in.readLong());
             }

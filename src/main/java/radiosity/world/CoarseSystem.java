@@ -105,21 +105,31 @@ final class CoarseSystem {
      * emits.
      */
     List<Shot> importance() {
-        double mean = 0;
+        double[] mean = new double[faces.layers()];
         for (int f = 0; f < faces.count(); f++) {
-            mean += faces.area(f) * brightest(f) / faces.area();
+            for (int layer = 0; layer < mean.length; layer++) {
+                mean[layer] += faces.area(f) * brightest(f, layer) / faces.area();
+            }
         }
-        double unit = mean == 0 ? 0 : 1 / mean;
         List<Shot> shots = new ArrayList<>();
         for (Block block : blocks) {
-            shots.add(Shot.of(nodes, nodes.tops(block), 0, (node, k, c) -> 1 + unit * brightest(nodes.face(node))));
+            shots.add(Shot.of(nodes, nodes.tops(block), 0, (node, k, c) -> 1 + brightness(nodes.face(node), mean)));
         }
         return shots;
     }
 
-    private double brightest(int face) {
+    /** Of the layer in which a face is brightest, relative to the layer's mean. */
+    private double brightness(int face, double[] mean) {
+        double most = 0;
+        for (int layer = 0; layer < mean.length; layer++) {
+            most = Math.max(most, mean[layer] == 0 ? 0 : brightest(face, layer) / mean[layer]);
+        }
+        return most;
+    }
+
+    private double brightest(int face, int layer) {
         double e = 0;
-        for (int c = 0; c < channels; c++) {
+        for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
             e = Math.max(e, faces.exitance(face, c));
         }
         return e;

@@ -9,6 +9,7 @@ import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
 /** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
@@ -36,7 +37,7 @@ final class InitialMesh {
     InitialMesh(Scene scene, RadiositySettings settings) {
         this.scene = scene;
         this.settings = settings;
-        faces = new Faces(scene);
+        faces = new Faces(scene, settings.layers());
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, predicts() ? COARSE_PATCHES : PATCHES);
@@ -89,7 +90,21 @@ final class InitialMesh {
     /** What two calculations must have in common for one to go on from the other. */
     String fingerprint() {
         return String.format(Locale.ROOT, "scene %016x, -pa %s -nr %d -mt %s --schedule %s", digest(), patchArea(),
-                rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT));
+                rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT))
+                + (settings.layers() ? " --layers" : "");
+    }
+
+    /** By what it shines, not by its name, which hosts are not told. */
+    private static long digest(long before, Light light) {
+        long digest = Hash.mix(before, light.kind().ordinal());
+        Vec3 power = new Vec3(light.power().r(), light.power().g(), light.power().b());
+        Vec3 shape = new Vec3(light.range(), light.cone(), light.edge());
+        for (Vec3 v : List.of(power, light.position(), light.direction(), light.right(), light.up(), shape)) {
+            digest = Hash.mix(digest, Double.doubleToLongBits(v.x()));
+            digest = Hash.mix(digest, Double.doubleToLongBits(v.y()));
+            digest = Hash.mix(digest, Double.doubleToLongBits(v.z()));
+        }
+        return digest;
     }
 
     private long digest() {
@@ -100,7 +115,9 @@ final class InitialMesh {
         for (int p : scene.corners()) {
             digest = Hash.mix(digest, p);
         }
-        digest = Hash.mix(digest, scene.lights().hashCode());
+        for (Light light : scene.lights()) {
+            digest = digest(digest, light);
+        }
         for (int f = 0; f < faces.count(); f++) {
             digest = Hash.mix(digest, faces.side(f));
             for (int c = 0; c < faces.channels(); c++) {

@@ -41,10 +41,10 @@ final class LightSources {
         int f = nodes.vertexFace(v);
         Vec3 x = new Vec3(nodes.receivers()[3 * v], nodes.receivers()[3 * v + 1], nodes.receivers()[3 * v + 2]);
         Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
-        for (Light light : lights) {
-            double share = irradiance(light, x, n);
+        for (int i = 0; i < lights.size(); i++) {
+            double share = irradiance(lights.get(i), x, n);
             for (int c = 0; c < nodes.channels(); c++) {
-                nodes.irradiance()[nodes.channels() * v + c] += share * light.power().channel(c);
+                nodes.irradiance()[nodes.channels() * v + c] += share * faces.power(i, c);
             }
         }
     }

@@ -80,7 +80,7 @@ final class Merger {
             irradiance[i] /= Math.max(1, copies[i / channels]);
         }
         fillBuried();
-        return new Solution(mesh.scene, channels, Arrays.copyOf(position, 3 * vertices),
+        return new Solution(mesh.scene, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),
                 Arrays.copyOf(irradiance, channels * vertices), Arrays.copyOf(corner, 3 * elements),
                 Arrays.copyOf(faceOf, elements), shots, rounds, unshotFlux, ledger, state);
     }

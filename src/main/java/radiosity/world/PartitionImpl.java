@@ -221,7 +221,7 @@ final class PartitionImpl implements Partition {
         int runs = (shooters.length + RUN - 1) / RUN;
         Answer[] parts = new Answer[runs];
         crew.run(runs, i -> {
-            parts[i] = new Answer(channels, scale);
+            parts[i] = new Answer(faces, scale);
             for (int p = i * RUN; p < Math.min(shooters.length, (i + 1) * RUN); p++) {
                 flux[p] = 0;
                 for (int top : shooters[p]) {
@@ -229,7 +229,7 @@ final class PartitionImpl implements Partition {
                 }
             }
         });
-        Answer answer = new Answer(channels, scale);
+        Answer answer = new Answer(faces, scale);
         for (Answer part : parts) {
             answer.addSums(part);
         }
@@ -248,8 +248,18 @@ final class PartitionImpl implements Partition {
             }
             return total;
         }
+        for (int layer = 0; layer < faces.layers(); layer++) {
+            total += measure(node, layer, sums);
+        }
+        sums.elements++;
+        return total;
+    }
+
+    /** The same of one layer of an element. */
+    private double measure(int node, int layer, Answer sums) {
+        double total = 0;
         double area = nodes.area(node) * squaredSize;
-        for (int c = 0; c < channels; c++) {
+        for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
             double u = 0;
             double h = 0;
             for (int k = 0; k < 3; k++) {
@@ -263,8 +273,7 @@ final class PartitionImpl implements Partition {
             sums.received[c].add(h);
             sums.absorbed[c].add(h - h * faces.reflectance(nodes.face(node), c));
         }
-        sums.unshotFlux.add(total);
-        sums.elements++;
+        sums.unshotFlux[layer].add(total);
         return total;
     }
 

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import radiosity.scene.SceneFormatException;
 
 /**
@@ -130,9 +131,15 @@ public final class ProgressiveRadiosity {
         }
     }
 
+    /** Unshot flux relative to the emitted; of several layers, of the one that has most left. */
     private double unsent() {
-        double all = DoubleStream.of(emitted).sum();
-        return all == 0 ? 0 : answer.unshotFlux.value() / all;
+        double most = 0;
+        int colours = world.mesh.faces.colours();
+        for (int layer = 0; layer < answer.unshotFlux.length; layer++) {
+            double all = DoubleStream.of(emitted).skip((long) layer * colours).limit(colours).sum();
+            most = Math.max(most, all == 0 ? 0 : answer.unshotFlux[layer].value() / all);
+        }
+        return most;
     }
 
     public Progress progress() {
@@ -141,22 +148,28 @@ public final class ProgressiveRadiosity {
 
     /** Where the light went so far. */
     public EnergyLedger ledger() {
-        return new EnergyLedger(emitted.clone(), shotFlux.clone(), values(answer.received),
-                values(answer.absorbed), values(answer.unshot));
+        return new EnergyLedger(ofAllLayers(emitted), ofAllLayers(shotFlux), ofAllLayers(values(answer.received)),
+                ofAllLayers(values(answer.absorbed)), ofAllLayers(values(answer.unshot)));
     }
 
     private static double[] values(ExactSum[] sums) {
-        double[] values = new double[sums.length];
-        for (int c = 0; c < sums.length; c++) {
-            values[c] = sums[c].value();
+        return Stream.of(sums).mapToDouble(ExactSum::value).toArray();
+    }
+
+    /** One per colour. */
+    private double[] ofAllLayers(double[] flux) {
+        double[] sum = new double[world.mesh.faces.colours()];
+        for (int c = 0; c < flux.length; c++) {
+            sum[c % sum.length] += flux[c];
         }
-        return values;
+        return sum;
     }
 
     /** Everything so far, merged from all partitions; may be asked for between rounds. */
     public Solution solution() throws IOException {
         List<byte[]> blocks = world.blocks();
-        return new Merger(world.mesh, blocks, dark).solution(shots, rounds, answer.unshotFlux.value(), ledger(), state(blocks));
+        return new Merger(world.mesh, blocks, dark).solution(shots, rounds,
+                DoubleStream.of(values(answer.unshotFlux)).sum(), ledger(), state(blocks));
     }
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */

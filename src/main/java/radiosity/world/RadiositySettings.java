@@ -10,12 +10,26 @@ package radiosity.world;
  * @param schedule  in which order patches shoot
  * @param tolerance with prediction: irradiance that one ray may carry, relative to the mean; 0: chosen
  * @param meshError with prediction: error of interpolation that one element may add to the whole; 0: chosen
+ * @param layers    whether the light of each lamp is kept apart
  */
 public record RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
-                                double meshError) {
+                                double meshError, boolean layers) {
+
+    /** Of so many lamps the light can be kept apart. */
+    public static final int MOST_LAMPS = 256;
+
+    public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
+                             double meshError) {
+        this(patchArea, rays, meshing, schedule, tolerance, meshError, false);
+    }
 
     public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule) {
         this(patchArea, rays, meshing, schedule, 0, 0);
+    }
+
+    /** The same, with or without layers. */
+    public RadiositySettings layers(boolean kept) {
+        return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, kept);
     }
 
     public static RadiositySettings defaults() {

@@ -51,7 +51,7 @@ final class SceneBytes {
     static Task read(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
-                constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble());
+                constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean());
         double[] points = new double[Wire.count(in, Double.BYTES)];
         for (int i = 0; i < points.length; i++) {
             points[i] = in.readDouble();
@@ -78,6 +78,7 @@ final class SceneBytes {
         out.writeByte(settings.schedule().ordinal());
         out.writeDouble(settings.tolerance());
         out.writeDouble(settings.meshError());
+        out.writeBoolean(settings.layers());
     }
 
     private static void write(DataOutputStream out, Light light) throws IOException {

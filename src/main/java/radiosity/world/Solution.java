@@ -1,5 +1,7 @@
 package radiosity.world;
 
+import java.util.List;
+import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -11,7 +13,8 @@ import radiosity.scene.Surface;
  * arrays are not modified after the solution is made.
  *
  * @param scene      the original triangles
- * @param channels   1 where everything in the scene is grey, else 3
+ * @param channels   1 where everything in the scene is grey, else 3; times the number of layers
+ * @param lamps      what has a layer of its own, in the order of the layers; empty where all light is in one
  * @param positions  x, y, z per vertex, scene units
  * @param irradiance H in W/m², {@code channels} per vertex
  * @param corners    vertices, 3 per element, counter-clockwise seen from its visible side
@@ -22,8 +25,15 @@ import radiosity.scene.Surface;
  * @param ledger     where the light went
  * @param state      what resuming needs, opaque; empty where it is not kept
  */
-public record Solution(Scene scene, int channels, double[] positions, double[] irradiance, int[] corners,
+public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] positions, double[] irradiance, int[] corners,
                        int[] faceOf, int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+
+    /** A solution in one layer. */
+    public Solution(Scene scene, int channels, double[] positions, double[] irradiance, int[] corners, int[] faceOf,
+                    int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+        this(scene, channels, List.of(), positions, irradiance, corners, faceOf, shots, rounds, unshotFlux, ledger,
+                state);
+    }
 
     /** Number of elements. */
     public int elements() {
@@ -40,18 +50,31 @@ public record Solution(Scene scene, int channels, double[] positions, double[] i
         return scene.surface(faceOf[element] >> 1);
     }
 
-    /** Irradiance H at a vertex, W/m². */
+    /** At least 1. */
+    public int layers() {
+        return Math.max(1, lamps.size());
+    }
+
+    /** Irradiance H at a vertex, of all layers, W/m². */
     public Rgb irradianceAt(int vertex) {
-        int i = channels * vertex;
-        return channels == 1 ? Rgb.grey(irradiance[i])
+        Rgb sum = irradianceAt(vertex, 0);
+        for (int layer = 1; layer < layers(); layer++) {
+            sum = sum.plus(irradianceAt(vertex, layer));
+        }
+        return sum;
+    }
+
+    /** Irradiance H at a vertex that is one lamp's, W/m². */
+    public Rgb irradianceAt(int vertex, int layer) {
+        int colours = channels / layers();
+        int i = channels * vertex + colours * layer;
+        return colours == 1 ? Rgb.grey(irradiance[i])
                 : new Rgb(irradiance[i], irradiance[i + 1], irradiance[i + 2]);
     }
 
     /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
     public Rgb radiosityAt(int element, int k) {
         Surface surface = surface(element);
-        Rgb reflected = irradianceAt(corners[3 * element + k]).times(surface.reflectance());
-        return new Rgb(surface.exitance().r() + reflected.r(), surface.exitance().g() + reflected.g(),
-                surface.exitance().b() + reflected.b());
+        return surface.exitance().plus(irradianceAt(corners[3 * element + k]).times(surface.reflectance()));
     }
 }

@@ -15,7 +15,7 @@ import java.util.List;
 /** To bytes and back. */
 final class Wire {
 
-    private static final int MOST_CHANNELS = 3;
+    private static final int MOST_CHANNELS = 3 * RadiositySettings.MOST_LAMPS;
 
     private Wire() { }
 

@@ -43,7 +43,7 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
         return mesh.faces.dropped();
     }
 
-    /** 1 where everything in the scene is grey, else 3. */
+    /** 1 where everything in the scene is grey, else 3; times the number of layers. */
     public int channels() {
         return mesh.faces.channels();
     }
@@ -53,9 +53,9 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
 
     /** One round on all partitions: their answers added up. */
     final Answer answer(Order order) throws IOException {
-        Answer all = new Answer(channels(), mesh.fluxScale());
+        Answer all = new Answer(mesh.faces, mesh.fluxScale());
         for (byte[] bytes : round(order)) {
-            Answer one = new Answer(channels(), mesh.fluxScale());
+            Answer one = new Answer(mesh.faces, mesh.fluxScale());
             one.read(Wire.input(bytes));
             all.add(one, order.most());
         }

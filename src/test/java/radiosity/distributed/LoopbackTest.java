@@ -12,13 +12,20 @@ import java.rmi.server.ExportException;
 import java.rmi.server.UnicastRemoteObject;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import radiosity.scene.Light;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
 import radiosity.world.HostAddress;
+import radiosity.world.LocalWorld;
 import radiosity.world.NoWorkerException;
 import radiosity.world.PartitionPort;
+import radiosity.world.RadiositySettings;
 import radiosity.world.RemoteWorld;
 import radiosity.world.Schedule;
 import radiosity.world.Solution;
@@ -38,6 +45,21 @@ class LoopbackTest {
             Small.assertSame(local, Small.remote(schedule, null, notices::add, a, b, c));
         }
         assertEquals(List.of(), notices);
+    }
+
+    @Test
+    void lampsKeptApart_areTheSameOverRmi() throws IOException {
+        Scene scene = new Scene("two lamps", Small.SCENE.points(), Small.SCENE.corners(), Small.SCENE.surfaceOf(),
+                Small.SCENE.surfaces(), List.of(new Light("second", Light.Kind.POINT, Rgb.grey(0.1),
+                        new Vec3(0.3, 0.5, 0.3), new Vec3(0, -1, 0), Vec3.ZERO, Vec3.ZERO, 1, 0, 0)), Optional.empty());
+        RadiositySettings layered = Small.settings(Schedule.PREDICT).layers(true);
+        Solution local = Small.solve(new LocalWorld(scene, layered, 2));
+        assertEquals(6, local.channels());
+        try (PartitionPort a = Small.serve(null, 1); PartitionPort b = Small.serve(null, 2);
+                RemoteWorld world = new RemoteWorld(scene, layered, List.of(new HostAddress("localhost", a.port()),
+                        new HostAddress("localhost", b.port())), null, 1, notices::add)) {
+            Small.assertSame(local, Small.solve(world));
+        }
     }
 
     @Test

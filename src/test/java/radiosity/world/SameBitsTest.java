@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -82,6 +84,27 @@ class SameBitsTest {
         rest.resume(first.state());
         rest.run(progress -> true);
         assertSame(atOnce, rest.solution());
+    }
+
+    @Test
+    void layers_areTheSameBitsDealtAndResumed() throws IOException {
+        RadiositySettings layered = settings(Schedule.PREDICT).layers(true);
+        Scene two = twoLamps();
+        Solution local = solve(new LocalWorld(two, layered, 2), shots(250));
+        assertEquals(2, local.layers());
+        assertSame(local, solve(new LocalWorld(two, layered, 1, 3), shots(250)));
+        Solution first = solve(new LocalWorld(two, layered, 2), shots(local.shots() / 2));
+        ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(two, layered, 1, 3), shots(250));
+        rest.resume(first.state());
+        rest.run(progress -> true);
+        assertSame(local, rest.solution());
+    }
+
+    /** Besides the block the ceiling glows, and in another colour. */
+    private static Scene twoLamps() {
+        List<Surface> surfaces = new ArrayList<>(SCENE.surfaces());
+        surfaces.set(3, new Surface("ceiling", new Rgb(0.1, 0, 0.2), Rgb.grey(0.4), false));
+        return new Scene(SCENE.name(), SCENE.points(), SCENE.corners(), SCENE.surfaceOf(), surfaces, List.of(), SCENE.camera());
     }
 
     @Test
