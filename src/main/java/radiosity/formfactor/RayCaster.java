@@ -18,8 +18,8 @@ public final class RayCaster implements FormFactorCalculator {
      * unreasonable effectiveness of quasirandom sequences, 2018), rotated by a hash of receiving point and shooting
      * node: the same ray is cast whoever casts it.
      */
-    private static final double R2_U = 0.7548776662466927;
-    private static final double R2_V = 0.5698402909980532;
+    private static final int R2_U = 0xC13FA9A9;
+    private static final int R2_V = 0x91E10DA6;
     /** Sample points below the receiver's horizon are drawn again, so often per ray. */
     private static final int DRAWS = 64;
     /** By how much what is near counts for more: kernel and shadows change faster over it. */
@@ -116,9 +116,9 @@ public final class RayCaster implements FormFactorCalculator {
      */
     private void sampleCluster(float px, float py, float pz, float nx, float ny, float nz, long rotation, Shooter s,
                                int cluster, Gathering gathering) {
-        double u = (rotation >>> 40) * 0x1p-24;
-        double v = (rotation >>> 16 & 0xFFFFFF) * 0x1p-24;
-        double choice = ((rotation & 0xFFFF) + 0.5) * 0x1p-16;
+        int u = (int) (rotation >>> 32);
+        int v = (int) rotation;
+        int lot = lot(rotation);
         double pick = (Hash.mix(rotation, 1) >>> 11) * 0x1p-53;
         double sum = 0;
         int found = -1;
@@ -126,13 +126,12 @@ public final class RayCaster implements FormFactorCalculator {
         float fc = 0;
         for (int draw = 0; draw < CLUSTER_DRAWS; draw++) {
             u += R2_U;
-            u -= (int) u;
             v += R2_V;
-            v -= (int) v;
+            lot = next(lot);
             int node = pick(s, cluster, (pick + draw) / CLUSTER_DRAWS);
-            boolean fold = u + v > 1;
-            float b = (float) (fold ? 1 - u : u);
-            float c = (float) (fold ? 1 - v : v);
+            int fold = fold(u, v);
+            float b = unit(u ^ fold);
+            float c = unit(v ^ fold);
             float[] corner = s.corner;
             int at = 9 * node;
             float a = 1 - b - c;
@@ -147,14 +146,10 @@ public final class RayCaster implements FormFactorCalculator {
             double d2 = (double) dx * dx + (double) dy * dy + (double) dz * dz;
             double k = up * down / (d2 * d2);
             sum += k;
-            double threshold = choice * sum;
-            if (threshold < k) {
+            if (unit(lot) * sum < k) {
                 found = node;
                 fb = b;
                 fc = c;
-                choice = threshold / k;
-            } else {
-                choice = (threshold - k) / (sum - k);
             }
         }
         if (found < 0) {
@@ -167,7 +162,8 @@ public final class RayCaster implements FormFactorCalculator {
         float ty = fa * corner[at + 1] + fb * corner[at + 4] + fc * corner[at + 7];
         float tz = fa * corner[at + 2] + fb * corner[at + 5] + fc * corner[at + 8];
         float[] normal = s.normal;
-        if (sees(px, py, pz, nx, ny, nz, tx, ty, tz, normal[3 * found], normal[3 * found + 1], normal[3 * found + 2])) {
+        if (sees(px, py, pz, nx, ny, nz, tx - px, ty - py, tz - pz, normal[3 * found], normal[3 * found + 1],
+                normal[3 * found + 2])) {
             double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
             reach(s, found, fa, fb, fc, power * sum, gathering);
         }
@@ -180,8 +176,7 @@ public final class RayCaster implements FormFactorCalculator {
         int node = cluster;
         while (s.face[node] < 0) {
             int a = s.child[node];
-            double left = s.strength[a] * s.area[a];
-            double share = left / (left + s.strength[a + 1] * s.area[a + 1]);
+            double share = s.share[node];
             if (x < share) {
                 x /= share;
                 node = a;
@@ -202,61 +197,81 @@ public final class RayCaster implements FormFactorCalculator {
                         int wanted, int choices, Shooter s, int node, Gathering gathering) {
         float[] corner = s.corner;
         int at = 9 * node;
-        double u = (rotation >>> 40) * 0x1p-24;
-        double v = (rotation >>> 16 & 0xFFFFFF) * 0x1p-24;
-        double choice = ((rotation & 0xFFFF) + 0.5) * 0x1p-16;
-        float sx = s.normal[3 * node];
-        float sy = s.normal[3 * node + 1];
-        float sz = s.normal[3 * node + 2];
+        float ox = corner[at] - px;
+        float oy = corner[at + 1] - py;
+        float oz = corner[at + 2] - pz;
+        float bx = corner[at + 3] - corner[at];
+        float by = corner[at + 4] - corner[at + 1];
+        float bz = corner[at + 5] - corner[at + 2];
+        float cx = corner[at + 6] - corner[at];
+        float cy = corner[at + 7] - corner[at + 1];
+        float cz = corner[at + 8] - corner[at + 2];
+        float upO = nx * ox + ny * oy + nz * oz;
+        float upB = nx * bx + ny * by + nz * bz;
+        float upC = nx * cx + ny * cy + nz * cz;
+        int u = (int) (rotation >>> 32);
+        int v = (int) rotation;
+        int lot = lot(rotation);
         double sum = 0;
-        double group = 0;
-        int drawn = 0;
-        int cast = 0;
-        float a = 0;
-        float b = 0;
-        float c = 0;
-        for (int draw = 0; cast < wanted && draw < DRAWS * wanted; draw++) {
-            u += R2_U;
-            u -= (int) u;
-            v += R2_V;
-            v -= (int) v;
-            boolean fold = u + v > 1;
-            float wb = (float) (fold ? 1 - u : u);
-            float wc = (float) (fold ? 1 - v : v);
-            float wa = 1 - wb - wc;
-            float dx = wa * corner[at] + wb * corner[at + 3] + wc * corner[at + 6] - px;
-            float dy = wa * corner[at + 1] + wb * corner[at + 4] + wc * corner[at + 7] - py;
-            float dz = wa * corner[at + 2] + wb * corner[at + 5] + wc * corner[at + 8] - pz;
-            float up = nx * dx + ny * dy + nz * dz;
-            if (up > 0) {
-                float d2 = dx * dx + dy * dy + dz * dz;
-                double k = -(double) up * (sx * dx + sy * dy + sz * dz) / ((double) d2 * d2);
-                group += k;
-                drawn++;
-                double threshold = choice * group;
-                if (threshold < k) {
-                    a = wa;
-                    b = wb;
-                    c = wc;
-                    choice = threshold / k;
-                } else {
-                    choice = (threshold - k) / (group - k);
+        int draws = DRAWS * wanted;
+        for (int cast = 0; cast < wanted && draws > 0; cast++) {
+            double group = 0;
+            float b = 0;
+            float c = 0;
+            for (int drawn = 0; drawn < choices && draws > 0; draws--) {
+                u += R2_U;
+                v += R2_V;
+                int fold = fold(u, v);
+                float wb = unit(u ^ fold);
+                float wc = unit(v ^ fold);
+                float up = upO + wb * upB + wc * upC;
+                if (up > 0) {
+                    float dx = ox + wb * bx + wc * cx;
+                    float dy = oy + wb * by + wc * cy;
+                    float dz = oz + wb * bz + wc * cz;
+                    double d2 = dx * dx + dy * dy + dz * dz;
+                    double k = up / (d2 * d2);
+                    group += k;
+                    drawn++;
+                    lot = next(lot);
+                    if (unit(lot) * group < k) {
+                        b = wb;
+                        c = wc;
+                    }
                 }
             }
-            if (drawn == choices || drawn > 0 && draw == DRAWS * wanted - 1) {
-                float tx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6];
-                float ty = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7];
-                float tz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8];
-                if (sees(px, py, pz, nx, ny, nz, tx, ty, tz, sx, sy, sz)) {
-                    reach(s, node, a, b, c, group, gathering);
+            if (group > 0) {
+                float dx = ox + b * bx + c * cx;
+                float dy = oy + b * by + c * cy;
+                float dz = oz + b * bz + c * cz;
+                if (sees(px, py, pz, nx, ny, nz, dx, dy, dz, s.normal[3 * node], s.normal[3 * node + 1],
+                        s.normal[3 * node + 2])) {
+                    reach(s, node, 1 - b - c, b, c, group, gathering);
                 }
                 sum += group;
-                group = 0;
-                drawn = 0;
-                cast++;
             }
         }
         gathering.close(sum > 0 ? factor / sum : 0);
+    }
+
+    /** A number in [0, 1) of 24 bits. */
+    private static float unit(int bits) {
+        return (bits >>> 8) * 0x1p-24f;
+    }
+
+    /** What turns a point of the unit square beyond its diagonal back into the triangle; without a branch. */
+    private static int fold(int u, int v) {
+        return -((u >>> 8) + (v >>> 8) >>> 24);
+    }
+
+    /** Where a sequence of lots begins. */
+    private static int lot(long rotation) {
+        return (int) (rotation * 0x9E3779B97F4A7C15L >>> 32);
+    }
+
+    /** The lot after one. Source: W. Press and others, Numerical Recipes, 1992, 7.1. */
+    private static int next(int lot) {
+        return lot * 1664525 + 1013904223;
     }
 
     /**
@@ -264,14 +279,12 @@ public final class RayCaster implements FormFactorCalculator {
      * little, but by no more than half of what they see of each other's side: a ray that runs almost in a surface
      * would be stopped by that surface itself.
      */
-    private boolean sees(float px, float py, float pz, float nx, float ny, float nz, float tx, float ty, float tz,
+    private boolean sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
                          float sx, float sy, float sz) {
-        float dx = tx - px;
-        float dy = ty - py;
-        float dz = tz - pz;
         float up = Math.min(LIFT, 0.5f * (nx * dx + ny * dy + nz * dz));
         float down = Math.min(LIFT, -0.5f * (sx * dx + sy * dy + sz * dz));
-        return !bounds.blocked(px + up * nx, py + up * ny, pz + up * nz, tx + down * sx, ty + down * sy, tz + down * sz);
+        return !bounds.blocked(px + up * nx, py + up * ny, pz + up * nz,
+                px + dx + down * sx, py + dy + down * sy, pz + dz + down * sz);
     }
 
     /** Finds the element under a sample point. */

@@ -36,6 +36,8 @@ public final class Shooter {
     final float[] extent;
     /** 1 per node: mean over the node of the largest channel of weight times |radiosity|. */
     final double[] strength;
+    /** 1 per node, of clusters: what of its flux, counted by strength, its first child shoots. */
+    final double[] share;
     /** 3 x channels per node: radiosity to shoot at the corners, of elements. W/m². */
     final double[] radiosity;
 
@@ -62,6 +64,7 @@ public final class Shooter {
         area = new float[most];
         extent = new float[4 * most];
         strength = new double[most];
+        share = new double[most];
         radiosity = new double[3 * channels * most];
         nodes = 1;
         build(0, 0, trees.size());
@@ -86,7 +89,9 @@ public final class Shooter {
     /** A sphere around two; strengths by area. */
     private void enclose(int node, int a, int b) {
         area[node] = area[a] + area[b];
-        strength[node] = (strength[a] * area[a] + strength[b] * area[b]) / area[node];
+        double flux = strength[a] * area[a] + strength[b] * area[b];
+        strength[node] = flux / area[node];
+        share[node] = flux == 0 ? 0 : strength[a] * area[a] / flux;
         double d2 = 0;
         for (int i = 0; i < 3; i++) {
             double d = extent[4 * b + i] - extent[4 * a + i];
