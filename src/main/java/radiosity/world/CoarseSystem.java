@@ -21,9 +21,6 @@ import radiosity.patch.Subdivision;
  */
 final class CoarseSystem {
 
-    private static final int MOST_SWEEPS = 2000;
-    private static final double ENOUGH = 1e-5;
-    private static final int SWEEPS_PER_CORRECTION = 8;
     /** What an empty row takes on the wire, and what one entry of a row. */
     private static final int ROW_BYTES = 13;
     private static final int ENTRY_BYTES = 24;
@@ -42,6 +39,8 @@ final class CoarseSystem {
     private int taken;
     /** Per vertex: up to which of them its own row is; several partitions may have it, and say the same. */
     private final int[] parts;
+    /** Of irradiance by reflected irradiance; null until it is needed. */
+    private GaussSeidel equations;
     /** Channels per vertex: irradiance that comes of all exitance, W/m²; null until it is needed. */
     private double[] mode;
 
@@ -143,20 +142,72 @@ final class CoarseSystem {
      * @return channels per vertex, W/m²; null where it was not to go on
      */
     double[] irradiance(double[] unshot, BooleanSupplier goOn) {
-        if (mode == null) {
-            mode = solution(exitance(), goOn);
+        if (equations == null) {
+            equations = equations();
         }
-        return mode == null ? null : solution(unshot, goOn);
+        if (mode == null) {
+            mode = equations.solve(direct(exitance()), null, goOn);
+        }
+        return mode == null ? null : equations.solve(direct(unshot), mode, goOn);
     }
 
-    private double[] solution(double[] unshot, BooleanSupplier goOn) {
-        double[] h = new double[channels * nodes.vertices()];
-        for (int c = 0; c < channels; c++) {
-            if (!solve(unshot, h, c, goOn)) {
-                return null;
+    /** What arrives at each vertex from unshot radiosity. */
+    private double[] direct(double[] unshot) {
+        double[] sum = new double[channels * column.length];
+        for (int v = 0; v < column.length; v++) {
+            for (int i = 0; i < column[v].length; i++) {
+                double seen = (double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2];
+                for (int c = 0; c < channels; c++) {
+                    sum[channels * v + c] += seen * unshot[channels * column[v][i] + c];
+                }
             }
         }
-        return h;
+        return sum;
+    }
+
+    /** What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners. */
+    private GaussSeidel equations() {
+        int[][] unknown = new int[column.length][];
+        float[][] value = new float[column.length][];
+        int[] place = new int[column.length];
+        int colours = faces.colours();
+        for (int v = 0; v < column.length; v++) {
+            int[] vertices = new int[3 * column[v].length];
+            float[] sum = new float[colours * vertices.length];
+            int size = 0;
+            for (int i = 0; i < column[v].length; i++) {
+                int patch = column[v][i];
+                for (int k = 0; k < 3; k++) {
+                    int at = nodes.corner(patch, k);
+                    float weight = weight(patch, k, v, i);
+                    if (place[at] >= size || vertices[place[at]] != at) {
+                        place[at] = size;
+                        vertices[size++] = at;
+                    }
+                    for (int c = 0; c < colours; c++) {
+                        sum[colours * place[at] + c] += weight * (float) faces.reflectance(nodes.face(patch), c);
+                    }
+                }
+            }
+            unknown[v] = Arrays.copyOf(vertices, size);
+            value[v] = Arrays.copyOf(sum, colours * size);
+        }
+        return new GaussSeidel(channels, colours, unknown, value);
+    }
+
+    /** What counts for corner k of a patch in a row; that of a buried one is shared by the others. */
+    private float weight(int patch, int k, int v, int i) {
+        if (nodes.isBuried(nodes.corner(patch, k))) {
+            return 0;
+        }
+        float buried = 0;
+        int seen = 0;
+        for (int j = 0; j < 3; j++) {
+            boolean hidden = nodes.isBuried(nodes.corner(patch, j));
+            buried += hidden ? entry[v][3 * i + j] : 0;
+            seen += hidden ? 0 : 1;
+        }
+        return entry[v][3 * i + k] + buried / seen;
     }
 
     /** E, channels per node. */
@@ -166,71 +217,6 @@ final class CoarseSystem {
             e[i] = faces.exitance(nodes.face(i / channels), i % channels);
         }
         return e;
-    }
-
-    /**
-     * Gauss-Seidel (section 2.1 of the paper). In white rooms it leaves an error of the shape of the light itself, which
-     * falls by the reflectance per sweep only; that one is taken out now and then: as much of that shape is added as
-     * makes the sum of the equations hold.
-     *
-     * @return whether it is solved; else it was not to go on
-     */
-    private boolean solve(double[] unshot, double[] h, int c, BooleanSupplier goOn) {
-        double change = Double.POSITIVE_INFINITY;
-        double size = 0;
-        for (int sweep = 1; sweep <= MOST_SWEEPS && change > ENOUGH * size; sweep++) {
-            if (!goOn.getAsBoolean()) {
-                return false;
-            }
-            if (sweep % SWEEPS_PER_CORRECTION == 0) {
-                correct(unshot, h, c);
-            }
-            change = 0;
-            size = 0;
-            for (int v = 0; v < column.length; v++) {
-                double sum = direct(v, unshot, c) + indirect(v, h, c);
-                change += Math.abs(sum - h[channels * v + c]);
-                size += Math.abs(sum);
-                h[channels * v + c] = sum;
-            }
-        }
-        return true;
-    }
-
-    /** What arrives at a vertex from unshot radiosity. */
-    private double direct(int v, double[] unshot, int c) {
-        double sum = 0;
-        for (int i = 0; i < column[v].length; i++) {
-            double u = unshot[channels * column[v][i] + c];
-            sum += ((double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2]) * u;
-        }
-        return sum;
-    }
-
-    /** What arrives at a vertex by reflection of irradiance. */
-    private double indirect(int v, double[] h, int c) {
-        double sum = 0;
-        for (int i = 0; i < column[v].length; i++) {
-            int patch = column[v][i];
-            double rho = faces.reflectance(nodes.face(patch), c);
-            for (int k = 0; k < 3; k++) {
-                sum += entry[v][3 * i + k] * rho * corner(patch, k, h, c);
-            }
-        }
-        return sum;
-    }
-
-    private void correct(double[] unshot, double[] h, int c) {
-        double[] shape = mode == null ? h.clone() : mode;
-        double missing = 0;
-        double unit = 0;
-        for (int v = 0; v < column.length; v++) {
-            missing += direct(v, unshot, c) + indirect(v, h, c) - h[channels * v + c];
-            unit += shape[channels * v + c] - indirect(v, shape, c);
-        }
-        for (int v = 0; v < column.length && unit > 0; v++) {
-            h[channels * v + c] += missing / unit * shape[channels * v + c];
-        }
     }
 
     /** A buried corner takes the mean of the others. */
