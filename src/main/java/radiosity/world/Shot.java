@@ -79,12 +79,8 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
             out.writeInt(tree.face());
             out.writeLong(tree.path());
             out.writeInt(tree.child().length);
-            for (int c : tree.child()) {
-                out.writeInt(c);
-            }
-            for (double u : tree.radiosity()) {
-                out.writeDouble(u);
-            }
+            Wire.write(out, tree.child());
+            Wire.write(out, tree.radiosity());
         }
         out.writeDouble(flux);
     }
@@ -95,20 +91,15 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
             int face = in.readInt();
             long path = in.readLong();
             int[] child = children(in, 3 * channels * Double.BYTES);
-            double[] radiosity = new double[3 * channels * child.length];
-            for (int i = 0; i < radiosity.length; i++) {
-                radiosity[i] = in.readDouble();
-            }
-            trees.add(new PatchTree(face, path, child, radiosity));
+            trees.add(new PatchTree(face, path, child, Wire.doubles(in, 3 * channels * child.length)));
         }
         return new Shot(trees, in.readDouble());
     }
 
     /** A tree whose children did not follow their parents would have no end. */
     private static int[] children(DataInputStream in, int nodeBytes) throws IOException {
-        int[] child = new int[Wire.count(in, Integer.BYTES + nodeBytes)];
+        int[] child = Wire.ints(in, Wire.count(in, Integer.BYTES + nodeBytes));
         for (int i = 0; i < child.length; i++) {
-            child[i] = in.readInt();
             if (child[i] != -1 && (child[i] <= i || child[i] > child.length - 4)) {
                 throw new IOException("shot: expected children behind node " + i + ", got " + child[i]);
             }
