@@ -75,13 +75,30 @@ final class MeshRefinement {
         boolean hidden = nodes.isBuried(middle) || nodes.isBuried(p) || nodes.isBuried(q);
         double largest = 0;
         for (int c = 0; c < nodes.channels(); c++) {
-            double m = at(middle, c);
-            double a = at(p, c);
-            double b = at(q, c);
-            double difference = hidden ? Math.max(m, Math.max(a, b)) / 2 : Math.abs(m - (a + b) / 2);
+            double difference = hidden ? ofVisible(parent, c)
+                    : Math.abs(at(middle, c) - (at(p, c) + at(q, c)) / 2);
             largest = Math.max(largest, weigh(parent, c, difference));
         }
         return largest;
+    }
+
+    /**
+     * What lies partly under something takes its light from the corners that do not: half the difference between those,
+     * and half of what is there where only one is left to tell.
+     */
+    private double ofVisible(int parent, int c) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = 0;
+        int seen = 0;
+        for (int k = 0; k < 6; k++) {
+            int v = k < 3 ? nodes.corner(parent, k) : nodes.corner(nodes.child(parent) + 3, k - 3);
+            if (!nodes.isBuried(v)) {
+                seen++;
+                low = Math.min(low, at(v, c));
+                high = Math.max(high, at(v, c));
+            }
+        }
+        return seen > 1 ? (high - low) / 2 : high / 2;
     }
 
     /** An original triangle has no parent: a quarter of the difference between its corners. */
@@ -104,6 +121,6 @@ final class MeshRefinement {
     }
 
     private double at(int vertex, int c) {
-        return nodes.isBuried(vertex) ? 0 : nodes.irradiance()[nodes.channels() * vertex + c];
+        return nodes.irradiance()[nodes.channels() * vertex + c];
     }
 }
