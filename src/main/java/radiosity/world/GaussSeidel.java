@@ -77,7 +77,7 @@ final class GaussSeidel {
         System.arraycopy(direct, channels * v, sum, 0, channels);
         int[] unknown = column[v];
         float[] m = entry[v];
-        if (channels == 3) {
+        if (channels == 3 && colours == 3) {
             double r = sum[0];
             double g = sum[1];
             double b = sum[2];
