@@ -62,12 +62,7 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
      * @param factors of each lamp's light, at least 0
      */
     Mesh mixed(List<Lamp> lamps, List<Rgb> factors) {
-        Rgb exitance = surface.exitance();
-        for (int layer = 0; layer < lamps.size(); layer++) {
-            if (lamps.get(layer).isSurface(surface.name())) {
-                exitance = exitance.times(factors.get(layer));
-            }
-        }
+        Surface lit = lit(lamps, factors);
         float[] h = new float[irradiance.length];
         float[] b = new float[irradiance.length];
         for (int i = 0; i < h.length; i++) {
@@ -76,9 +71,20 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
                 sum += factors.get(layer).channel(i % 3) * layers.get(layer)[i];
             }
             h[i] = (float) sum;
-            b[i] = (float) (exitance.channel(i % 3) + surface.reflectance().channel(i % 3) * sum);
+            b[i] = (float) (lit.exitance().channel(i % 3) + surface.reflectance().channel(i % 3) * sum);
         }
-        return new Mesh(surface, back, positions, normals, h, b, layers, corners);
+        return new Mesh(lit, back, positions, normals, h, b, layers, corners);
+    }
+
+    /** As a lamp that it may be. */
+    private Surface lit(List<Lamp> lamps, List<Rgb> factors) {
+        Rgb exitance = surface.exitance();
+        for (int layer = 0; layer < lamps.size(); layer++) {
+            if (lamps.get(layer).isSurface(surface.name())) {
+                exitance = exitance.times(factors.get(layer));
+            }
+        }
+        return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided(), surface.textures());
     }
 
     private static Rgb at(float[] array, int vertex) {

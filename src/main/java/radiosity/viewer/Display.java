@@ -5,12 +5,11 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import radiosity.output.LitScene;
-import radiosity.output.ToneMapping;
 import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 
 /** What the window shows just now, and how; on the event thread. */
@@ -21,23 +20,18 @@ final class Display {
     private static final double REACH = 2;
 
     private final Stage stage;
-    private final ViewSettings settings;
     private final WindowControls window;
     private final LightShader shader = new LightShader();
+    private final Lighting lighting;
     private final Walker walker;
     private final Walking walking;
-    private LitScene scene;
     private Extent extent;
     private CompletableFuture<Obstacles> obstacles;
-    private ToneMapping toneMapping;
-    /** The exposure for the scene as it is now. */
-    private double automaticExposure;
+    private SceneShapes shapes;
+    private Runnable changed = () -> { };
     private boolean wireframe;
     private boolean textures;
-    private boolean falseColour;
     private boolean help;
-    /** Whether the exposure follows the scene. */
-    private boolean automatic;
     private List<String> status = List.of();
 
     /** What only the window can do. */
@@ -45,18 +39,19 @@ final class Display {
         /** Fills the screen, or no longer. */
         void fullScreen();
 
+        /** Shows the control panel, or no longer. */
+        void panel();
+
         void close();
     }
 
     Display(Stage stage, LitScene scene, ViewSettings settings, WindowControls window) {
         this.stage = stage;
-        this.settings = settings;
         this.window = window;
         walker = new Walker(scene.camera(), this::allowed);
         walking = new Walking(walker, this::look, () -> extent.size());
         textures = settings.textures();
-        automatic = settings.toneMapping().isEmpty();
-        toneMapping = settings.toneMapping().orElse(new ToneMapping(settings.curve(), 1));
+        lighting = new Lighting(settings, shader);
         show(scene);
         if (settings.wireframe()) {
             wireframe();
@@ -69,22 +64,46 @@ final class Display {
         return walking;
     }
 
+    Lighting lighting() {
+        return lighting;
+    }
+
+    boolean showsWireframe() {
+        return wireframe;
+    }
+
+    boolean showsTextures() {
+        return textures;
+    }
+
+    boolean collides() {
+        return walker.collides();
+    }
+
+    /** @param listener is told whenever something is shown in another way */
+    void whenChanged(Runnable listener) {
+        changed = listener;
+    }
+
     /** Shows another scene from where the user stands. */
     void show(LitScene other) {
-        scene = other;
+        lighting.show(other);
         extent = Extent.of(other);
         obstacles = CompletableFuture.supplyAsync(() -> new Obstacles(other));
-        automaticExposure = ToneMapping.automatic(settings.curve(), other.meshes(), settings.stops()).exposure();
-        toneMapping(automatic ? automaticExposure : toneMapping.exposure(), toneMapping.operator());
         surfaces();
         look();
     }
 
     private void surfaces() {
         try {
-            stage.scene(textures && scene.textures().isPresent()
-                    ? TexturedShapes.of(scene.textures().get(), shader, SceneShapes.bounds(scene))
-                    : SceneShapes.of(scene, shader.vertices()));
+            LitScene scene = lighting.scene();
+            shapes = null;
+            if (textures && scene.textures().isPresent()) {
+                stage.scene(TexturedShapes.of(scene.textures().get(), shader, SceneShapes.bounds(scene)));
+            } else {
+                shapes = new SceneShapes(scene, shader.vertices());
+                stage.scene(shapes.group());
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -94,7 +113,7 @@ final class Display {
     void textures() {
         textures = !textures;
         surfaces();
-        status(scene.textures().isEmpty() ? "no textures: they are made by RadiosityRenderer -ut"
+        status(lighting.scene().textures().isEmpty() ? "no textures: they are made by RadiosityRenderer -ut"
                 : textures ? "textures" : "vertices");
     }
 
@@ -111,7 +130,7 @@ final class Display {
     }
 
     void look() {
-        stage.look(camera(), scene.origin(), extent);
+        stage.look(camera(), lighting.scene().origin(), extent);
     }
 
     /** Puts everything where it belongs in a window of another size. */
@@ -137,7 +156,7 @@ final class Display {
     }
 
     void home() {
-        walker.stand(scene.camera());
+        walker.stand(lighting.scene().camera());
         quiet();
         look();
     }
@@ -153,46 +172,42 @@ final class Display {
         status("walls " + (walker.collides() ? "stop you" : "let you through"));
     }
 
-    void brighter(double stops) {
-        automatic = false;
-        light(toneMapping.exposure() * Math.pow(2, stops), toneMapping.operator());
+    /** Changes the light, and says how it is. */
+    void light(Runnable change) {
+        change.run();
+        status(lighting.text());
     }
 
-    void automaticExposure() {
-        automatic = true;
-        light(automaticExposure, toneMapping.operator());
+    /** Dims or colours a lamp; the light of textures is as it was rendered, so that of vertices is shown. */
+    void lamp(int lamp, Rgb factor) {
+        lighting.lamp(lamp, factor);
+        lampsChanged();
     }
 
-    void nextCurve() {
-        ToneMapping.Operator[] all = ToneMapping.Operator.values();
-        light(toneMapping.exposure(), all[(toneMapping.operator().ordinal() + 1) % all.length]);
+    void lampsAsRendered() {
+        lighting.reset();
+        lampsChanged();
     }
 
-    private void toneMapping(double exposure, ToneMapping.Operator curve) {
-        toneMapping = new ToneMapping(curve, exposure);
-        shader.toneMapping(toneMapping);
-    }
-
-    ToneMapping toneMapping() {
-        return toneMapping;
-    }
-
-    /** Another tone mapping, and says which. */
-    private void light(double exposure, ToneMapping.Operator curve) {
-        toneMapping(exposure, curve);
-        status(String.format(Locale.ROOT, "exposure %.4g per W/m² (%+.2f EV)   %s", exposure,
-                Math.log(exposure / automaticExposure) / Math.log(2), curve.name().toLowerCase(Locale.ROOT)));
+    private void lampsChanged() {
+        textures = false;
+        if (shapes == null) {
+            surfaces();
+        } else {
+            shapes.light(lighting.scene());
+        }
+        overlay();
     }
 
     void falseColour() {
-        falseColour = !falseColour;
-        shader.falseColour(falseColour);
+        lighting.falseColour(!lighting.falseColour());
         overlay();
     }
 
     void wireframe() {
         wireframe = !wireframe;
         shader.wireframe(wireframe);
+        changed.run();
     }
 
     void help() {
@@ -202,6 +217,10 @@ final class Display {
 
     void fullScreen() {
         window.fullScreen();
+    }
+
+    void panel() {
+        window.panel();
     }
 
     void leave() {
@@ -215,7 +234,7 @@ final class Display {
                 1 - (2.0 * y + 1) / stage.canvas().getHeight());
         double far = REACH * (extent.size() + camera.position().minus(extent.centre()).length());
         Optional<Probe> probe = obstacles.join().hit(camera.position(), direction, far)
-                .map(hit -> Probe.of(hit, camera.position().plus(direction.times(hit.distance()))));
+                .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position().plus(direction.times(hit.distance()))));
         status(probe.map(Probe::lines).orElse(List.of()));
         return probe;
     }
@@ -237,8 +256,8 @@ final class Display {
             BufferedImage text = Overlay.text(status);
             labels.add(new Overlay.Label(text, EDGE, height - text.getHeight() - EDGE));
         }
-        if (falseColour) {
-            BufferedImage scale = Overlay.scale(toneMapping);
+        if (lighting.falseColour()) {
+            BufferedImage scale = Overlay.scale(lighting.toneMapping());
             labels.add(new Overlay.Label(scale, width - scale.getWidth() - EDGE, EDGE));
         }
         if (help) {
@@ -246,6 +265,7 @@ final class Display {
         }
         stage.canvas().overlay(Overlay.of(labels, width, height));
         stage.redraw();
+        changed.run();
     }
 
     void close() {

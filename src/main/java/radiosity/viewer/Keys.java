@@ -28,6 +28,7 @@ final class Keys extends KeyAdapter {
         {"X", "wireframe"},
         {"U", "light of textures or of vertices"},
         {"K", "walk through walls or not"},
+        {"P", "panel for the mouse: exposure, lamps"},
         {"F11", "full screen"},
         {"H", "this help"},
         {"Space", "no text"},
@@ -68,10 +69,11 @@ final class Keys extends KeyAdapter {
     }
 
     private void act(int key, char typed) {
+        Lighting lighting = display.lighting();
         switch (typed) {
-            case '+', '=' -> display.brighter(THIRD);
-            case '-', '_' -> display.brighter(-THIRD);
-            case '0' -> display.automaticExposure();
+            case '+', '=' -> display.light(() -> lighting.brighter(THIRD));
+            case '-', '_' -> display.light(() -> lighting.brighter(-THIRD));
+            case '0' -> display.light(lighting::automaticExposure);
             case '[' -> walking.pace(1 / PACE);
             case ']' -> walking.pace(PACE);
             default -> act(key);
@@ -81,10 +83,11 @@ final class Keys extends KeyAdapter {
     private void act(int key) {
         switch (key) {
             case KeyEvent.VK_HOME -> display.home();
-            case KeyEvent.VK_T -> display.nextCurve();
+            case KeyEvent.VK_T -> display.light(display.lighting()::nextCurve);
             case KeyEvent.VK_C -> display.falseColour();
             case KeyEvent.VK_X -> display.wireframe();
             case KeyEvent.VK_U -> display.textures();
+            case KeyEvent.VK_P -> display.panel();
             case KeyEvent.VK_K -> display.collisions();
             case KeyEvent.VK_F11 -> display.fullScreen();
             case KeyEvent.VK_H, KeyEvent.VK_F1 -> display.help();

@@ -28,14 +28,14 @@ final class Obstacles {
     /**
      * What a ray meets.
      *
-     * @param mesh     which side of a surface
+     * @param mesh     number of the side of a surface
      * @param element  of the mesh
      * @param v        weight of corner 1
      * @param w        weight of corner 2
      * @param distance scene units
      * @param normal   unit, out of the visible side
      */
-    record Hit(Mesh mesh, int element, double v, double w, double distance, Vec3 normal) { }
+    record Hit(int mesh, int element, double v, double w, double distance, Vec3 normal) { }
 
     Obstacles(LitScene scene) {
         meshes = scene.meshes();
@@ -105,7 +105,7 @@ final class Obstacles {
         int e = found - first[m];
         Vec3 a = mesh.position(e, 0);
         Vec3 normal = mesh.position(e, 1).minus(a).cross(mesh.position(e, 2).minus(a)).unit();
-        return new Hit(mesh, e, hit[1], hit[2], distance, normal);
+        return new Hit(m, e, hit[1], hit[2], distance, normal);
     }
 
     /** How much of a step can be taken: before a wall it goes on along it. */

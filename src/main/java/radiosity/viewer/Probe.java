@@ -2,6 +2,7 @@ package radiosity.viewer;
 
 import java.util.List;
 import java.util.Locale;
+import radiosity.output.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -17,12 +18,13 @@ import radiosity.scene.Vec3;
  */
 record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irradiance) {
 
-    static Probe of(Obstacles.Hit hit, Vec3 point) {
+    /** @param mesh that was hit, in the light that is shown */
+    static Probe of(Obstacles.Hit hit, Mesh mesh, Vec3 point) {
         int e = hit.element();
         double u = 1 - hit.v() - hit.w();
-        return new Probe(hit.mesh().surface(), hit.mesh().back(), point,
-                mix(hit.mesh().radiosity(e, 0), hit.mesh().radiosity(e, 1), hit.mesh().radiosity(e, 2), u, hit),
-                mix(hit.mesh().irradiance(e, 0), hit.mesh().irradiance(e, 1), hit.mesh().irradiance(e, 2), u, hit));
+        return new Probe(mesh.surface(), mesh.back(), point,
+                mix(mesh.radiosity(e, 0), mesh.radiosity(e, 1), mesh.radiosity(e, 2), u, hit),
+                mix(mesh.irradiance(e, 0), mesh.irradiance(e, 1), mesh.irradiance(e, 2), u, hit));
     }
 
     private static Rgb mix(Rgb a, Rgb b, Rgb c, double u, Obstacles.Hit hit) {

@@ -2,6 +2,9 @@ package radiosity.viewer;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
+import java.util.List;
 import org.jogamp.java3d.Appearance;
 import org.jogamp.java3d.BoundingSphere;
 import org.jogamp.java3d.BranchGroup;
@@ -21,17 +24,34 @@ final class SceneShapes {
             | GeometryArray.BY_REFERENCE_INDICES | GeometryArray.USE_COORD_INDEX_ONLY
             | GeometryArray.USE_NIO_BUFFER;
 
-    private SceneShapes() { }
+    private final BranchGroup group = new BranchGroup();
+    /** 1 per mesh. */
+    private final List<IndexedTriangleArray> triangles = new ArrayList<>();
+    /** 1 per mesh: radiosity, 3 per vertex, W/m². */
+    private final List<FloatBuffer> radiosity = new ArrayList<>();
 
     /** Positions count from the scene's origin. */
-    static BranchGroup of(LitScene scene, Appearance appearance) {
-        BranchGroup group = new BranchGroup();
+    SceneShapes(LitScene scene, Appearance appearance) {
         group.setCapability(BranchGroup.ALLOW_DETACH);
         BoundingSphere bounds = bounds(scene);
         for (Mesh mesh : scene.meshes()) {
-            group.addChild(shape(triangles(mesh), appearance, bounds));
+            radiosity.add(buffer(mesh.radiosity()));
+            triangles.add(triangles(mesh, radiosity.get(radiosity.size() - 1)));
+            group.addChild(shape(triangles.get(triangles.size() - 1), appearance, bounds));
         }
+    }
+
+    BranchGroup group() {
         return group;
+    }
+
+    /** Shows the same scene in another light. */
+    void light(LitScene scene) {
+        for (int m = 0; m < triangles.size(); m++) {
+            FloatBuffer to = radiosity.get(m);
+            float[] from = scene.meshes().get(m).radiosity();
+            triangles.get(m).updateData(geometry -> to.rewind().put(from).rewind());
+        }
     }
 
     static BoundingSphere bounds(LitScene scene) {
@@ -40,10 +60,11 @@ final class SceneShapes {
         return new BoundingSphere(new Point3d(c.x(), c.y(), c.z()), extent.size());
     }
 
-    private static IndexedTriangleArray triangles(Mesh mesh) {
+    private static IndexedTriangleArray triangles(Mesh mesh, FloatBuffer radiosity) {
         IndexedTriangleArray triangles = new IndexedTriangleArray(mesh.vertices(), FORMAT, mesh.corners().length);
-        triangles.setCoordRefBuffer(buffer(mesh.positions()));
-        triangles.setColorRefBuffer(buffer(mesh.radiosity()));
+        triangles.setCapability(GeometryArray.ALLOW_REF_DATA_WRITE);
+        triangles.setCoordRefBuffer(new J3DBuffer(buffer(mesh.positions())));
+        triangles.setColorRefBuffer(new J3DBuffer(radiosity));
         triangles.setCoordIndicesRef(mesh.corners());
         return triangles;
     }
@@ -58,8 +79,8 @@ final class SceneShapes {
         return shape;
     }
 
-    private static J3DBuffer buffer(float[] values) {
-        return new J3DBuffer(ByteBuffer.allocateDirect(4 * values.length).order(ByteOrder.nativeOrder())
-                .asFloatBuffer().put(values).rewind());
+    private static FloatBuffer buffer(float[] values) {
+        return ByteBuffer.allocateDirect(4 * values.length).order(ByteOrder.nativeOrder())
+                .asFloatBuffer().put(values).rewind();
     }
 }

@@ -35,6 +35,7 @@ public final class Walkthrough {
     private final Stage stage = new Stage();
     private final Frame frame;
     private final Display display;
+    private final ControlPanel panel;
     private final Optional<FollowedFile> followed;
     private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -47,6 +48,9 @@ public final class Walkthrough {
                 : Math.max(1, (int) Math.round(settings.width() / scene.camera().aspect()));
         stage.canvas().setPreferredSize(new Dimension(settings.width(), height));
         display = new Display(stage, scene, settings, controls());
+        panel = new ControlPanel(display);
+        display.whenChanged(panel::refresh);
+        frame.add(panel.component(), BorderLayout.EAST);
         followed = settings.followed().map(file -> new FollowedFile(file, display::replace));
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -68,6 +72,12 @@ public final class Walkthrough {
             public void fullScreen() {
                 GraphicsDevice screen = frame.getGraphicsConfiguration().getDevice();
                 screen.setFullScreenWindow(screen.getFullScreenWindow() == frame ? null : frame);
+            }
+
+            @Override
+            public void panel() {
+                panel.component().setVisible(!panel.component().isVisible());
+                frame.validate();
             }
 
             @Override
@@ -142,6 +152,10 @@ public final class Walkthrough {
 
     Display display() {
         return display;
+    }
+
+    ControlPanel panel() {
+        return panel;
     }
 
     /** The next picture in which everything is shown that was asked for. */

@@ -1,10 +1,14 @@
 package radiosity.viewer;
 
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.KeyboardFocusManager;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.InputStreamReader;
@@ -13,7 +17,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import javax.swing.AbstractButton;
+import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import radiosity.output.LitScene;
 import radiosity.output.ToneMapping;
@@ -22,7 +29,8 @@ import radiosity.scene.Camera;
 /**
  * A window that is used by lines on standard input; each is answered by one line.
  *
- * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y; probe X Y; camera; exposure; shot FILE; real KEY
+ * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y; probe X Y; camera; exposure; shot FILE; screen FILE; real KEY;
+ * press BUTTON; set SLIDER NUMBER; colour LAMP RED GREEN BLUE
  *
  * <p>Keys and mouse are events given to the canvas, and time is a counter: however busy the machine is, a key is held
  * for as long as it says. Only {@code real} presses a key of the display, until the window has walked.
@@ -47,7 +55,17 @@ final class Session {
     }
 
     /** @param arguments scene file, width, height */
-    public static void main(String[] arguments) throws Exception {
+    public static void main(String[] arguments) {
+        try {
+            run(arguments);
+            System.exit(0);
+        } catch (Exception e) {
+            e.printStackTrace();
+            System.exit(1);
+        }
+    }
+
+    private static void run(String[] arguments) throws Exception {
         Path file = Path.of(arguments[0]);
         Walkthrough window = Walkthrough.open(LitScene.read(file), new ViewSettings("test", false, false, Optional.empty(),
                 ToneMapping.Operator.REINHARD, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
@@ -59,7 +77,6 @@ final class Session {
             System.out.println(session.answer(line.split(" ")));
         }
         window.close();
-        System.exit(0);
     }
 
     private static <T> T onEventThread(Callable<T> task) throws Exception {
@@ -71,6 +88,7 @@ final class Session {
     private String answer(String[] words) throws Exception {
         return switch (words[0]) {
             case "shot" -> String.valueOf(ImageIO.write(window.screenshot(), "png", new File(words[1])));
+            case "screen" -> String.valueOf(ImageIO.write(screen(), "png", new File(words[1])));
             case "real" -> real(key(words[1]));
             default -> onEventThread(() -> said(words));
         };
@@ -81,11 +99,18 @@ final class Session {
             case "hold" -> hold(words[1].split("\\+"), number(words, 2));
             case "click" -> mouse(number(words, 1), number(words, 2), number(words, 1), number(words, 2));
             case "drag" -> mouse(number(words, 1), number(words, 2), number(words, 3), number(words, 4));
+            case "press" -> part(words[1], AbstractButton.class).doClick(0);
+            case "set" -> part(words[1], JSlider.class).setValue(number(words, 2));
+            case "colour" -> window.panel().lamp(number(words, 1))
+                    .colour(new Color(number(words, 2), number(words, 3), number(words, 4)));
+            case "size" -> {
+                return window.canvas().getWidth() + " " + window.canvas().getHeight();
+            }
             case "camera" -> {
                 return text(window.display().camera());
             }
             case "exposure" -> {
-                return String.valueOf(window.display().toneMapping().exposure());
+                return String.valueOf(window.display().lighting().toneMapping().exposure());
             }
             case "probe" -> {
                 return window.display().probe(number(words, 1), number(words, 2)).map(Probe::lines)
@@ -96,6 +121,27 @@ final class Session {
             }
         }
         return "done";
+    }
+
+    /** A component of the panel. */
+    private <T extends Component> T part(String name, Class<T> type) {
+        return type.cast(find(window.panel().component(), name).orElseThrow());
+    }
+
+    private static Optional<Component> find(Component in, String name) {
+        if (name.equals(in.getName())) {
+            return Optional.of(in);
+        }
+        return in instanceof Container container ? Stream.of(container.getComponents())
+                .flatMap(part -> find(part, name).stream()).findFirst() : Optional.empty();
+    }
+
+    /** All of the window, as the display shows it. */
+    private BufferedImage screen() throws Exception {
+        window.screenshot();
+        Robot robot = new Robot();
+        robot.waitForIdle();
+        return robot.createScreenCapture(SwingUtilities.getWindowAncestor(window.canvas()).getBounds());
     }
 
     private static int number(String[] words, int i) {

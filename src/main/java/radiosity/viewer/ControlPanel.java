@@ -1,0 +1,162 @@
+package radiosity.viewer;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.AbstractButton;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.BorderFactory;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+import javax.swing.JScrollPane;
+import javax.swing.JSlider;
+import radiosity.output.ToneMapping;
+import radiosity.scene.Lamp;
+
+/**
+ * What the keys do, for the mouse, and a slider and a colour for each lamp; beside the picture, on the event thread.
+ *
+ * <p>Nothing in it takes the keys away from the picture. Components have names, by which tests find them.
+ */
+final class ControlPanel {
+
+    private static final int WIDTH = 220;
+    private static final int EDGE = 8;
+    /** Steps of the exposure per EV, and how many EV either way. */
+    private static final int STEPS = 3;
+    private static final int MOST_STOPS = 10;
+
+    private final Display display;
+    private final JPanel content = new JPanel();
+    private final JScrollPane scroll = new JScrollPane(content, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
+            JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    private final JLabel exposure = new JLabel();
+    private final JSlider stops = new JSlider(-STEPS * MOST_STOPS, STEPS * MOST_STOPS, 0);
+    private final List<AbstractButton> curves = new ArrayList<>();
+    private final JCheckBox falseColour = new JCheckBox("luminance in colours");
+    private final JCheckBox wireframe = new JCheckBox("wireframe");
+    private final JCheckBox textures = new JCheckBox("light of textures");
+    private final JCheckBox walls = new JCheckBox("walls stop you");
+    private final JPanel lamps = new JPanel();
+    private final List<LampControl> lampControls = new ArrayList<>();
+    private List<Lamp> shown = List.of();
+    /** While components are told how things are, they tell nobody. */
+    private boolean refreshing;
+
+    ControlPanel(Display display) {
+        this.display = display;
+        content.setLayout(new BoxLayout(content, BoxLayout.Y_AXIS));
+        content.setBorder(BorderFactory.createEmptyBorder(EDGE, EDGE, EDGE, EDGE));
+        lamps.setLayout(new BoxLayout(lamps, BoxLayout.Y_AXIS));
+        addLight();
+        check(falseColour, "falseColour", display::falseColour);
+        check(wireframe, "wireframe", display::wireframe);
+        check(textures, "textures", display::textures);
+        check(walls, "walls", display::collisions);
+        add(content, lamps);
+        content.add(Box.createVerticalGlue());
+        // no higher than the picture
+        scroll.setPreferredSize(new Dimension(WIDTH, 1));
+        scroll.setVisible(false);
+        refresh();
+    }
+
+    private void addLight() {
+        Lighting lighting = display.lighting();
+        add(content, exposure);
+        stops.setName("stops");
+        stops.addChangeListener(e -> act(() -> display.light(() -> lighting.stops((double) stops.getValue() / STEPS))));
+        add(content, stops);
+        add(content, button("automatic", "automatic exposure", () -> display.light(lighting::automaticExposure)));
+        ButtonGroup group = new ButtonGroup();
+        for (ToneMapping.Operator curve : ToneMapping.Operator.values()) {
+            String name = curve.name().toLowerCase(Locale.ROOT);
+            JRadioButton choice = new JRadioButton(name);
+            choice.setName(name);
+            choice.addActionListener(e -> display.light(() -> lighting.curve(curve)));
+            group.add(choice);
+            curves.add(choice);
+            add(content, choice);
+        }
+    }
+
+    private void check(JCheckBox box, String name, Runnable toggle) {
+        box.setName(name);
+        box.addActionListener(e -> toggle.run());
+        add(content, box);
+    }
+
+    private static JButton button(String name, String text, Runnable action) {
+        JButton button = new JButton(text);
+        button.setName(name);
+        button.addActionListener(e -> action.run());
+        return button;
+    }
+
+    private static void add(JPanel to, JComponent component) {
+        component.setFocusable(false);
+        component.setAlignmentX(Component.LEFT_ALIGNMENT);
+        to.add(component);
+    }
+
+    private void act(Runnable action) {
+        if (!refreshing) {
+            action.run();
+        }
+    }
+
+    /** What goes into the window. */
+    JComponent component() {
+        return scroll;
+    }
+
+    LampControl lamp(int lamp) {
+        return lampControls.get(lamp);
+    }
+
+    /** Shows things as they are. */
+    void refresh() {
+        refreshing = true;
+        Lighting lighting = display.lighting();
+        exposure.setText(String.format(Locale.ROOT, "exposure %+.2f EV", lighting.stops()));
+        stops.setValue((int) Math.round(STEPS * lighting.stops()));
+        curves.get(lighting.toneMapping().operator().ordinal()).setSelected(true);
+        falseColour.setSelected(lighting.falseColour());
+        wireframe.setSelected(display.showsWireframe());
+        textures.setSelected(display.showsTextures());
+        textures.setEnabled(lighting.scene().textures().isPresent());
+        walls.setSelected(display.collides());
+        if (!shown.equals(lighting.lamps())) {
+            shown = lighting.lamps();
+            replaceLamps();
+        }
+        for (int lamp = 0; lamp < lampControls.size(); lamp++) {
+            lampControls.get(lamp).show(lighting.lamp(lamp));
+        }
+        refreshing = false;
+    }
+
+    private void replaceLamps() {
+        lamps.removeAll();
+        lampControls.clear();
+        for (int i = 0; i < shown.size(); i++) {
+            int lamp = i;
+            LampControl control = new LampControl(i, shown.get(i).name(),
+                    factor -> act(() -> display.lamp(lamp, factor)));
+            lampControls.add(control);
+            control.parts().forEach(part -> add(lamps, part));
+        }
+        if (!shown.isEmpty()) {
+            add(lamps, button("asRendered", "lamps as rendered", display::lampsAsRendered));
+        }
+        lamps.revalidate();
+    }
+}

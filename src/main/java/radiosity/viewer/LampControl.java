@@ -1,0 +1,84 @@
+package radiosity.viewer;
+
+import java.awt.Color;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JColorChooser;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JSlider;
+import radiosity.scene.Rgb;
+
+/** A slider and a colour: what a lamp's light is multiplied with is the product of both. */
+final class LampControl {
+
+    private static final int PERCENT = 100;
+    /** The slider's right end. */
+    private static final int MOST = 300;
+
+    private final String name;
+    private final Consumer<Rgb> changed;
+    private final JLabel label = new JLabel();
+    private final JSlider slider = new JSlider(0, MOST, PERCENT);
+    private final JButton button = new JButton("colour");
+    /** Linear, its largest channel 1. */
+    private Rgb colour = Rgb.grey(1);
+
+    /** @param changed is told the factor of the lamp's light */
+    LampControl(int number, String name, Consumer<Rgb> changed) {
+        this.name = name;
+        this.changed = changed;
+        slider.setName("lamp" + number);
+        button.setName("colour" + number);
+        slider.addChangeListener(e -> {
+            label.setText(text());
+            changed.accept(colour.times((double) slider.getValue() / PERCENT));
+        });
+        button.addActionListener(e -> choose());
+    }
+
+    List<JComponent> parts() {
+        return List.of(label, slider, button);
+    }
+
+    private String text() {
+        return String.format(Locale.ROOT, "%s %d %%", name, slider.getValue());
+    }
+
+    private void choose() {
+        Color chosen = JColorChooser.showDialog(button, name, button.getBackground());
+        if (chosen != null) {
+            colour(chosen);
+        }
+    }
+
+    /** Another colour for the same strength. */
+    void colour(Color chosen) {
+        Rgb linear = new Rgb(linear(chosen.getRed()), linear(chosen.getGreen()), linear(chosen.getBlue()));
+        colour = linear.max() > 0 ? linear.times(1 / linear.max()) : Rgb.grey(1);
+        changed.accept(colour.times((double) slider.getValue() / PERCENT));
+    }
+
+    /** Shows what the lamp's light is multiplied with; without light the colour stays. */
+    void show(Rgb factor) {
+        if (factor.max() > 0) {
+            colour = factor.times(1 / factor.max());
+        }
+        slider.setValue((int) Math.round(PERCENT * factor.max()));
+        label.setText(text());
+        button.setBackground(new Color(code(colour.r()), code(colour.g()), code(colour.b())));
+    }
+
+    /** IEC 61966-2-1, sRGB. */
+    private static double linear(int code) {
+        double x = code / 255.0;
+        return x <= 0.04045 ? x / 12.92 : Math.pow((x + 0.055) / 1.055, 2.4);
+    }
+
+    private static float code(double linear) {
+        double x = Math.max(0, Math.min(1, linear));
+        return (float) (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.pow(x, 1 / 2.4) - 0.055);
+    }
+}

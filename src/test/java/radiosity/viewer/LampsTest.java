@@ -1,0 +1,149 @@
+package radiosity.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static radiosity.viewer.Rendered.SIZE;
+import static radiosity.viewer.Rendered.brightness;
+import static radiosity.viewer.Rendered.difference;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.lightwave.LightWaveOptions;
+import radiosity.lightwave.LightWaveReader;
+import radiosity.output.SceneFile;
+import radiosity.output.ToneMapping;
+import radiosity.scene.Light;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.world.LocalWorld;
+import radiosity.world.ProgressiveRadiosity;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Schedule;
+import radiosity.world.Solution;
+import radiosity.world.StopRule;
+
+/** The control panel of the window on a Cornell box with a second, blue light. */
+class LampsTest {
+
+    private static final int LEFT = SIZE / 10;
+    private static final int MIDDLE = SIZE / 2;
+
+    @TempDir
+    static Path folder;
+
+    private static DrivenWindow window;
+
+    @BeforeAll
+    static void open() throws IOException {
+        Path file = folder.resolve("lamps.scene");
+        Solution solution = solution();
+        SceneFile.write(file, solution, Map.of(), solution.scene().camera(), ToneMapping.automatic(solution));
+        window = new DrivenWindow(file, folder);
+    }
+
+    private static Solution solution() throws IOException {
+        Scene box = LightWaveReader.read(Path.of("scenes/cornell-box.lws"), LightWaveOptions.defaults(), note -> { });
+        double range = Math.sqrt(box.area());
+        Light blue = new Light("blue", Light.Kind.POINT, new Rgb(0, 0, 2), box.camera().orElseThrow().position(),
+                new Vec3(0, 0, -1), Vec3.ZERO, Vec3.ZERO, range, 0, 0);
+        Scene lit = new Scene(box.name(), box.points(), box.corners(), box.surfaceOf(), box.surfaces(), List.of(blue),
+                box.camera());
+        RadiositySettings coarse = new RadiositySettings(box.area() / 200, 1, Double.POSITIVE_INFINITY,
+                Schedule.PREDICT, 0.5, 2e-2).layers(true);
+        try (LocalWorld world = new LocalWorld(lit, coarse, 2)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, new StopRule(Integer.MAX_VALUE, 0.01));
+            rounds.run(progress -> true);
+            return rounds.solution();
+        }
+    }
+
+    @AfterAll
+    static void close() {
+        if (window != null) {
+            window.close();
+        }
+    }
+
+    @BeforeEach
+    void asRendered() throws IOException {
+        window.say("press asRendered");
+        window.say("press automatic");
+        window.tap("HOME");
+    }
+
+    @Test
+    void slider_dimsOneLamp() throws IOException {
+        double[] before = window.probe(LEFT, MIDDLE, "radiosity");
+        window.say("set lamp1 0");
+        double[] ceiling = window.probe(LEFT, MIDDLE, "radiosity");
+        window.say("set lamp1 100");
+        window.say("set lamp0 30");
+        double[] mixed = window.probe(LEFT, MIDDLE, "radiosity");
+        for (int c = 0; c < 3; c++) {
+            assertEquals(before[c] - 0.7 * ceiling[c], mixed[c], 2e-3 * before[c]);
+        }
+        assertTrue(before[2] > ceiling[2], "the blue light is seen");
+        assertEquals(before[0], ceiling[0], 2e-3 * before[0], "and has no red");
+    }
+
+    @Test
+    void picture_followsAtOnceAndComesBack() throws IOException {
+        BufferedImage before = window.shot("before");
+        window.say("set lamp0 0");
+        window.say("set lamp1 0");
+        BufferedImage dark = window.shot("dark");
+        assertTrue(brightness(dark) < 1, "no lamp, no light: " + brightness(dark));
+        window.say("press asRendered");
+        assertEquals(0, difference(before, window.shot("again")), 0.01);
+    }
+
+    @Test
+    void colour_tintsALamp() throws IOException {
+        window.say("set lamp1 0");
+        double[] white = window.probe(MIDDLE, SIZE * 2 / 5, "radiosity");
+        window.say("colour 0 255 0 0");
+        double[] red = window.probe(MIDDLE, SIZE * 2 / 5, "radiosity");
+        assertEquals(white[0], red[0], 1e-3 * white[0]);
+        assertEquals(0, red[1]);
+        assertEquals(0, red[2]);
+        Color lamp = new Color(window.shot("red").getRGB(MIDDLE, SIZE * 57 / 400));
+        assertTrue(lamp.getRed() > 100 && lamp.getGreen() == 0, "the lamp shows it: " + lamp);
+    }
+
+    @Test
+    void panel_doesWhatTheKeysDo() throws IOException {
+        double before = Double.parseDouble(window.say("exposure"));
+        window.say("set stops 6");
+        assertEquals(4 * before, Double.parseDouble(window.say("exposure")), 1e-6 * before);
+        window.say("press automatic");
+        window.tap("SPACE");
+        BufferedImage plain = window.shot("plain");
+        for (String name : List.of("wireframe", "falseColour", "filmic")) {
+            window.say("press " + name);
+            assertTrue(difference(plain, window.shot(name)) > 3, name);
+            window.say("press " + (name.equals("filmic") ? "reinhard" : name));
+            window.tap("SPACE");
+            assertEquals(0, difference(plain, window.shot("not-" + name)), 0.01, name);
+        }
+    }
+
+    @Test
+    void panel_isShownByKeyBesideThePicture() throws IOException {
+        String whole = window.say("size");
+        window.tap("P");
+        assertNotEquals(whole, window.say("size"), "the picture makes room");
+        window.tap("P");
+        assertEquals(whole, window.say("size"));
+    }
+}
