@@ -11,7 +11,7 @@ import java.util.Arrays;
 final class BoundsBuilder {
 
     static final int MAX_LEAF = 4;
-    private static final int BINS = 16;
+    private static final int BINS = 32;
     /** Cost of visiting a node relative to that of testing one triangle. */
     private static final float NODE_COST = 1.2f;
 
@@ -21,10 +21,12 @@ final class BoundsBuilder {
     final int[] order;
     /** 6 per node: centre and half extent; depth first. */
     float[] box;
-    /** 1 per node: where to go on when the node is missed (inner), or after it (leaf). */
-    int[] skip;
-    /** 1 per node: -1 for an inner node, else first * 8 + count of a run in {@link #order}. */
-    int[] run;
+    /** 1 per node: its second child, or -1 for a leaf; the first one follows the node. */
+    int[] second;
+    /** 1 per node: where its run in {@link #order} begins. */
+    int[] first;
+    /** 1 per node: length of its run. */
+    int[] count;
     int nodes;
 
     private final float[] binLow = new float[3 * BINS];
@@ -46,49 +48,44 @@ final class BoundsBuilder {
         }
         int most = Math.max(1, 2 * n);
         box = new float[6 * most];
-        skip = new int[most];
-        run = new int[most];
-        build(n);
-        box = Arrays.copyOf(box, 6 * nodes);
-        skip = Arrays.copyOf(skip, nodes);
-        run = Arrays.copyOf(run, nodes);
+        second = new int[most];
+        first = new int[most];
+        count = new int[most];
+        if (n > 0) {
+            build(n);
+        }
     }
 
-    /** Depth first with a stack of our own: a tree may be as deep as it has boxes. */
+    /** Depth first with a stack of our own, of nodes whose second child is to come: a tree may be as deep as it has boxes. */
     private void build(int n) {
-        if (n == 0) {
-            return;
-        }
-        int[] first = new int[n + 1];
-        int[] count = new int[n + 1];
-        int top = 0;
-        count[top++] = n;
         int[] open = new int[n + 1];
-        int[] pending = new int[n + 1];
         int depth = 0;
-        while (top > 0) {
-            top--;
-            int f = first[top];
-            int c = count[top];
-            int node = nodes++;
-            bound(node, f, c);
-            int left = c <= 1 ? 0 : split(node, f, c);
-            if (left == 0) {
-                run[node] = f * 8 + c;
-                skip[node] = nodes;
-                while (depth > 0 && --pending[depth - 1] == 0) {
-                    skip[open[--depth]] = nodes;
-                }
+        int from = 0;
+        int length = n;
+        while (true) {
+            int node = add(from, length);
+            int left = length == 1 ? 0 : split(node, from, length);
+            if (left > 0) {
+                second[node] = from + left;
+                open[depth++] = node;
+                length = left;
+            } else if (depth == 0) {
+                return;
             } else {
-                run[node] = -1;
-                open[depth] = node;
-                pending[depth++] = 2;
-                first[top] = f + left;
-                count[top++] = c - left;
-                first[top] = f;
-                count[top++] = left;
+                int parent = open[--depth];
+                from = second[parent];
+                length = first[parent] + count[parent] - from;
+                second[parent] = nodes;
             }
         }
+    }
+
+    private int add(int from, int length) {
+        first[nodes] = from;
+        count[nodes] = length;
+        second[nodes] = -1;
+        bound(nodes, from, length);
+        return nodes++;
     }
 
     private void bound(int node, int f, int c) {

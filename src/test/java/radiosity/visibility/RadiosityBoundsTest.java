@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The hierarchy against a test of every triangle in double precision, and rays aimed at where triangles meet. */
@@ -79,11 +80,11 @@ class RadiosityBoundsTest {
         assertTrue(triangles < 700 || blocked > 100, "some rays were blocked");
     }
 
-    /** A bumpy sheet of n x n quadrangles in the plane y = 0, watertight. */
-    private static float[] sheet(int n, Random random) {
+    /** A bumpy sheet of n x n quadrangles of 1 / n in the plane y = 0, watertight. */
+    private static float[] sheet(int n, float bump, Random random) {
         float[] height = new float[(n + 1) * (n + 1)];
         for (int i = 0; i < height.length; i++) {
-            height[i] = 0.02f * random.nextFloat();
+            height[i] = bump * random.nextFloat();
         }
         float[] corners = new float[18 * n * n];
         int at = 0;
@@ -100,13 +101,14 @@ class RadiosityBoundsTest {
         return corners;
     }
 
+    /** Away from the origin, where floats round, with rays long and short, steep and flat, but steeper than the bumps. */
     @ParameterizedTest
-    @ValueSource(floats = {1, 1e-2f})
-    void noRay_passesBetweenNeighbours(float scale) {
+    @CsvSource({"1, 1, 0.5", "0.01, 0.01, 0.5", "0.01, 1, 0.5", "0.001, 1, 0.5", "0.01, 1, 0.05"})
+    void noRay_passesBetweenNeighbours(float scale, float length, float steepness) {
         Random random = new Random(7);
-        float[] corners = sheet(20, random);
+        float[] corners = sheet(20, 0.01f * steepness, random);
         for (int i = 0; i < corners.length; i++) {
-            corners[i] *= scale;
+            corners[i] = 0.3f + scale * corners[i];
         }
         RadiosityBounds bounds = new RadiosityBounds(corners);
         int missed = 0;
@@ -119,12 +121,12 @@ class RadiosityBoundsTest {
             for (int a = 0; a < 3; a++) {
                 to[a] = corners[i + k + a] + w * (corners[i + l + a] - corners[i + k + a]);
             }
-            if (Math.abs(to[0]) > 0.49f * scale || Math.abs(to[2]) > 0.49f * scale) {
+            if (Math.abs(to[0] - 0.3f) > 0.49f * scale || Math.abs(to[2] - 0.3f) > 0.49f * scale) {
                 continue;
             }
-            float dx = scale * (random.nextFloat() - 0.5f);
-            float dy = scale * (0.2f + random.nextFloat());
-            float dz = scale * (random.nextFloat() - 0.5f);
+            float dx = length * (random.nextFloat() - 0.5f);
+            float dy = length * steepness * (0.4f + random.nextFloat());
+            float dz = length * (random.nextFloat() - 0.5f);
             missed += bounds.blocked(to[0] + dx, to[1] + dy, to[2] + dz, to[0] - dx, to[1] - dy, to[2] - dz) ? 0 : 1;
         }
         assertEquals(0, missed);

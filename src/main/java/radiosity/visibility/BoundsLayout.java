@@ -1,0 +1,191 @@
+package radiosity.visibility;
+
+/**
+ * Lays a binary tree of boxes and its triangles out in one array, in the order in which rays read it.
+ *
+ * <p>Boxes that are not worth their test are left out, so a node may have any number of children, and triangles beside
+ * them. Of children the one most likely to block comes first.
+ */
+final class BoundsLayout {
+
+    /*
+     * A node has 8 numbers: centre and half extent of its box, then as bits NEXT, the place where to go on when the
+     * box is missed or done with, and BLOCK, what is in the box. In a block come triangles, then all children's nodes
+     * one after another, so that a ray that looks at one has the others at hand. A block is written as 4 * place + number
+     * of triangles, negative where children follow them; places are multiples of 4.
+     *
+     * A box is tested once per visit of the node around it, and saves the test of its content where it is missed. By
+     * areas, which are as probabilities that a ray meets a box (J. Goldsmith, J. Salmon, Automatic creation of object
+     * hierarchies for ray tracing, 1987), that pays if area(around) < (area(around) - area(box)) * tests(content).
+     * Order of children: J. Nah, D. Manocha, SATO: surface area traversal order for shadow ray tracing, 2014.
+     */
+    static final int NODE = 8;
+    static final int NEXT = 6;
+    static final int BLOCK = 7;
+    /** Where the root is, and where nothing is. */
+    static final int ROOT = NODE;
+    static final int END = 0;
+    private static final int MOST_TRIANGLES = 15;
+
+    /** Time to test a triangle relative to a box. */
+    private static final float TRIANGLE_COST = 1.4f;
+    /** So that no place makes a NaN. */
+    private static final int MOST_PLACES = 0x7F800000 >>> 2;
+
+    private final BoundsBuilder tree;
+    private final float[] corners;
+    /** 1 per node of the tree: surface of its box. */
+    private final float[] area;
+    /** 1 per node of the tree: surface of its triangles over that of its box. */
+    private final float[] density;
+    /** 1 per node of the tree: its box is left out. */
+    private final boolean[] open;
+
+    /** The nodes and triangles. */
+    final float[] data;
+    private int end;
+
+    /**
+     * @param tree    of the triangles' boxes, of one or more
+     * @param corners 9 per triangle; not modified
+     */
+    BoundsLayout(BoundsBuilder tree, float[] corners) {
+        this.tree = tree;
+        this.corners = corners;
+        area = new float[tree.nodes];
+        density = new float[tree.nodes];
+        open = new boolean[tree.nodes];
+        int triangles = tree.order.length;
+        measure();
+        int boxes = weigh();
+        long size = ROOT + (long) NODE * boxes + (long) FlatTriangle.SIZE * triangles;
+        if (size > MOST_PLACES) {
+            throw new IllegalArgumentException("scene: expected fewer triangles, got " + triangles);
+        }
+        data = new float[(int) size];
+        if (triangles > 0) {
+            layOut(boxes);
+        }
+    }
+
+    /** Where a block's triangles begin. */
+    static int first(int block) {
+        return (block & Integer.MAX_VALUE) >>> 2 & -4;
+    }
+
+    /** Where a block's triangles end, and its children begin. */
+    static int last(int block) {
+        return first(block) + FlatTriangle.SIZE * (block & MOST_TRIANGLES);
+    }
+
+    private void measure() {
+        for (int i = tree.nodes - 1; i >= 0; i--) {
+            float x = tree.box[6 * i + 3];
+            float y = tree.box[6 * i + 4];
+            float z = tree.box[6 * i + 5];
+            area[i] = x * y + y * z + z * x;
+            if (tree.second[i] >= 0) {
+                density[i] = (density[i + 1] * area[i + 1] + density[tree.second[i]] * area[tree.second[i]]) / area[i];
+            } else {
+                for (int k = tree.first[i]; k < tree.first[i] + tree.count[i]; k++) {
+                    density[i] += FlatTriangle.area(corners, 9 * tree.order[k]) / area[i];
+                }
+            }
+        }
+    }
+
+    /** Finds the boxes to leave out, from the leaves to the root; returns the number of the others. */
+    private int weigh() {
+        float[] tests = new float[tree.nodes];
+        int[] loose = new int[tree.nodes];
+        int left = 0;
+        for (int i = tree.nodes - 1; i >= 0; i--) {
+            if (tree.second[i] < 0) {
+                tests[i] = TRIANGLE_COST * tree.count[i];
+                loose[i] = tree.count[i];
+                continue;
+            }
+            for (int child = i + 1; child > 0; child = child == i + 1 ? tree.second[i] : 0) {
+                open[child] = 2 * loose[child] <= MOST_TRIANGLES && area[i] >= (area[i] - area[child]) * tests[child];
+                tests[i] += open[child] ? tests[child] : 1;
+                loose[i] += open[child] ? loose[child] : 0;
+                left += open[child] ? 1 : 0;
+            }
+        }
+        return tree.nodes - left;
+    }
+
+    /** Depth first, with a stack of our own of nodes whose blocks are to come. */
+    private void layOut(int boxes) {
+        int[] from = new int[boxes + 1];
+        int[] to = new int[boxes + 1];
+        int[] children = new int[tree.order.length];
+        int[] walk = new int[tree.nodes];
+        int depth = 1;
+        to[0] = ROOT;
+        end = ROOT;
+        putNode(0, END);
+        while (depth > 0) {
+            depth--;
+            int node = from[depth];
+            int at = to[depth];
+            int begin = end;
+            int inside = enter(node, walk, children);
+            int triangles = (end - begin) / FlatTriangle.SIZE;
+            data[at + BLOCK] = Float.intBitsToFloat(begin << 2 | triangles | (inside > 0 ? Integer.MIN_VALUE : 0));
+            sort(children, inside);
+            int next = Float.floatToRawIntBits(data[at + NEXT]);
+            for (int c = 0; c < inside; c++) {
+                int slot = depth + inside - 1 - c;
+                from[slot] = children[c];
+                to[slot] = end;
+                putNode(children[c], c < inside - 1 ? end + NODE : next);
+            }
+            depth += inside;
+        }
+    }
+
+    /** Places the triangles that are in a node's box and in no other; finds the boxes there. */
+    private int enter(int node, int[] walk, int[] children) {
+        int inside = 0;
+        int depth = 0;
+        walk[depth++] = node;
+        while (depth > 0) {
+            int i = walk[--depth];
+            if (i != node && !open[i]) {
+                children[inside++] = i;
+            } else if (tree.second[i] >= 0) {
+                walk[depth++] = tree.second[i];
+                walk[depth++] = i + 1;
+            } else {
+                placeRun(tree.first[i], tree.first[i] + tree.count[i]);
+            }
+        }
+        return inside;
+    }
+
+    private void placeRun(int from, int to) {
+        for (int k = from; k < to; k++) {
+            FlatTriangle.put(corners, 9 * tree.order[k], data, end);
+            end += FlatTriangle.SIZE;
+        }
+    }
+
+    private void putNode(int node, int next) {
+        System.arraycopy(tree.box, 6 * node, data, end, 6);
+        data[end + NEXT] = Float.intBitsToFloat(next);
+        end += NODE;
+    }
+
+    /** By insertion: there are few of them. */
+    private void sort(int[] children, int n) {
+        for (int i = 1; i < n; i++) {
+            int child = children[i];
+            int k = i;
+            for (; k > 0 && density[children[k - 1]] < density[child]; k--) {
+                children[k] = children[k - 1];
+            }
+            children[k] = child;
+        }
+    }
+}
