@@ -1,6 +1,7 @@
 package radiosity.cli;
 
 import picocli.CommandLine.Option;
+import radiosity.formfactor.FormFactors;
 import radiosity.scene.Scene;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Schedule;
@@ -32,9 +33,14 @@ final class CalculationOptions {
     Double unsent;
 
     @Option(names = "--schedule", paramLabel = "<order>", converter = ScheduleParser.class,
-            description = "Which patches shoot when: paper (most unsent flux first) or predict. -it and -se alone"
-                    + " select paper.")
+            description = "Which patches shoot when: paper (most unsent flux first) or predict; for small scenes also"
+                    + " shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
     Schedule schedule;
+
+    @Option(names = "--form-factors", paramLabel = "<kind>", converter = FormFactorsParser.class,
+            description = "How form factors are found: raycast, plain (the paper's rays), hemicube or nusselt. With the"
+                    + " last two -nr is the number of cells along an edge.")
+    FormFactors factors;
 
     @Option(names = "--layers",
             description = "Keep the light of each lamp (a surface that emits, a light) apart, so that lamps can be dimmed"
@@ -45,7 +51,14 @@ final class CalculationOptions {
             description = "Number of threads. Default: one per processor.")
     int threads = Runtime.getRuntime().availableProcessors();
 
-    /** Reads {@code paper} and {@code predict}. */
+    /** Reads the name of a way to find form factors. */
+    static final class FormFactorsParser extends Values.Choice<FormFactors> {
+        FormFactorsParser() {
+            super(FormFactors.class);
+        }
+    }
+
+    /** Reads the name of a schedule. */
     static final class ScheduleParser extends Values.Choice<Schedule> {
         ScheduleParser() {
             super(Schedule.class);
@@ -57,7 +70,7 @@ final class CalculationOptions {
         return new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
                 schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError(),
-                layers || otherwise.layers());
+                layers || otherwise.layers(), factors == null ? otherwise.factors() : factors);
     }
 
     /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Locale;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.SceneInfo;
 import radiosity.scene.Scene;
@@ -14,6 +15,7 @@ import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
 import radiosity.world.RemoteWorld;
+import radiosity.world.Schedule;
 import radiosity.world.Solution;
 import radiosity.world.StopRule;
 import radiosity.world.World;
@@ -72,6 +74,7 @@ public final class RadiosityRenderer {
         check(scene, settings);
         try (World world = world(scene, settings)) {
             checkTriangles(scene, world);
+            checkPatches(world);
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule());
             Journal journal = new Journal(options.output(), settings, err::println);
             if (!journal.resume(radiosity) && saved != null) {
@@ -123,6 +126,17 @@ public final class RadiosityRenderer {
         if (world.droppedTriangles() > 0) {
             warnings.accept(scene.name() + ": expected triangles large enough to radiate, got " + world.droppedTriangles()
                     + " that are not; they only block light");
+        }
+    }
+
+    private static void checkPatches(World world) {
+        Schedule schedule = world.settings().schedule();
+        if (schedule.isForSmallScenes() && world.patches() > Schedule.MOST_PATCHES) {
+            throw Failure.commandLine("--schedule " + schedule.name().toLowerCase(Locale.ROOT), "expected at most "
+                    + Schedule.MOST_PATCHES + " patches, got " + world.patches() + "; give a larger -pa");
+        }
+        if (schedule == Schedule.MATRIX && Double.isFinite(world.settings().meshing())) {
+            throw Failure.commandLine("-mt", "expected without --schedule matrix, got it with");
         }
     }
 

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import radiosity.formfactor.FormFactors;
 import radiosity.output.SceneFile;
 import radiosity.scene.SceneFormatException;
 import radiosity.world.RadiositySettings;
@@ -42,6 +43,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         json.put("tolerance", settings.tolerance());
         json.put("meshError", settings.meshError());
         json.put("layers", settings.layers());
+        json.put("formFactors", settings.factors().name().toLowerCase(Locale.ROOT));
         json.put("schedule", settings.schedule().name().toLowerCase(Locale.ROOT));
         return json;
     }
@@ -53,7 +55,19 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         }
         return new RadiositySettings(number(file, json, "patchArea"), (int) number(file, json, "rays"),
                 json.containsKey("meshing") ? number(file, json, "meshing") : Double.POSITIVE_INFINITY, schedule,
-                number(file, json, "tolerance"), number(file, json, "meshError"), Boolean.TRUE.equals(json.get("layers")));
+                number(file, json, "tolerance"), number(file, json, "meshError"), Boolean.TRUE.equals(json.get("layers")),
+                formFactors(file, json));
+    }
+
+    /** Those of the ray caster in files of before there were others. */
+    private static FormFactors formFactors(Path file, Map<?, ?> json) throws SceneFormatException {
+        Object name = json.get("formFactors");
+        FormFactors factors = name == null ? FormFactors.RAYCAST
+                : new CalculationOptions.FormFactorsParser().parse(String.valueOf(name));
+        if (factors == null) {
+            throw wrong(file, "form factors", name);
+        }
+        return factors;
     }
 
     private static double number(Path file, Map<?, ?> json, String name) throws SceneFormatException {
@@ -81,6 +95,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         checkSetting("-nr", settings.rays(), asked.rays());
         checkSetting("-mt", settings.meshing(), asked.meshing());
         checkSetting("--layers", settings.layers(), asked.layers());
+        checkSetting("--form-factors", settings.factors(), asked.factors());
         checkSetting("--schedule", settings.schedule(), asked.schedule());
     }
 

@@ -279,7 +279,7 @@ public final class RayCaster implements FormFactorCalculator {
      * little, but by no more than half of what they see of each other's side: a ray that runs almost in a surface
      * would be stopped by that surface itself.
      */
-    private boolean sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
+    boolean sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
                          float sx, float sy, float sz) {
         float up = Math.min(LIFT, 0.5f * (nx * dx + ny * dy + nz * dz));
         float down = Math.min(LIFT, -0.5f * (sx * dx + sy * dy + sz * dz));
@@ -288,7 +288,7 @@ public final class RayCaster implements FormFactorCalculator {
     }
 
     /** Finds the element under a sample point. */
-    private static void reach(Shooter s, int node, float wa, float wb, float wc, double k, Gathering gathering) {
+    static void reach(Shooter s, int node, float wa, float wb, float wc, double k, Gathering gathering) {
         float a = wa;
         float b = wb;
         float c = wc;

@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.LongIndex;
@@ -28,6 +30,7 @@ final class CoarseSystem {
     private final Faces faces;
     private final List<Block> blocks;
     private final RadiosityNodes nodes;
+    private final boolean single;
     private final int channels;
     /** Number of a vertex by its key. */
     private final LongIndex index;
@@ -48,6 +51,7 @@ final class CoarseSystem {
         faces = mesh.faces;
         channels = faces.channels();
         blocks = mesh.blocks;
+        single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
         index = new LongIndex(nodes.vertices());
         for (int v = 0; v < nodes.vertices(); v++) {
@@ -75,7 +79,7 @@ final class CoarseSystem {
 
     /** Whether all rows are known as a whole. */
     boolean isMade() {
-        return taken == blocks.size();
+        return taken == (single ? nodes.patches() : blocks.size());
     }
 
     /** For each vertex its key, whether it is buried, and its {@link Rows}. */
@@ -110,11 +114,14 @@ final class CoarseSystem {
                 mean[layer] += faces.area(f) * brightest(f, layer) / faces.area();
             }
         }
-        List<Shot> shots = new ArrayList<>();
-        for (Block block : blocks) {
-            shots.add(Shot.of(nodes, nodes.tops(block), 0, (node, k, c) -> 1 + brightness(nodes.face(node), mean)));
-        }
-        return shots;
+        return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> 1 + brightness(nodes.face(node), mean)))
+                .toList();
+    }
+
+    /** Nodes that shoot together: those of a block, or single ones where clusters would not be exact enough. */
+    private Stream<int[]> shooters() {
+        return single ? IntStream.range(0, nodes.patches()).mapToObj(p -> new int[] {nodes.patch(p)})
+                : blocks.stream().map(nodes::tops);
     }
 
     /** Of the layer in which a face is brightest, relative to the layer's mean. */

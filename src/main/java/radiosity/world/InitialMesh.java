@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.util.List;
 import java.util.Locale;
+import radiosity.formfactor.FormFactors;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.Hash;
@@ -15,8 +16,9 @@ import radiosity.visibility.RadiosityBounds;
 /** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
 final class InitialMesh {
 
-    /** Patches of a scene for which no patch area is given: for the paper's schedule, and for prediction. */
+    /** Patches of a scene for which no patch area is given: for the paper's schedule, its others, and prediction. */
     private static final int PATCHES = 6000;
+    private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Sample points per shooter where no number is given, likewise. */
     private static final int RAYS = 4;
@@ -40,10 +42,10 @@ final class InitialMesh {
         faces = new Faces(scene, settings.layers());
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
-                : Patcher.areaFor(faces, predicts() ? COARSE_PATCHES : PATCHES);
+                : Patcher.areaFor(faces, patches());
         patcher = new Patcher(faces, area);
         blocks = Partitioner.blocks(patcher);
-        coarse = patcher.coarser(blocks, COARSE_PATCHES);
+        coarse = solvesAtOnce() ? patcher : patcher.coarser(blocks, COARSE_PATCHES);
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {
@@ -60,13 +62,22 @@ final class InitialMesh {
         return bounds;
     }
 
+    private int patches() {
+        return predicts() ? COARSE_PATCHES : settings.schedule().isForSmallScenes() ? FEW_PATCHES : PATCHES;
+    }
+
+    /** Whether the coarse mesh is the mesh itself, and the coarse system the only one. */
+    boolean solvesAtOnce() {
+        return settings.schedule() == Schedule.MATRIX;
+    }
+
     boolean predicts() {
         return settings.schedule() == Schedule.PREDICT;
     }
 
-    /** Sample points per shooting node. */
+    /** Sample points per shooting node, or cells, see {@link FormFactors}. */
     int rays() {
-        return settings.rays() > 0 ? settings.rays() : predicts() ? FEW_RAYS : RAYS;
+        return settings.rays() > 0 ? settings.rays() : settings.factors().rays(predicts() ? FEW_RAYS : RAYS);
     }
 
     /** Largest area of a patch, square scene units. */
@@ -91,7 +102,9 @@ final class InitialMesh {
     String fingerprint() {
         return String.format(Locale.ROOT, "scene %016x, -pa %s -nr %d -mt %s --schedule %s", digest(), patchArea(),
                 rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT))
-                + (settings.layers() ? " --layers" : "");
+                + (settings.layers() ? " --layers" : "")
+                + (settings.factors() == FormFactors.RAYCAST ? ""
+                : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT));
     }
 
     /** By what it shines, not by its name, which hosts are not told. */

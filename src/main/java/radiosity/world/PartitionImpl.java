@@ -137,13 +137,17 @@ final class PartitionImpl implements Partition {
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Order order, int[] vertices) {
         Shooter[] source = shooters(order);
-        RayCaster calculator = new RayCaster(bounds, rays, order.tolerance());
+        FormFactorCalculator calculator = calculator(order);
         crew.run((vertices.length + RUN - 1) / RUN, i -> {
             int[] run = Arrays.copyOfRange(vertices, i * RUN, Math.min(vertices.length, (i + 1) * RUN));
             for (Shooter shooter : source) {
                 gather(calculator, shooter, run);
             }
         });
+    }
+
+    private FormFactorCalculator calculator(Order order) {
+        return mesh.settings.factors().calculator(bounds, rays, order.tolerance());
     }
 
     private Shooter[] shooters(Order order) {
@@ -177,7 +181,8 @@ final class PartitionImpl implements Partition {
         RadiosityNodes receivers = coarse;
         coarse = order.more() ? coarse : null;
         Shooter[] all = shooters(order);
-        RayCaster calculator = new RayCaster(bounds, 1, order.tolerance(), 1);
+        FormFactorCalculator calculator = mesh.solvesAtOnce() ? calculator(order)
+                : new RayCaster(bounds, 1, order.tolerance(), 1);
         byte[][] row = new byte[receivers.vertices()][];
         crew.run(row.length, v -> {
             Rows seen = new Rows();

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /** Decides who shoots in the next round; a schedule at work. */
-sealed interface Planner permits ShootAndSort, Prediction {
+sealed interface Planner permits ShootAndSort, Prediction, Unsorted, MatrixSolution {
 
     /**
      * The next round.

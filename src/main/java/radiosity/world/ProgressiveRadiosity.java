@@ -87,7 +87,7 @@ public final class ProgressiveRadiosity {
 
     private void prepare() {
         if (planner == null) {
-            planner = world.mesh.predicts() ? new Prediction(world) : new ShootAndSort(world.channels());
+            planner = world.settings().schedule().planner(world);
         }
     }
 

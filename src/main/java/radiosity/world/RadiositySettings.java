@@ -1,5 +1,7 @@
 package radiosity.world;
 
+import radiosity.formfactor.FormFactors;
+
 /**
  * How finely and how exactly to compute. Equal settings give equal bits on any machines.
  *
@@ -11,16 +13,17 @@ package radiosity.world;
  * @param tolerance with prediction: irradiance that one ray may carry, relative to the mean; 0: chosen
  * @param meshError with prediction: error of interpolation that one element may add to the whole; 0: chosen
  * @param layers    whether the light of each lamp is kept apart
+ * @param factors   how form factors are found
  */
 public record RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
-                                double meshError, boolean layers) {
+                                double meshError, boolean layers, FormFactors factors) {
 
     /** Of so many lamps the light can be kept apart. */
     public static final int MOST_LAMPS = 256;
 
     public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
                              double meshError) {
-        this(patchArea, rays, meshing, schedule, tolerance, meshError, false);
+        this(patchArea, rays, meshing, schedule, tolerance, meshError, false, FormFactors.RAYCAST);
     }
 
     public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule) {
@@ -29,7 +32,12 @@ public record RadiositySettings(double patchArea, int rays, double meshing, Sche
 
     /** The same, with or without layers. */
     public RadiositySettings layers(boolean kept) {
-        return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, kept);
+        return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, kept, factors);
+    }
+
+    /** The same, with other form factors. */
+    public RadiositySettings factors(FormFactors found) {
+        return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, layers, found);
     }
 
     public static RadiositySettings defaults() {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import radiosity.formfactor.FormFactors;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -51,7 +52,8 @@ final class SceneBytes {
     static Task read(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
-                constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean());
+                constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean(),
+                constant(FormFactors.values(), in.readByte()));
         double[] points = new double[Wire.count(in, Double.BYTES)];
         for (int i = 0; i < points.length; i++) {
             points[i] = in.readDouble();
@@ -79,6 +81,7 @@ final class SceneBytes {
         out.writeDouble(settings.tolerance());
         out.writeDouble(settings.meshError());
         out.writeBoolean(settings.layers());
+        out.writeByte(settings.factors().ordinal());
     }
 
     private static void write(DataOutputStream out, Light light) throws IOException {

@@ -5,5 +5,30 @@ public enum Schedule {
     /** Every patch shoots its predicted total once, then what was mispredicted. */
     PREDICT,
     /** Shooting and sorting (section 2.2 of the paper): most unshot flux first. */
-    PAPER
+    PAPER,
+    /** Shooting (section 2.2 of the paper): every patch in turn. */
+    SHOOTING,
+    /** Gathering (section 2.2 of the paper): every patch receives what all have, sweep by sweep. */
+    GATHERING,
+    /** The whole linear system at once (section 2.1 of the paper). */
+    MATRIX;
+
+    /** Most patches for the last three, which look at all pairs of them or at all patches in every round. */
+    public static final int MOST_PATCHES = 10_000;
+
+    /** Whether it is meant for scenes of at most {@link #MOST_PATCHES} patches. */
+    public boolean isForSmallScenes() {
+        return this == SHOOTING || this == GATHERING || this == MATRIX;
+    }
+
+    /** Who decides on the rounds. */
+    Planner planner(World world) {
+        return switch (this) {
+            case PREDICT -> new Prediction(world);
+            case PAPER -> new ShootAndSort(world.channels());
+            case SHOOTING -> new Unsorted(world.channels(), false);
+            case GATHERING -> new Unsorted(world.channels(), true);
+            case MATRIX -> new MatrixSolution(world);
+        };
+    }
 }

@@ -37,7 +37,7 @@ public record Solve(RadiositySettings settings, StopRule stop, int threads) {
     public Solve patches(Scene scene, int count) {
         RadiositySettings s = settings;
         return settings(new RadiositySettings(scene.area() / count, s.rays(), s.meshing(), s.schedule(), s.tolerance(),
-                s.meshError()));
+                s.meshError(), s.layers(), s.factors()));
     }
 
     /** With rays that carry no more than this part of the mean light each. */

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import radiosity.formfactor.FormFactors;
 import radiosity.lightwave.LightWaveOptions;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
@@ -18,7 +19,7 @@ import radiosity.world.StopRule;
  * Prints how far the scenes with path-traced truth are from it and what that cost.
  *
  * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--tolerance T]
- * [--mesh-error M] [--schedule S] [--unsent P] [--threads N] [--repeat N] [scene ...]}
+ * [--mesh-error M] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N] [scene ...]}
  */
 public final class TruthTable {
 
@@ -60,7 +61,7 @@ public final class TruthTable {
 
     private void option(String name, String value) {
         RadiositySettings s = settings;
-        double number = name.equals("--schedule") ? 0 : Double.parseDouble(value);
+        double number = name.equals("--schedule") || name.equals("--form-factors") ? 0 : Double.parseDouble(value);
         switch (name) {
             case "--patch-area" -> set(number, s.rays(), s.meshing(), s.schedule(), s.tolerance(), s.meshError());
             case "--rays" -> set(s.patchArea(), (int) number, s.meshing(), s.schedule(), s.tolerance(), s.meshError());
@@ -69,6 +70,7 @@ public final class TruthTable {
             case "--mesh-error" -> set(s.patchArea(), s.rays(), s.meshing(), s.schedule(), s.tolerance(), number);
             case "--schedule" -> set(s.patchArea(), s.rays(), s.meshing(),
                     Schedule.valueOf(value.toUpperCase(Locale.ROOT)), s.tolerance(), s.meshError());
+            case "--form-factors" -> settings = s.factors(FormFactors.valueOf(value.toUpperCase(Locale.ROOT)));
             case "--patches" -> patches = (int) number;
             case "--unsent" -> unsent = number;
             case "--threads" -> threads = (int) number;
@@ -78,7 +80,8 @@ public final class TruthTable {
     }
 
     private void set(double area, int rays, double meshing, Schedule schedule, double tolerance, double meshError) {
-        settings = new RadiositySettings(area, rays, meshing, schedule, tolerance, meshError);
+        settings = new RadiositySettings(area, rays, meshing, schedule, tolerance, meshError)
+                .factors(settings.factors());
     }
 
     private void print() throws IOException {

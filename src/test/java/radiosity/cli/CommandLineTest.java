@@ -82,9 +82,11 @@ class CommandLineTest {
             -h 1 a -h 1 b c d      | -h: expected once, got twice
             -q -q a b              | -q: expected once, got twice
             -q=3 a b               | -q: expected no value, got 3
-            --schedule x a b       | --schedule: expected predict or paper, got x
-            --schedule PAPER a b   | --schedule: expected predict or paper, got PAPER
-            --schedule             | --schedule: expected predict or paper, got nothing
+            --schedule x a b       | --schedule: expected predict, paper, shooting, gathering or matrix, got x
+            --schedule PAPER a b   | --schedule: expected predict, paper, shooting, gathering or matrix, got PAPER
+            --schedule             | --schedule: expected predict, paper, shooting, gathering or matrix, got nothing
+            --form-factors x a b   | --form-factors: expected raycast, plain, hemicube or nusselt, got x
+            --form-factors         | --form-factors: expected raycast, plain, hemicube or nusselt, got nothing
             --emission x a b       | --emission: expected luminosity or specular, got x
             --lights x a b         | --lights: expected auto, ignore or emitters, got x
             --frame x a b          | --frame: expected a number, got x

@@ -1,0 +1,84 @@
+package radiosity.formfactor;
+
+import radiosity.visibility.RadiosityBounds;
+
+/** A calculator that takes a shooter's patches one by one, without clusters, and looks at each as a whole. */
+abstract class PatchByPatch implements FormFactorCalculator {
+
+    /** Nearer than this to a patch's plane nothing is received from it; of the scene's size. */
+    static final float IN_PLANE = 2e-7f;
+
+    private final RayCaster rays;
+
+    PatchByPatch(RadiosityBounds bounds) {
+        rays = new RayCaster(bounds, 1, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * A receiving point and who shoots at it.
+     *
+     * @param px  where it is, of the scene brought to size 1, and so on
+     * @param nx  its normal, length 1, and so on
+     * @param key what it is
+     */
+    record Receiver(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
+                    Gathering gathering) {
+
+        /** Height of a node's corner k above the receiver's horizon. */
+        float above(int node, int k) {
+            float[] corner = shooter.corner;
+            int at = 9 * node + 3 * k;
+            return nx * (corner[at] - px) + ny * (corner[at + 1] - py) + nz * (corner[at + 2] - pz);
+        }
+
+        /** Height of the receiver above a node's plane. */
+        float before(int node) {
+            float[] corner = shooter.corner;
+            float[] normal = shooter.normal;
+            return normal[3 * node] * (px - corner[9 * node]) + normal[3 * node + 1] * (py - corner[9 * node + 1])
+                    + normal[3 * node + 2] * (pz - corner[9 * node + 2]);
+        }
+    }
+
+    @Override
+    public final void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
+                             Gathering gathering) {
+        enter(new Receiver(px, py, pz, nx, ny, nz, key, shooter, gathering), 0);
+    }
+
+    private void enter(Receiver to, int node) {
+        Shooter s = to.shooter;
+        if (s.strength[node] == 0) {
+            return;
+        }
+        if (s.face[node] < 0) {
+            enter(to, s.child[node]);
+            enter(to, s.child[node] + 1);
+        } else if (to.before(node) > IN_PLANE
+                && Math.max(to.above(node, 0), Math.max(to.above(node, 1), to.above(node, 2))) > 0) {
+            to.gathering.close(patch(to, node));
+        }
+    }
+
+    /**
+     * Tells the gathering what is visible of a patch that faces the receiver and rises above its horizon.
+     *
+     * @return how much all of that counts
+     */
+    abstract double patch(Receiver to, int node);
+
+    /** A place on a patch, by its weights at the corners: if it is visible, it counts so much. */
+    final void look(Receiver to, int node, float a, float b, float c, double weight) {
+        Shooter s = to.shooter;
+        float[] corner = s.corner;
+        float[] normal = s.normal;
+        int at = 9 * node;
+        float dx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6] - to.px;
+        float dy = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7] - to.py;
+        float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - to.pz;
+        if (rays.sees(to.px, to.py, to.pz, to.nx, to.ny, to.nz, dx, dy, dz, normal[3 * node], normal[3 * node + 1],
+                normal[3 * node + 2])) {
+            RayCaster.reach(s, node, a, b, c, weight, to.gathering);
+        }
+    }
+}

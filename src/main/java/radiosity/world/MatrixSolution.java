@@ -1,0 +1,64 @@
+package radiosity.world;
+
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The whole linear system (equation 2 and section 2.1 of the paper), solved by Gauss-Seidel, for small scenes.
+ *
+ * <p>Its rows are made once. Then every patch shoots what it will have in the end, until nothing is left but rounding:
+ * {@link Prediction} with the mesh itself as its coarse mesh.
+ */
+final class MatrixSolution implements Planner {
+
+    private final CoarseSystem system;
+    private final double[] weight;
+
+    MatrixSolution(World world) {
+        system = new CoarseSystem(world.mesh);
+        weight = new double[world.channels()];
+        Arrays.fill(weight, 1);
+    }
+
+    @Override
+    public Order next(Answer last, double unsent, BooleanSupplier goOn) {
+        if (last.candidates.isEmpty()) {
+            return null;
+        }
+        if (!system.isMade()) {
+            return order(Order.Kind.ROWS, system.importance());
+        }
+        double[] unshot = system.noUnshot();
+        last.candidates.forEach(shot -> system.restrict(shot, unshot));
+        double[] h = system.irradiance(unshot, goOn);
+        return h == null ? null
+                : order(Order.Kind.SHOOT, last.candidates.stream().map(shot -> system.with(shot, h)).toList());
+    }
+
+    private Order order(Order.Kind kind, List<Shot> shots) {
+        return new Order(kind, 0, false, shots, Double.POSITIVE_INFINITY, weight, 0, Integer.MAX_VALUE);
+    }
+
+    @Override
+    public void take(int shots, List<byte[]> rows) throws IOException {
+        system.take(shots, rows);
+    }
+
+    @Override
+    public void shot(int patches) { }
+
+    @Override
+    public boolean isEnough(double unsent, double wanted) {
+        return unsent <= wanted;
+    }
+
+    @Override
+    public void write(DataOutput out) { }
+
+    @Override
+    public void read(DataInput in) { }
+}
