@@ -13,7 +13,6 @@ public final class Partitioner {
 
     private static final int LEAST_PATCHES = 16;
     private static final int MOST_PATCHES = 1024;
-    private static final int BLOCKS = 128;
 
     private final Patcher patcher;
     private final int blockSize;
@@ -23,18 +22,22 @@ public final class Partitioner {
     private int subtrees;
     private long patches;
 
-    private Partitioner(Patcher patcher) {
+    private Partitioner(Patcher patcher, int wanted) {
         this.patcher = patcher;
         long size = LEAST_PATCHES;
-        while (size < MOST_PATCHES && size * BLOCKS < patcher.patches()) {
+        while (size < MOST_PATCHES && size * wanted < patcher.patches()) {
             size *= 4;
         }
         blockSize = (int) size;
     }
 
-    /** All blocks of a scene, by their ids. */
-    public static List<Block> blocks(Patcher patcher) {
-        Partitioner partitioner = new Partitioner(patcher);
+    /**
+     * All blocks of a scene, by their ids.
+     *
+     * @param wanted about how many, where there are enough patches for them
+     */
+    public static List<Block> blocks(Patcher patcher, int wanted) {
+        Partitioner partitioner = new Partitioner(patcher, wanted);
         for (int f : inGeometricOrder(patcher.faces())) {
             partitioner.take(f, Path.FACE, patcher.level(f));
         }

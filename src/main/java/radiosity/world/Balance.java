@@ -1,50 +1,92 @@
 package radiosity.world;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 
-/** How fast hosts are, and whether moving blocks pays. */
+/** What rounds tell about blocks and hosts, and whether moving blocks pays. */
 final class Balance {
 
-    /** Weight of the last round in the moving average of a host's speed. */
+    /** Weight of the last round in the moving average of a host's pace. */
     private static final double NEW = 0.3;
     /** Rounds with fewer seconds say nothing about speed. */
     private static final double LEAST_SECONDS = 0.005;
-    /** Blocks move when hosts have waited for each other so many times as long as a move takes. */
-    private static final double PATIENCE = 3;
-    private static final double FIRST_COST = 0.05;
+    /** A host is as fast as was thought within this factor: blocks differ too, and theirs is measured on its own. */
+    private static final double FACTOR = 1.5;
+    /** Blocks move when hosts have waited for each other so many times as long as a move takes, or will. */
+    private static final double PATIENCE = 1;
+    private static final double FIRST_COST = 0.005;
 
+    private final Forecast forecast;
+    private final Dealing dealing;
     private final Cadence waiting = new Cadence(PATIENCE, FIRST_COST);
+    /** The last round that was looked ahead at. */
+    private int looked;
 
-    /**
-     * After a round.
-     *
-     * @param gathering whether all elements were at work, so that it shows how fast a host is
-     */
-    void add(Map<Host, Reply> replies, boolean gathering) {
+    Balance(Forecast forecast, Dealing dealing) {
+        this.forecast = forecast;
+        this.dealing = dealing;
+    }
+
+    /** After a round. */
+    void add(Map<Host, Reply> replies, Order order) {
         double cpu = replies.values().stream().mapToDouble(Reply::cpu).max().orElse(0);
         double slowest = replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0);
         double mean = replies.values().stream().mapToDouble(Reply::seconds).average().orElse(0);
         waiting.add(slowest - mean);
         replies.forEach((host, reply) -> {
             host.load.add(reply, cpu);
-            if (gathering && slowest > LEAST_SECONDS && host.load.elements > 0 && reply.seconds() > 0) {
-                learn(host, host.load.elements / reply.seconds());
-            }
+            note(host, reply, order.shots().size());
         });
+        judge(replies.keySet());
     }
 
-    private static void learn(Host host, double speed) {
-        host.speed = host.measured ? (1 - NEW) * host.speed + NEW * speed : speed;
-        host.measured = true;
+    private void note(Host host, Reply reply, int shooters) {
+        List<Integer> blocks = dealing.blocks(host);
+        double cpu = reply.work().stream().mapToDouble(BlockWork::seconds).sum();
+        double pairs = 0;
+        for (int i = 0; i < Math.min(blocks.size(), reply.work().size()); i++) {
+            BlockWork work = reply.work().get(i);
+            double pairsOfBlock = (double) work.told() * shooters;
+            pairs += pairsOfBlock;
+            forecast.hold(blocks.get(i), work);
+            if (cpu > 0) {
+                forecast.learn(blocks.get(i), work.seconds() / cpu * reply.seconds() * host.speed, pairsOfBlock);
+            }
+        }
+        if (pairs > 0 && reply.seconds() > LEAST_SECONDS) {
+            double pace = pairs / reply.seconds();
+            host.pace = host.pace == 0 ? pace : (1 - NEW) * host.pace + NEW * pace;
+        }
     }
 
-    /** What to expect of a newcomer: as much per thread as of the others. */
+    /** Speeds are relative: those of all together stay what they are. */
+    private void judge(Collection<Host> hosts) {
+        if (hosts.stream().anyMatch(host -> host.pace == 0)) {
+            return;
+        }
+        double unit = hosts.stream().mapToDouble(host -> host.pace).sum() / hosts.stream().mapToDouble(host -> host.speed).sum();
+        for (Host host : hosts) {
+            double factor = host.pace / unit / host.speed;
+            if (factor > FACTOR || factor < 1 / FACTOR) {
+                host.speed *= factor;
+                forecast.rescale(dealing.blocks(host), factor);
+            }
+        }
+    }
+
+    /** What to expect of a newcomer: as much as of the others. */
     double speed(List<Host> others, Host newcomer) {
         return others.stream().mapToDouble(host -> host.speed).average().orElse(newcomer.speed);
     }
 
-    boolean isDue() {
+    /** Whether moving blocks may pay before this order: for what was waited so far, or for what lies ahead. */
+    boolean isDue(Order order, List<Host> hosts) {
+        if (order.number() != looked && order.gathers()) {
+            looked = order.number();
+            int shooters = order.more() ? Math.max(order.shots().size(), forecast.blocks()) : order.shots().size();
+            return waiting.isDue(shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER));
+        }
         return waiting.isDue();
     }
 

@@ -24,7 +24,12 @@ final class Cadence {
     }
 
     boolean isDue() {
-        return gain >= multiple * cost;
+        return isDue(0);
+    }
+
+    /** @param ahead seconds that doing it now would save for certain, from now on */
+    boolean isDue(double ahead) {
+        return gain + ahead >= multiple * cost;
     }
 
     /** It was done. */

@@ -45,9 +45,10 @@ final class Host implements AutoCloseable {
     private volatile long heard = System.nanoTime();
     private volatile boolean closed;
     private boolean noticed;
-    /** Relative to other hosts: elements per second once measured, before that threads. */
+    /** Relative to other hosts; threads, until it turns out to be another one. */
     double speed;
-    boolean measured;
+    /** Pairs of receiving point and shooter per second, of the last rounds; 0 before it was measured. */
+    double pace;
     final Workload load = new Workload();
 
     /** @param threads that the host computes with */

@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -32,8 +33,9 @@ final class HostedBlocks {
         return mesh.blocks.get(id);
     }
 
-    int[] work() {
-        return owned.stream().mapToInt(partition::work).toArray();
+    /** @param cpu processor time since the last report, s */
+    List<BlockWork> work(double cpu) {
+        return List.of(partition.costs().report(cpu));
     }
 
     /** Does on the newcomers what was done since their states were taken, then joins them with the others. */

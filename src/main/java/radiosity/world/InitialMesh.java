@@ -20,6 +20,9 @@ final class InitialMesh {
     private static final int PATCHES = 6000;
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
+    /** Blocks: for sharing out, and where each is also what shoots together. */
+    private static final int BLOCKS = 256;
+    private static final int CLUSTERS = 128;
     /** Sample points per shooter where no number is given, likewise. */
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
@@ -44,7 +47,7 @@ final class InitialMesh {
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, patches());
         patcher = new Patcher(faces, area);
-        blocks = Partitioner.blocks(patcher);
+        blocks = Partitioner.blocks(patcher, predicts() ? CLUSTERS : BLOCKS);
         coarse = solvesAtOnce() ? patcher : patcher.coarser(blocks, COARSE_PATCHES);
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {

@@ -61,6 +61,11 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         return kind == Kind.SHOOT || kind == Kind.SPLIT || kind == Kind.GATHER;
     }
 
+    /** Whether points gather. */
+    boolean gathers() {
+        return kind == Kind.SHOOT || kind == Kind.GATHER;
+    }
+
     /** The same, naming other numbers of candidates. */
     Order naming(int candidates) {
         return new Order(kind, number, more, shots, tolerance, weight, meshError, candidates);

@@ -14,10 +14,15 @@ final class Pace {
     /** How much of a slow step is remembered from one step to the next. */
     private static final double MEMORY = 0.8;
 
+    private final double stepSeconds;
     private Order.Kind kind;
     private int elements;
     private int last;
     private double secondsPerShot;
+
+    Pace(double stepSeconds) {
+        this.stepSeconds = stepSeconds;
+    }
 
     /**
      * How many of the shots that are left to do next.
@@ -32,7 +37,7 @@ final class Pace {
             last = 0;
             secondsPerShot = 0;
         }
-        double most = secondsPerShot == 0 ? 1 : Math.min(GROWTH * (double) last, STEP_SECONDS / secondsPerShot);
+        double most = secondsPerShot == 0 ? 1 : Math.min(GROWTH * (double) last, stepSeconds / secondsPerShot);
         return (int) Math.max(1, Math.min(left, most));
     }
 

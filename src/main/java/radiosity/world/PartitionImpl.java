@@ -41,6 +41,7 @@ final class PartitionImpl implements Partition {
     private final LightSources lights;
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
+    private final BlockCosts costs;
     /** Nodes that shoot together: single patches in the paper's schedule, else those of a block. */
     private final int[][] shooters;
     /** The coarse mesh's vertices while their rows are made; else null. */
@@ -62,6 +63,7 @@ final class PartitionImpl implements Partition {
         burial = new Burial(faces, bounds);
         lights = new LightSources(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
+        costs = new BlockCosts(nodes, mine);
         shooters = mesh.predicts() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         flux = new double[shooters.length];
         bury(nodes, 0);
@@ -85,7 +87,7 @@ final class PartitionImpl implements Partition {
             switch (order.kind()) {
                 case SHOOT -> shoot(order);
                 case SPLIT -> split(order);
-                case GATHER -> gather(order, nodes.verticesMade(order.number() - 1));
+                case GATHER -> gather(order, order.number() - 1);
                 case TOTALS -> {
                     return Wire.bytes(out -> Wire.write(totals(), channels, out));
                 }
@@ -114,6 +116,7 @@ final class PartitionImpl implements Partition {
     private void split(Order order) {
         int known = nodes.vertices();
         new MeshRefinement(nodes, order.weight(), order.meshError()).splitAll(order.number());
+        costs.split(order.number());
         bury(nodes, known);
         Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(known);
@@ -134,15 +137,23 @@ final class PartitionImpl implements Partition {
         return Stream.of(shooters).map(tops -> Shot.total(nodes, tops)).toList();
     }
 
+    private void gather(Order order, int split) {
+        costs.split(split);
+        gather(order, nodes.verticesMade(split));
+    }
+
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Order order, int[] vertices) {
         Shooter[] source = shooters(order);
         FormFactorCalculator calculator = calculator(order);
+        costs.begin(vertices);
         crew.run((vertices.length + RUN - 1) / RUN, i -> {
             int[] run = Arrays.copyOfRange(vertices, i * RUN, Math.min(vertices.length, (i + 1) * RUN));
+            long begin = BlockCosts.now();
             for (Shooter shooter : source) {
                 gather(calculator, shooter, run);
             }
+            costs.add(run, BlockCosts.now() - begin);
         });
     }
 
@@ -311,21 +322,8 @@ final class PartitionImpl implements Partition {
         BlockState.restore(nodes, subtrees(id), state);
     }
 
-    /** What a block costs in a round: the elements that it has now. */
-    int work(int id) {
-        int elements = 0;
-        for (int top : subtrees(id)) {
-            elements += elements(top);
-        }
-        return elements;
-    }
-
-    private int elements(int node) {
-        int elements = nodes.isElement(node) ? 1 : 0;
-        for (int k = 0; k < 4 && !nodes.isElement(node); k++) {
-            elements += elements(nodes.child(node) + k);
-        }
-        return elements;
+    BlockCosts costs() {
+        return costs;
     }
 
     private int[] subtrees(int id) {

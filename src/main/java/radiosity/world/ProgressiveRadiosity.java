@@ -31,11 +31,17 @@ public final class ProgressiveRadiosity {
     private Answer answer;
     /** The round whose new vertices have not gathered yet; 0 where there is none. */
     private int dark;
-    private final Pace pace = new Pace();
+    private final Pace pace;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
+        this(world, stop, Pace.STEP_SECONDS);
+    }
+
+    /** @param stepSeconds how long a step may take; without influence on the result */
+    ProgressiveRadiosity(World world, StopRule stop, double stepSeconds) {
         this.world = world;
         this.stop = stop;
+        pace = new Pace(stepSeconds);
         shotFlux = new double[world.channels()];
         emitted = world.mesh.emitted.clone();
     }

@@ -40,7 +40,7 @@ public final class RemoteWorld extends World {
     private final ShotLog log = new ShotLog();
     private final Cadence checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS);
     private final RoundTimes times = new RoundTimes();
-    private final Balance balance = new Balance();
+    private final Balance balance;
     private final List<Host> hosts = new ArrayList<>();
     private final List<HostStatistics> gone = new ArrayList<>();
     private final Map<Host, HostLostException> lost = new LinkedHashMap<>();
@@ -68,7 +68,9 @@ public final class RemoteWorld extends World {
         this.threads = threads;
         task = SceneBytes.write(scene, settings);
         finder = new HostFinder(task, mesh.fingerprint(), notices);
-        dealing = new Dealing(mesh.blocks.size());
+        Forecast forecast = new Forecast(new Borders(mesh));
+        dealing = new Dealing(forecast, mesh.blocks.size());
+        balance = new Balance(forecast, dealing);
         hosts.addAll(finder.open(links));
         if (hosts.isEmpty()) {
             finder.close();
@@ -80,7 +82,7 @@ public final class RemoteWorld extends World {
 
     @Override
     List<byte[]> round(Order order) throws IOException {
-        admit();
+        admit(order);
         if (checkpoints.isDue() || log.bytes() > MOST_LOGGED) {
             blocks();
         }
@@ -105,8 +107,7 @@ public final class RemoteWorld extends World {
 
     private List<byte[]> answers(Map<Host, Reply> replies, Order order) {
         failures = 0;
-        replies.forEach((host, reply) -> dealing.note(host, reply.work()));
-        balance.add(replies, order.kind() == Order.Kind.SHOOT);
+        balance.add(replies, order);
         if (order.changes()) {
             checkpoints.add(replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0));
         }
@@ -198,7 +199,7 @@ public final class RemoteWorld extends World {
     }
 
     /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
-    private void admit() throws IOException {
+    private void admit(Order order) throws IOException {
         recover();
         boolean come = false;
         for (Host host = finder.next(); host != null; host = finder.next()) {
@@ -209,8 +210,8 @@ public final class RemoteWorld extends World {
         }
         if (come && alone != null) {
             leave(alone);
-        } else if (come || balance.isDue()) {
-            move(dealing.moves(hosts));
+        } else if (come || balance.isDue(order, hosts)) {
+            move(dealing.moves(hosts, order.kind() == Order.Kind.GATHER));
         }
         recover();
     }

@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.util.List;
 
 /**
  * What a host answers to a round.
@@ -9,17 +10,17 @@ import java.io.IOException;
  * @param answer  as a {@link Partition} gives it
  * @param cpu     processor time that the round took, s
  * @param seconds wall time that the round took
- * @param work    1 per block that the host owns, in the order of their ids: its elements
+ * @param work    1 per block that the host owns, in the order of their ids
  */
-record Reply(byte[] answer, double cpu, double seconds, int[] work) {
+record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work) {
 
     byte[] encode() {
         return Wire.bytes(out -> {
             out.writeDouble(cpu);
             out.writeDouble(seconds);
-            out.writeInt(work.length);
-            for (int w : work) {
-                out.writeInt(w);
+            out.writeInt(work.size());
+            for (BlockWork block : work) {
+                block.write(out);
             }
             Wire.write(out, answer);
         });
@@ -29,10 +30,14 @@ record Reply(byte[] answer, double cpu, double seconds, int[] work) {
         DataInputStream in = Wire.input(bytes);
         double cpu = in.readDouble();
         double seconds = in.readDouble();
-        int[] work = new int[Wire.count(in, Integer.BYTES)];
+        BlockWork[] work = new BlockWork[Wire.count(in, BlockWork.BYTES)];
         for (int b = 0; b < work.length; b++) {
-            work[b] = in.readInt();
+            work[b] = BlockWork.read(in);
         }
-        return new Reply(Wire.bytes(in), cpu, seconds, work);
+        return new Reply(Wire.bytes(in), cpu, seconds, List.of(work));
+    }
+
+    int elements() {
+        return work.stream().mapToInt(BlockWork::elements).sum();
     }
 }

@@ -181,7 +181,8 @@ final class ServedPartition implements RemotePartition {
         long begin = System.nanoTime();
         double cpu = processor.seconds();
         byte[] answer = blocks.round(order);
-        return new Reply(answer, processor.seconds() - cpu, (System.nanoTime() - begin) * 1e-9, blocks.work()).encode();
+        double spent = processor.seconds() - cpu;
+        return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent)).encode();
     }
 
     @Override

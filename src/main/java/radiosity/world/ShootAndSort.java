@@ -9,13 +9,13 @@ import java.util.function.BooleanSupplier;
 /**
  * Shooting and sorting (section 2.2 of the paper): whoever has most unshot flux shoots.
  *
- * <p>A round may hold several shots: as many as a thirty-second of those already done, so that the first are single and
+ * <p>A round may hold several shots: as many as a sixteenth of those already done, so that the first are single and
  * later ones do not wait for each other.
  */
 final class ShootAndSort implements Planner {
 
-    private static final int MOST_IN_ROUND = 64;
-    private static final int SHOTS_PER_SHOT = 32;
+    private static final int MOST_IN_ROUND = 256;
+    private static final int SHOTS_PER_SHOT = 16;
 
     private final double[] weight;
     private int shots;

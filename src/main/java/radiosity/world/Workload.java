@@ -16,10 +16,7 @@ final class Workload {
         rounds++;
         cpu += reply.cpu();
         slowest += slowestOfRound;
-        elements = 0;
-        for (int work : reply.work()) {
-            elements += work;
-        }
+        elements = reply.elements();
     }
 
     HostStatistics statistics(String name, String state, int blocks) {

@@ -30,31 +30,31 @@ class PaceTest {
 
     @Test
     void equalShots_fillSteps() {
-        double[] found = round(new Pace(), 1, i -> 1e-3);
+        double[] found = round(new Pace(Pace.STEP_SECONDS), 1, i -> 1e-3);
         assertTrue(found[0] <= Pace.STEP_SECONDS, "longest " + found[0]);
         assertTrue(found[1] < 1.5 * SHOTS * 1e-3 / Pace.STEP_SECONDS, "steps " + found[1]);
     }
 
     @Test
     void slowShotsAmongFastOnes_areNotForgotten() {
-        double[] found = round(new Pace(), 1, i -> i / 100 % 2 == 0 ? 1e-3 : 5e-3);
+        double[] found = round(new Pace(Pace.STEP_SECONDS), 1, i -> i / 100 % 2 == 0 ? 1e-3 : 5e-3);
         assertTrue(found[0] <= 5 * Pace.STEP_SECONDS, "longest " + found[0]);
     }
 
     @Test
     void slowShots_areDoneOneByOne() {
-        assertEquals(2, round(new Pace(), 1, i -> 2)[0]);
+        assertEquals(2, round(new Pace(Pace.STEP_SECONDS), 1, i -> 2)[0]);
     }
 
     @Test
     void moreElements_beginAnew() {
-        Pace pace = new Pace();
+        Pace pace = new Pace(Pace.STEP_SECONDS);
         round(pace, 1, i -> 1e-6);
         assertTrue(round(pace, 1000, i -> 1e-3)[0] <= Pace.STEP_SECONDS);
     }
 
     @Test
     void roundWithoutShots_isOneStep() {
-        assertEquals(1, new Pace().size(Order.Kind.SPLIT, 0, 0));
+        assertEquals(1, new Pace(Pace.STEP_SECONDS).size(Order.Kind.SPLIT, 0, 0));
     }
 }

@@ -1,7 +1,6 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -18,8 +17,6 @@ import radiosity.scene.Scene;
  */
 public final class ScalingTable {
 
-    private static final double CALL_SECONDS = 0.3e-3 + 2 * 0.2e-3;
-    private static final double HOST_SECONDS = 30e-6;
     private static final int WARM_UP = 2;
 
     private ScalingTable() { }
@@ -32,52 +29,37 @@ public final class ScalingTable {
                 Integer.parseInt(arguments[2]), meshing, Schedule.valueOf(arguments[5].toUpperCase(Locale.ROOT)));
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
         for (int i = 0; i < WARM_UP; i++) {
-            solve(scene, settings, stop, 1);
+            solve(new LocalWorld(scene, settings, 1), stop, 1);
         }
-        System.out.println("hosts  elements  rounds   CPU s  slowest s  wall s  speedup  efficiency  worst idle %");
-        double one = 0;
+        double local = solve(new LocalWorld(scene, settings, 1), stop, 1);
+        System.out.printf(Locale.ROOT, "local: %.2f s%n", local);
+        System.out.println("hosts  elements  calls   CPU s  slowest s  master s  network s  wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
-            int hosts = Integer.parseInt(arguments[i]);
-            WorldStatistics statistics = solve(scene, settings, stop, hosts);
-            double wall = statistics.criticalPath() + statistics.rounds() * (CALL_SECONDS + hosts * HOST_SECONDS);
-            one = one == 0 ? wall * hosts : one;
-            print(hosts, statistics, wall, one);
+            print(scene, settings, stop, Integer.parseInt(arguments[i]), local);
         }
     }
 
-    private static WorldStatistics solve(Scene scene, RadiositySettings settings, StopRule stop, int hosts)
+    /** Processor time of this thread, s. */
+    private static double solve(World world, StopRule stop, int hosts) throws IOException {
+        long begin = BlockCosts.now();
+        new ProgressiveRadiosity(world, stop, hosts * Pace.STEP_SECONDS).run(progress -> true);
+        return (BlockCosts.now() - begin) * 1e-9;
+    }
+
+    private static void print(Scene scene, RadiositySettings settings, StopRule stop, int hosts, double local)
             throws IOException {
-        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, links(hosts))) {
-            new ProgressiveRadiosity(world, stop).run(progress -> true);
-            return world.statistics();
+        LogicalClock clock = new LogicalClock();
+        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, clock.links(hosts))) {
+            clock.reset();
+            double master = solve(world, stop, hosts);
+            List<HostStatistics> all = world.statistics().hosts();
+            double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
+            int elements = all.stream().mapToInt(HostStatistics::elements).sum();
+            double wall = clock.slowest() + master + clock.network();
+            System.out.printf(Locale.ROOT, "%5d %,9d %6d %7.2f %10.3f %9.3f %10.3f %7.3f %8.2f %11.3f %13.1f%n", hosts,
+                    elements, clock.calls(), clock.cpu(), clock.slowest(), master, clock.network(), wall, local / wall,
+                    local / wall / hosts, 100 * idle);
+            if (Boolean.getBoolean("debug")) System.out.println(clock.byName + " " + world.statistics().bytes() / 1e6);
         }
-    }
-
-    /** Hosts that compute one after the other, so that none is slowed by the others. */
-    private static List<Link> links(int hosts) {
-        List<Link> links = TestLink.sound(hosts, 1);
-        Object turn = new Object();
-        for (Link link : links) {
-            RemotePartition alone = ((TestLink) link).behind;
-            ((TestLink) link).behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
-                    new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
-                        if (!method.getName().equals("round")) {
-                            return method.invoke(alone, arguments);
-                        }
-                        synchronized (turn) {
-                            return method.invoke(alone, arguments);
-                        }
-                    });
-        }
-        return links;
-    }
-
-    private static void print(int hosts, WorldStatistics statistics, double wall, double one) {
-        List<HostStatistics> all = statistics.hosts();
-        double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
-        int elements = all.stream().mapToInt(HostStatistics::elements).sum();
-        System.out.printf(Locale.ROOT, "%5d %,9d %7d %7.2f %10.3f %7.3f %8.2f %11.3f %13.1f%n", hosts, elements,
-                statistics.rounds(), statistics.cpu(), statistics.criticalPath(), wall, one / wall, one / wall / hosts,
-                100 * idle);
     }
 }

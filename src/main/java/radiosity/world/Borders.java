@@ -1,0 +1,101 @@
+package radiosity.world;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.DoubleStream;
+import radiosity.patch.Block;
+import radiosity.patch.Faces;
+import radiosity.patch.RadiosityNodes;
+
+/**
+ * How large the blocks of the initial mesh are, and which lie side by side: a receiving point on a border gathers once
+ * where one host has both sides, and on each of two hosts where it has not.
+ */
+final class Borders {
+
+    static final int DIRECTIONS = 6;
+
+    /** Per block: points that it has in common with which other block. */
+    private final List<Map<Integer, Integer>> shared = new ArrayList<>();
+    /** 1 per block: receiving points, by Euler's formula for a disc. */
+    private final double[] points;
+    /** Per block: how much of its area looks in which of {@value #DIRECTIONS} directions. */
+    private final double[][] facing;
+
+    Borders(InitialMesh mesh) {
+        points = new double[mesh.blocks.size()];
+        facing = new double[points.length][DIRECTIONS];
+        RadiosityNodes nodes = new RadiosityNodes(mesh.coarse, mesh.blocks);
+        Map<Long, Integer> edges = new HashMap<>();
+        for (Block block : mesh.blocks) {
+            shared.add(new HashMap<>());
+            points[block.id()]++;
+            for (int top : nodes.tops(block)) {
+                facing[block.id()][direction(mesh.faces, nodes.face(top))] += nodes.area(top);
+                add(mesh, nodes, block.id(), top, edges);
+            }
+        }
+    }
+
+    /** Of the six sides of a cube that one of which the normal points most. */
+    private static int direction(Faces faces, int face) {
+        int axis = 0;
+        for (int a = 1; a < 3; a++) {
+            axis = Math.abs(faces.normal(face, a)) > Math.abs(faces.normal(face, axis)) ? a : axis;
+        }
+        return faces.normal(face, axis) < 0 ? axis : 3 + axis;
+    }
+
+    private void add(InitialMesh mesh, RadiosityNodes nodes, int block, int node, Map<Long, Integer> edges) {
+        if (!nodes.isElement(node)) {
+            for (int k = 0; k < 4; k++) {
+                add(mesh, nodes, block, nodes.child(node) + k, edges);
+            }
+            return;
+        }
+        int depth = mesh.patcher.level(nodes.face(node)) - mesh.coarse.level(nodes.face(node));
+        points[block] += 0.5 * (1L << 2 * depth);
+        for (int k = 0; k < 3; k++) {
+            long p = nodes.corner(node, k);
+            long q = nodes.corner(node, (k + 1) % 3);
+            Integer other = edges.putIfAbsent(Math.min(p, q) << Integer.SIZE | Math.max(p, q), block);
+            border(block, other == null ? -1 : other, 1 << depth);
+        }
+    }
+
+    /** @param other on the other side of an edge, or -1 where none is known yet */
+    private void border(int block, int other, int length) {
+        points[block] += other == block ? -0.5 * length : 0.5 * length;
+        if (other >= 0 && other != block) {
+            shared.get(block).merge(other, length, Integer::sum);
+            shared.get(other).merge(block, length, Integer::sum);
+        }
+    }
+
+    int blocks() {
+        return points.length;
+    }
+
+    /** Receiving points of a block in the initial mesh, about. */
+    double points(int block) {
+        return points[block];
+    }
+
+    /** Shares of a block that look in each direction; 1 together. */
+    double[] facing(int block) {
+        double area = DoubleStream.of(facing[block]).sum();
+        return DoubleStream.of(facing[block]).map(part -> part / area).toArray();
+    }
+
+    /** Blocks beside this one. */
+    int[] beside(int block) {
+        return shared.get(block).keySet().stream().mapToInt(Integer::intValue).sorted().toArray();
+    }
+
+    /** Points that two blocks have in common in the initial mesh. */
+    int shared(int block, int beside) {
+        return shared.get(block).get(beside);
+    }
+}

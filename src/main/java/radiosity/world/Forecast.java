@@ -1,0 +1,90 @@
+package radiosity.world;
+
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+
+/** How long each block will take in the next round, on a host of speed 1: from what it took in the last ones. */
+final class Forecast {
+
+    /** What a round counts for when the next one is over. */
+    private static final double KEPT = 0.8;
+
+    private final Borders borders;
+    /** 1 per block: what it holds. */
+    private final double[] points;
+    private final double[] fresh;
+    /** 1 per block, of the last rounds: time, s, and for how many pairs of point and shooter. */
+    private final double[] time;
+    private final double[] pairs;
+
+    Forecast(Borders borders) {
+        this.borders = borders;
+        points = new double[borders.blocks()];
+        fresh = new double[points.length];
+        time = new double[points.length];
+        pairs = new double[points.length];
+        for (int b = 0; b < points.length; b++) {
+            points[b] = borders.points(b);
+        }
+    }
+
+    int blocks() {
+        return points.length;
+    }
+
+    /** What a block holds after a round. */
+    void hold(int block, BlockWork work) {
+        points[block] = work.points();
+        fresh[block] = work.fresh();
+    }
+
+    /** @param seconds on a host of speed 1 */
+    void learn(int block, double seconds, double pairsDone) {
+        if (pairsDone > 0) {
+            time[block] = KEPT * time[block] + seconds;
+            pairs[block] = KEPT * pairs[block] + pairsDone;
+        }
+    }
+
+    /** Its host turns out so many times as fast as was thought. */
+    void rescale(List<Integer> blocks, double factor) {
+        blocks.forEach(b -> time[b] *= factor);
+    }
+
+    /**
+     * What lies ahead for each shooter.
+     *
+     * @param seconds 1 per block: time on a host of speed 1; only relative where nothing was measured yet
+     * @param facing  per block: shares of it that look in each direction
+     * @param beside  per block: its neighbours
+     * @param saved   per neighbour: by how much both take less where they have one owner, s
+     */
+    record Work(double[] seconds, double[][] facing, int[][] beside, double[][] saved) { }
+
+    /** @param gather whether only those points gather that the last split made */
+    Work next(boolean gather) {
+        double all = DoubleStream.of(time).sum();
+        double mean = all > 0 ? all / DoubleStream.of(pairs).sum() : 1;
+        double[] seconds = new double[time.length];
+        for (int b = 0; b < seconds.length; b++) {
+            seconds[b] = (pairs[b] > 0 ? time[b] / pairs[b] : mean) * (gather ? fresh[b] : points[b]);
+        }
+        double[][] facing = new double[seconds.length][];
+        int[][] beside = new int[seconds.length][];
+        double[][] saved = new double[seconds.length][];
+        for (int b = 0; b < seconds.length; b++) {
+            int block = b;
+            facing[b] = borders.facing(b);
+            beside[b] = borders.beside(b);
+            saved[b] = IntStream.of(beside[b]).mapToDouble(c -> saved(block, c, seconds)).toArray();
+        }
+        return new Work(seconds, facing, beside, saved);
+    }
+
+    /** A mesh that was divided has more points on a border. */
+    private double saved(int b, int c, double[] seconds) {
+        double finer = Math.max(1, Math.min(points[b] / borders.points(b), points[c] / borders.points(c)));
+        return borders.shared(b, c) * Math.sqrt(finer) * (seconds[b] / points[b] + seconds[c] / points[c]) / 2;
+    }
+}

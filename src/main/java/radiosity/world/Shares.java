@@ -1,0 +1,192 @@
+package radiosity.world;
+
+import java.util.Arrays;
+import java.util.stream.DoubleStream;
+
+/**
+ * Blocks shared out to hosts, so that the slowest host is done as early as may be: one goes to another host, or two
+ * change places, as long as that helps (after B. Kernighan, S. Lin, An efficient heuristic procedure for partitioning
+ * graphs, 1970).
+ *
+ * <p>Each host is to have its share of what looks in each direction, too: who shoots in one round stands on few
+ * surfaces, and reaches only what looks there.
+ */
+final class Shares {
+
+    /** A step has to lower the goal by this part; all blocks are looked at so often at most. */
+    private static final double WORTH = 1e-5;
+    private static final int MOST_SWEEPS = 40;
+    /** What it counts for that a host has its share of each direction. */
+    private static final double SPREAD = 0.5;
+
+    private final Forecast.Work work;
+    /** 1 per host. */
+    private final double[] speed;
+    /** Per host and direction: until it is done, s. */
+    private final double[][] time;
+    /** 1 per block: host, or -1. */
+    private final int[] owner;
+    /** What a host would need if all had alike and shared all borders: of all, and per direction. s */
+    private final double mean;
+    private final double[] meanFacing = new double[Borders.DIRECTIONS];
+
+    /** @param owner 1 per block: number of a host, or -1; not modified */
+    Shares(Forecast.Work work, double[] speed, int[] owner) {
+        this.work = work;
+        this.speed = speed;
+        time = new double[speed.length][Borders.DIRECTIONS];
+        this.owner = new int[owner.length];
+        Arrays.fill(this.owner, -1);
+        double all = DoubleStream.of(speed).sum();
+        for (int b = 0; b < owner.length; b++) {
+            for (int d = 0; d < meanFacing.length; d++) {
+                meanFacing[d] += work.facing()[b][d] * work.seconds()[b] / all;
+            }
+            if (owner[b] >= 0) {
+                give(b, owner[b]);
+            }
+        }
+        mean = DoubleStream.of(meanFacing).sum();
+    }
+
+    int[] owners() {
+        return owner.clone();
+    }
+
+    private double time(int host) {
+        return DoubleStream.of(time[host]).sum();
+    }
+
+    double slowest() {
+        double slowest = 0;
+        for (int h = 0; h < speed.length; h++) {
+            slowest = Math.max(slowest, time(h));
+        }
+        return slowest;
+    }
+
+    /** What the slowest host takes longer than all do on average, s. */
+    double waiting() {
+        double sum = 0;
+        for (int h = 0; h < speed.length; h++) {
+            sum += time(h);
+        }
+        return slowest() - sum / speed.length;
+    }
+
+    /** A block's time on a host that has not got it, beside what the host has, s. */
+    private double added(int block, int host) {
+        double seconds = work.seconds()[block];
+        int[] beside = work.beside()[block];
+        for (int i = 0; i < beside.length; i++) {
+            seconds -= owner[beside[i]] == host ? work.saved()[block][i] : 0;
+        }
+        return Math.max(0, seconds) / speed[host];
+    }
+
+    private void take(int block) {
+        int from = owner[block];
+        owner[block] = -1;
+        add(block, from, -added(block, from));
+    }
+
+    private void give(int block, int to) {
+        add(block, to, added(block, to));
+        owner[block] = to;
+    }
+
+    private void add(int block, int host, double seconds) {
+        for (int d = 0; d < meanFacing.length; d++) {
+            time[host][d] += work.facing()[block][d] * seconds;
+        }
+    }
+
+    /** Every block without an owner goes to whom it delays least, in their geometric order. */
+    void deal() {
+        for (int b = 0; b < owner.length; b++) {
+            if (owner[b] < 0) {
+                give(b, best(b));
+            }
+        }
+    }
+
+    void improve() {
+        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+            boolean moved = false;
+            for (int b = 0; b < owner.length; b++) {
+                moved |= move(b);
+            }
+            if (!moved && !exchange()) {
+                return;
+            }
+        }
+    }
+
+    /** What is made small. */
+    private double goal(int host) {
+        double goal = Math.pow(time(host) / mean, 4);
+        for (int d = 0; d < meanFacing.length; d++) {
+            goal += meanFacing[d] > 0 ? SPREAD * time[host][d] * time[host][d] / (meanFacing[d] * mean) : 0;
+        }
+        return speed[host] * goal;
+    }
+
+    private int best(int block) {
+        int best = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int h = 0; h < speed.length; h++) {
+            double before = goal(h);
+            give(block, h);
+            double change = goal(h) - before;
+            take(block);
+            if (change < (1 - WORTH) * least) {
+                best = h;
+                least = change;
+            }
+        }
+        return best;
+    }
+
+    private boolean move(int block) {
+        int from = owner[block];
+        take(block);
+        int to = best(block);
+        give(block, to);
+        return to != from;
+    }
+
+    /** A block of the slowest host changes places with one of another. */
+    private boolean exchange() {
+        int slowest = 0;
+        for (int h = 1; h < speed.length; h++) {
+            slowest = time(h) > time(slowest) ? h : slowest;
+        }
+        for (int b = 0; b < owner.length; b++) {
+            for (int c = 0; owner[b] == slowest && c < owner.length; c++) {
+                if (owner[c] != slowest && exchange(b, c)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean exchange(int b, int c) {
+        int from = owner[b];
+        int to = owner[c];
+        double before = goal(from) + goal(to);
+        swap(b, to, c, from);
+        if (goal(from) + goal(to) < (1 - WORTH) * before) {
+            return true;
+        }
+        swap(b, from, c, to);
+        return false;
+    }
+
+    private void swap(int b, int hostOfB, int c, int hostOfC) {
+        take(b);
+        take(c);
+        give(b, hostOfB);
+        give(c, hostOfC);
+    }
+}
