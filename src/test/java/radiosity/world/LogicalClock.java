@@ -30,9 +30,7 @@ final class LogicalClock {
     private double slowest;
     private double network;
     private double cpu;
-    private double rounds;
     private int calls;
-    final Map<String, Double> byName = new java.util.TreeMap<>();
 
     /** So many hosts on this clock. */
     List<Link> links(int hosts) {
@@ -69,7 +67,7 @@ final class LogicalClock {
     /** A part of a message belongs to the call that it is for. */
     private String name(Method method, Object[] arguments) {
         return switch (method.getName()) {
-            case "send" -> phaseName.equals("mesh") || phaseName.isEmpty() || phaseName.equals("greet") || phaseName.equals("open") ? "mesh" : "take";
+            case "send" -> "take";
             case "round" -> "round " + arguments[1];
             default -> method.getName();
         };
@@ -99,7 +97,6 @@ final class LogicalClock {
         }
         double most = phase.values().stream().mapToDouble(Double::doubleValue).max().orElse(0);
         slowest += most;
-        byName.merge(phaseName.split(" ")[0], most, Double::sum);
         network += CALL_SECONDS + phase.size() * HOST_SECONDS + phaseBytes / BYTES_PER_SECOND;
         calls++;
         phase.clear();
@@ -117,7 +114,6 @@ final class LogicalClock {
         end();
         slowest = network = cpu = 0;
         calls = 0;
-        byName.clear();
     }
 
     /** Calls to all so far. */

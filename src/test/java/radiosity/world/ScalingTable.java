@@ -11,9 +11,9 @@ import radiosity.scene.Scene;
 /**
  * Prints figures 11 to 13 of the paper, as scripts/reproduce-paper runs it.
  *
- * <p>All hosts are in this process, each with one thread, whose processor time is measured: that of the slowest host,
- * summed over rounds, is what the rounds would take on as many machines. To that comes what a round costs on a local
- * network, as it was measured between processes: 0.3 ms, two round trips of 0.2 ms, and 30 us of the master per host.
+ * <p>All hosts are in this process, each with one thread, on a {@link LogicalClock}: the wall time is that of the
+ * slowest host in every call, what the calls cost on a network, and the master's own processor time. Speedup is over
+ * a calculation in one process, on one thread.
  */
 public final class ScalingTable {
 
@@ -32,8 +32,8 @@ public final class ScalingTable {
             solve(new LocalWorld(scene, settings, 1), stop, 1);
         }
         double local = solve(new LocalWorld(scene, settings, 1), stop, 1);
-        System.out.printf(Locale.ROOT, "local: %.2f s%n", local);
-        System.out.println("hosts  elements  calls   CPU s  slowest s  master s  network s  wall s  speedup  efficiency  worst idle %");
+        System.out.printf(Locale.ROOT, "in one process, CPU s: %.2f%n", local);
+        System.out.println("hosts  elements  calls   CPU s  slowest s  master s  network s   wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
             print(scene, settings, stop, Integer.parseInt(arguments[i]), local);
         }
@@ -56,10 +56,9 @@ public final class ScalingTable {
             double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
             int elements = all.stream().mapToInt(HostStatistics::elements).sum();
             double wall = clock.slowest() + master + clock.network();
-            System.out.printf(Locale.ROOT, "%5d %,9d %6d %7.2f %10.3f %9.3f %10.3f %7.3f %8.2f %11.3f %13.1f%n", hosts,
+            System.out.printf(Locale.ROOT, "%5d %,9d %6d %7.2f %10.3f %9.3f %10.3f %8.3f %8.2f %11.3f %13.1f%n", hosts,
                     elements, clock.calls(), clock.cpu(), clock.slowest(), master, clock.network(), wall, local / wall,
                     local / wall / hosts, 100 * idle);
-            if (Boolean.getBoolean("debug")) System.out.println(clock.byName + " " + world.statistics().bytes() / 1e6);
         }
     }
 }
