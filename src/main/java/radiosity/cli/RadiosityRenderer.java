@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.SceneInfo;
+import radiosity.output.SurfaceMaps;
 import radiosity.scene.Scene;
 import radiosity.world.HostKey;
 import radiosity.world.LocalWorld;
@@ -68,7 +69,8 @@ public final class RadiosityRenderer {
     /** Figure 7 of the paper, from top to bottom. */
     private void render(SaveBeforeExit ending) throws IOException {
         files.check();
-        Scene scene = LightWaveReader.read(options.input(), options.scene.lightWave(), warnings::print);
+        Scene scene = SurfaceMaps.read(
+                LightWaveReader.read(options.input(), options.scene.lightWave(), warnings::print), options.scene.srgb, warnings::accept);
         SavedCalculation saved = saved();
         RadiositySettings settings = settings(scene, saved);
         check(scene, settings);

@@ -1,5 +1,6 @@
 package radiosity.output;
 
+import java.util.List;
 import radiosity.scene.Vec3;
 
 /**
@@ -37,6 +38,15 @@ record Chart(Vec3 u, Vec3 v, double left, double top, double samples, int width,
             bottom = Math.max(bottom, p.dot(v));
         }
         return new Chart(u, v, left, top, samples, texels(right - left, samples), texels(bottom - top, samples));
+    }
+
+    /** Samples per scene unit with which points that are so far apart take so many texels. */
+    static double most(List<Vec3> points, int texels) {
+        double widest = 0;
+        for (Vec3 p : points) {
+            widest = Math.max(widest, p.minus(points.get(0)).length());
+        }
+        return texels / (2 * widest);
     }
 
     private static int texels(double length, double samples) {

@@ -16,6 +16,15 @@ final class Elements {
         return new Vec3(x[p], x[p + 1], x[p + 2]);
     }
 
+    /**
+     * @param v weight of corner 1
+     * @param w weight of corner 2
+     */
+    static Vec3 point(Solution solution, int element, double v, double w) {
+        return corner(solution, element, 0).times(1 - v - w).plus(corner(solution, element, 1).times(v))
+                .plus(corner(solution, element, 2).times(w));
+    }
+
     /** At right angles to the element on its visible side, twice as long as its area is large. */
     static Vec3 cross(Solution solution, int element) {
         Vec3 a = corner(solution, element, 0);

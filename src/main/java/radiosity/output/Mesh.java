@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import radiosity.scene.Lamp;
+import radiosity.scene.Look;
 import radiosity.scene.Rgb;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -19,11 +20,12 @@ import radiosity.world.Solution;
  * @param normals    unit vectors out of the visible side, 3 per vertex
  * @param irradiance H for red, green and blue, 3 per vertex, W/m²
  * @param radiosity  B = E + rho H, 3 per vertex, W/m²
+ * @param reflectance rho, 3 per vertex, where it differs from place to place; else empty, and the surface's everywhere
  * @param layers     of each lamp its share of the irradiance, 3 per vertex, W/m²; empty where they are not kept apart
  * @param corners    vertices, 3 per element, counter-clockwise seen from the visible side
  */
 public record Mesh(Surface surface, boolean back, float[] positions, float[] normals, float[] irradiance,
-                   float[] radiosity, List<float[]> layers, int[] corners) {
+                   float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
 
     public Mesh {
         layers = List.copyOf(layers);
@@ -71,9 +73,24 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
                 sum += factors.get(layer).channel(i % 3) * layers.get(layer)[i];
             }
             h[i] = (float) sum;
-            b[i] = (float) (lit.exitance().channel(i % 3) + surface.reflectance().channel(i % 3) * sum);
+            b[i] = (float) (exitance(i) * dimmed(lit, i % 3) + reflectance(i) * sum);
         }
-        return new Mesh(lit, back, positions, normals, h, b, layers, corners);
+        return new Mesh(lit, back, positions, normals, h, b, reflectance, layers, corners);
+    }
+
+    private double reflectance(int i) {
+        return reflectance.length > 0 ? reflectance[i] : surface.reflectance().channel(i % 3);
+    }
+
+    /** What is not reflected. */
+    private double exitance(int i) {
+        return reflectance.length > 0 ? Math.max(0, radiosity[i] - (double) reflectance[i] * irradiance[i])
+                : surface.exitance().channel(i % 3);
+    }
+
+    private double dimmed(Surface lit, int channel) {
+        double before = surface.exitance().channel(channel);
+        return before == 0 ? 1 : lit.exitance().channel(channel) / before;
     }
 
     /** As a lamp that it may be. */
@@ -85,6 +102,11 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
             }
         }
         return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided(), surface.textures());
+    }
+
+    /** rho at corner k of an element. */
+    public Rgb reflectance(int element, int k) {
+        return reflectance.length > 0 ? at(reflectance, corners[3 * element + k]) : surface.reflectance();
     }
 
     private static Rgb at(float[] array, int vertex) {
@@ -146,9 +168,10 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
             corners[i] = local[v];
         }
         Mesh mesh = new Mesh(surface, back, new float[3 * count], new float[3 * count], new float[3 * count],
-                new float[3 * count], layers(solution.lamps().size(), 3 * count), corners);
+                new float[3 * count], new float[surface.maps().isEmpty() ? 0 : 3 * count], layers(solution.lamps().size(), 3 * count), corners);
+        Look[] looks = mesh.looks(solution, elements);
         for (int i = 0; i < count; i++) {
-            mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]));
+            mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]), looks[i]);
             local[vertices[i]] = -1;
         }
         return mesh;
@@ -158,13 +181,37 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
         return IntStream.range(0, count).mapToObj(layer -> new float[length]).toList();
     }
 
-    private void put(int i, Solution solution, int vertex, Vec3 origin, Vec3 normal) {
+    /** 1 per vertex: the mean of the elements around it. */
+    private Look[] looks(Solution solution, int[] elements) {
+        Look[] looks = new Look[vertices()];
+        Arrays.fill(looks, new Look(surface.exitance(), surface.reflectance()));
+        if (surface.maps().isEmpty()) {
+            return looks;
+        }
+        Arrays.fill(looks, new Look(Rgb.BLACK, Rgb.BLACK));
+        int[] count = new int[looks.length];
+        for (int i = 0; i < corners.length; i++) {
+            Look sum = looks[corners[i]];
+            Look element = solution.look(elements[i / 3]);
+            looks[corners[i]] = new Look(sum.exitance().plus(element.exitance()), sum.reflectance().plus(element.reflectance()));
+            count[corners[i]]++;
+        }
+        for (int v = 0; v < looks.length; v++) {
+            looks[v] = new Look(looks[v].exitance().times(1.0 / count[v]), looks[v].reflectance().times(1.0 / count[v]));
+        }
+        return looks;
+    }
+
+    private void put(int i, Solution solution, int vertex, Vec3 origin, Vec3 normal, Look look) {
         double[] x = solution.positions();
         put(positions, i, x[3 * vertex] - origin.x(), x[3 * vertex + 1] - origin.y(), x[3 * vertex + 2] - origin.z());
         put(normals, i, normal.x(), normal.y(), normal.z());
         Rgb h = solution.irradianceAt(vertex);
         put(irradiance, i, h);
-        put(radiosity, i, surface.exitance().plus(h.times(surface.reflectance())));
+        put(radiosity, i, look.radiosity(h));
+        if (reflectance.length > 0) {
+            put(reflectance, i, look.reflectance());
+        }
         for (int layer = 0; layer < layers.size(); layer++) {
             put(layers.get(layer), i, solution.irradianceAt(vertex, layer));
         }

@@ -45,12 +45,11 @@ public final class Points {
         }
         double[] weight = new Nearest(solution, element, point).weights();
         Rgb h = Rgb.BLACK;
-        Rgb b = Rgb.BLACK;
         for (int k = 0; k < 3; k++) {
-            h = plus(h, solution.irradianceAt(solution.corners()[3 * element + k]).times(weight[k]));
-            b = plus(b, solution.radiosityAt(element, k).times(weight[k]));
+            h = h.plus(solution.irradianceAt(solution.corners()[3 * element + k]).times(weight[k]));
         }
-        return new Light(h, b);
+        Vec3 on = Elements.point(solution, element, weight[1], weight[2]);
+        return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
     }
 
     /**
@@ -60,10 +59,6 @@ public final class Points {
      * @param radiosity  B, W/m²
      */
     public record Light(Rgb irradiance, Rgb radiosity) {
-    }
-
-    private static Rgb plus(Rgb a, Rgb b) {
-        return new Rgb(a.r() + b.r(), a.g() + b.g(), a.b() + b.b());
     }
 
     /**

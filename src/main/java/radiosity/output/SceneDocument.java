@@ -74,6 +74,9 @@ final class SceneDocument {
         attributes.put("COLOR_0", colours(mesh, toneMapping));
         attributes.put("_RADIOSITY", vec3(mesh.radiosity()));
         attributes.put("_IRRADIANCE", vec3(mesh.irradiance()));
+        if (mesh.reflectance().length > 0) {
+            attributes.put("_REFLECTANCE", vec3(mesh.reflectance()));
+        }
         for (int layer = 0; layer < mesh.layers().size(); layer++) {
             attributes.put("_IRRADIANCE_" + layer, vec3(mesh.layers().get(layer)));
         }

@@ -112,7 +112,12 @@ final class SceneMeshes {
         Place extras = root.at("materials").at(primitive.at("material").integer()).at("extras");
         return new Mesh(surface(extras), extras.at("back").node().booleanValue(), positions,
                 floats(attributes.at("NORMAL"), n), floats(attributes.at("_IRRADIANCE"), n),
-                floats(attributes.at("_RADIOSITY"), n), layers(attributes, n), corners(primitive.at("indices"), n));
+                floats(attributes.at("_RADIOSITY"), n), reflectance(attributes, n), layers(attributes, n), corners(primitive.at("indices"), n));
+    }
+
+    private float[] reflectance(Place attributes, int vertices) throws IOException {
+        Optional<Place> own = attributes.optional("_REFLECTANCE");
+        return own.isEmpty() ? new float[0] : floats(own.get(), vertices);
     }
 
     private List<float[]> layers(Place attributes, int vertices) throws IOException {

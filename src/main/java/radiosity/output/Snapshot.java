@@ -113,9 +113,10 @@ public final class Snapshot {
     }
 
     private Rgb radiosity(int element, double v, double w) {
-        Rgb a = solution.radiosityAt(element, 0).times(1 - v - w);
-        Rgb b = solution.radiosityAt(element, 1).times(v);
-        Rgb c = solution.radiosityAt(element, 2).times(w);
-        return new Rgb(a.r() + b.r() + c.r(), a.g() + b.g() + c.g(), a.b() + b.b() + c.b());
+        int[] corners = solution.corners();
+        Rgb h = solution.irradianceAt(corners[3 * element]).times(1 - v - w)
+                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
+                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
+        return solution.scene().look(solution.faceOf()[element] >> 1, Elements.point(solution, element, v, w)).radiosity(h);
     }
 }

@@ -20,14 +20,23 @@ final class Texels {
         known = new boolean[width * height];
     }
 
+    /** The light at a point of a triangle. */
+    interface Light {
+
+        /**
+         * @param v weight of corner 1
+         * @param w weight of corner 2
+         */
+        Rgb at(double v, double w);
+    }
+
     /**
      * Draws a triangle.
      *
      * @param x     of its corners, texels; not modified
      * @param y     of its corners, texels; not modified
-     * @param light at its corners; not modified
      */
-    void draw(double[] x, double[] y, Rgb[] light) {
+    void draw(double[] x, double[] y, Light light) {
         double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
         if (area == 0) {
             return;
@@ -41,7 +50,7 @@ final class Texels {
                 double v = (px * (y[2] - y[0]) - (x[2] - x[0]) * py) / area;
                 double w = ((x[1] - x[0]) * py - px * (y[1] - y[0])) / area;
                 if (v >= -EDGE && w >= -EDGE && v + w <= 1 + EDGE) {
-                    set(j * width + i, light, v, w);
+                    set(j * width + i, light.at(v, w));
                 }
             }
         }
@@ -55,10 +64,9 @@ final class Texels {
         return Math.min(size - 1, (int) Math.ceil(most - 0.5));
     }
 
-    private void set(int texel, Rgb[] light, double v, double w) {
+    private void set(int texel, Rgb light) {
         for (int c = 0; c < 3; c++) {
-            rgb[3 * texel + c] = (float) (light[0].channel(c) * (1 - v - w) + light[1].channel(c) * v
-                    + light[2].channel(c) * w);
+            rgb[3 * texel + c] = (float) light.channel(c);
         }
         known[texel] = true;
     }

@@ -17,6 +17,9 @@ final class TextureBake {
     /** What OpenGL of any age can show. */
     private static final int LARGEST = 8192;
 
+    /** Images are kept at their full size where a part does not take more texels along an axis. */
+    private static final int LARGEST_FOR_IMAGES = 2048;
+
     private final Solution solution;
     private final Vec3 origin;
     private final double samples;
@@ -36,7 +39,7 @@ final class TextureBake {
 
     /**
      * @param origin  what is subtracted from every position
-     * @param samples per scene unit, above 0
+     * @param samples per scene unit, above 0; more where a surface has images that are finer
      */
     TextureBake(Solution solution, Vec3 origin, double samples) {
         this.solution = solution;
@@ -87,7 +90,10 @@ final class TextureBake {
         Vec3 along = corner(face, 1).minus(corner(face, 0));
         List<Vec3> points = elements.stream().map(e -> solution.faceOf()[e]).distinct()
                 .flatMap(f -> IntStream.range(0, 3).mapToObj(k -> corner(f, k))).toList();
-        return Chart.of(along, Elements.normal(solution, elements.get(0)), points, samples);
+        Vec3 normal = Elements.normal(solution, elements.get(0));
+        double finest = elements.stream().map(e -> solution.faceOf()[e] >> 1).distinct()
+                .filter(solution.scene()::isMapped).mapToDouble(solution.scene()::pixelsPerUnit).max().orElse(0);
+        return Chart.of(along, normal, points, Math.max(samples, Math.min(finest, Chart.most(points, LARGEST_FOR_IMAGES))));
     }
 
     /** Corner k of an original triangle, counter-clockwise seen from the face's visible side. */
@@ -98,14 +104,16 @@ final class TextureBake {
     private void draw(Texels texels, Chart chart, int left, int top, int element) {
         double[] x = new double[3];
         double[] y = new double[3];
-        Rgb[] b = new Rgb[3];
+        Rgb[] h = new Rgb[3];
         for (int k = 0; k < 3; k++) {
             Vec3 p = Elements.corner(solution, element, k);
             x[k] = left + chart.x(p);
             y[k] = top + chart.y(p);
-            b[k] = solution.radiosityAt(element, k);
+            h[k] = solution.irradianceAt(solution.corners()[3 * element + k]);
         }
-        texels.draw(x, y, b);
+        int triangle = solution.faceOf()[element] >> 1;
+        texels.draw(x, y, (v, w) -> solution.scene().look(triangle, Elements.point(solution, element, v, w))
+                .radiosity(h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
     }
 
     /** x, y, z, u, v of three corners. */

@@ -2,7 +2,11 @@ package radiosity.patch;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 import radiosity.scene.Lamp;
+import radiosity.scene.Raster;
+import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -48,6 +52,9 @@ public final class Faces {
     final byte[] border;
     private final double[] exitance;
     private final double[] reflectance;
+    /** 1 per face: its picture of exitance and of reflectance, or null; null where no face has any. */
+    private final FaceMap[] exitanceMap;
+    private final FaceMap[] reflectanceMap;
 
     /** All light of a scene as one. */
     public Faces(Scene scene) {
@@ -79,14 +86,44 @@ public final class Faces {
         new Parts(this).join();
         exitance = new double[channels * count];
         reflectance = new double[channels * count];
+        exitanceMap = maps(Surface.Maps::exitance);
+        reflectanceMap = maps(Surface.Maps::reflectance);
         for (int f = 0; f < count; f++) {
             int s = scene.surfaceOf()[triangle(f)];
             Surface surface = scene.surfaces().get(s);
             for (int c = 0; c < channels; c++) {
-                exitance[channels * f + c] = isOf(true, s, c) ? surface.exitance().channel(c % colours) : 0;
-                reflectance[channels * f + c] = surface.reflectance().channel(c % colours);
+                exitance[channels * f + c] = isOf(true, s, c) 
+                        ? mean(exitanceMap, f, c % colours, surface.exitance()) : 0;
+                reflectance[channels * f + c] = mean(reflectanceMap, f, c % colours, surface.reflectance());
             }
         }
+    }
+
+    private static double mean(FaceMap[] maps, int face, int colour, Rgb everywhere) {
+        return maps == null || maps[face] == null ? everywhere.channel(colour) : maps[face].at(Path.FACE, colour);
+    }
+
+    private FaceMap[] maps(Function<Surface.Maps, Optional<Raster>> kind) {
+        if (scene.surfaces().stream().allMatch(surface -> kind.apply(surface.maps()).isEmpty())) {
+            return null;
+        }
+        FaceMap[] maps = new FaceMap[count];
+        for (int f = 0; f < count; f++) {
+            Optional<Raster> raster = kind.apply(scene.surface(triangle(f)).maps());
+            if (raster.isPresent() && scene.isMapped(triangle(f))) {
+                maps[f] = new FaceMap(raster.get(), textureCoordinates(f, 0), textureCoordinates(f, 1));
+            }
+        }
+        return maps;
+    }
+
+    /** u (0) or v (1) of a face's corners. */
+    private double[] textureCoordinates(int face, int which) {
+        double[] of = new double[3];
+        for (int k = 0; k < 3; k++) {
+            of[k] = scene.textureCoordinates()[6 * triangle(face) + 2 * originalCorner(face, k) + which];
+        }
+        return of;
     }
 
     /** Whether the light of this surface, or of this light, is in a channel. */
@@ -113,7 +150,8 @@ public final class Faces {
     }
 
     private static boolean isGrey(Scene scene) {
-        return scene.surfaces().stream().allMatch(s -> s.exitance().isGrey() && s.reflectance().isGrey())
+        return scene.surfaces().stream().allMatch(s -> s.exitance().isGrey() && s.reflectance().isGrey()
+                && s.maps().isEmpty())
                 && scene.lights().stream().allMatch(l -> l.power().isGrey());
     }
 
@@ -249,18 +287,35 @@ public final class Faces {
 
     /** Component a of corner k of a face, scene units. */
     double sceneCorner(int face, int k, int a) {
-        int corner = side[face] % 2 == 0 || k == 0 ? k : 3 - k;
-        return scene.points()[3 * scene.corners()[3 * triangle(face) + corner] + a];
+        return scene.points()[3 * scene.corners()[3 * triangle(face) + originalCorner(face, k)] + a];
     }
 
-    /** E in W/m². */
+    /** Which corner of its original triangle corner k of a face is. */
+    private int originalCorner(int face, int k) {
+        return side[face] % 2 == 0 || k == 0 ? k : 3 - k;
+    }
+
+    /** E in W/m², in the mean over a face. */
     public double exitance(int face, int channel) {
         return exitance[channels * face + channel];
     }
 
-    /** rho in [0, 1). */
+    /** rho in [0, 1), in the mean over a face. */
     public double reflectance(int face, int channel) {
         return reflectance[channels * face + channel];
+    }
+
+    /** E in W/m², in the mean over a node. */
+    public double exitance(int face, long path, int channel) {
+        double whole = exitance[channels * face + channel];
+        return exitanceMap == null || exitanceMap[face] == null || whole == 0 ? whole
+                : exitanceMap[face].at(path, channel % colours);
+    }
+
+    /** rho in [0, 1), in the mean over a node. */
+    public double reflectance(int face, long path, int channel) {
+        return reflectanceMap == null || reflectanceMap[face] == null ? reflectance[channels * face + channel]
+                : reflectanceMap[face].at(path, channel % colours);
     }
 
     /** How much irradiance on a face matters: its reflectance; a little where it is black, for it is a result too. */

@@ -353,10 +353,19 @@ public final class RadiosityNodes {
         return points.irradiance()[channels * vertex + channel];
     }
 
+    /** E in W/m², in the mean over a node. */
+    public double exitance(int node, int channel) {
+        return faces.exitance(face[node], path[node], channel);
+    }
+
+    /** rho in [0, 1), in the mean over a node. */
+    public double reflectance(int node, int channel) {
+        return faces.reflectance(face[node], path[node], channel);
+    }
+
     /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
     public double radiosity(int node, int k, int channel) {
-        return faces.exitance(face[node], channel)
-                + faces.reflectance(face[node], channel) * irradiance(node, k, channel);
+        return exitance(node, channel) + reflectance(node, channel) * irradiance(node, k, channel);
     }
 
     /** Radiosity S that was shot at corner k of an element, W/m². */
@@ -367,6 +376,6 @@ public final class RadiosityNodes {
     /** Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. */
     public double unshot(int node, int k, int channel) {
         return radiosity(node, k, channel) - shot(node, k, channel)
-                + faces.reflectance(face[node], channel) * bulge(node, channel);
+                + reflectance(node, channel) * bulge(node, channel);
     }
 }

@@ -71,6 +71,64 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return surfaces.get(surfaceOf[triangle]);
     }
 
+    /** Whether what a triangle reflects or emits differs from point to point. */
+    public boolean isMapped(int triangle) {
+        return !surface(triangle).maps().isEmpty() && textureCoordinates.length > 0
+                && !Float.isNaN(textureCoordinates[6 * triangle]);
+    }
+
+    /** What there is to see of a triangle at a point on it. */
+    public Look look(int triangle, Vec3 point) {
+        Surface surface = surface(triangle);
+        if (!isMapped(triangle)) {
+            return new Look(surface.exitance(), surface.reflectance());
+        }
+        double[] at = textureCoordinates(triangle, point);
+        return new Look(surface.maps().exitance().map(map -> map.at(at[0], at[1])).orElse(surface.exitance()),
+                surface.maps().reflectance().map(map -> map.at(at[0], at[1])).orElse(surface.reflectance()));
+    }
+
+    /** The same in the mean under a part of a triangle. */
+    public Look meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
+        Surface surface = surface(triangle);
+        if (!isMapped(triangle)) {
+            return new Look(surface.exitance(), surface.reflectance());
+        }
+        double[][] at = {textureCoordinates(triangle, a), textureCoordinates(triangle, b), textureCoordinates(triangle, c)};
+        double[] u = {at[0][0], at[1][0], at[2][0]};
+        double[] v = {at[0][1], at[1][1], at[2][1]};
+        return new Look(surface.maps().exitance().map(map -> map.mean(u, v)).orElse(surface.exitance()),
+                surface.maps().reflectance().map(map -> map.mean(u, v)).orElse(surface.reflectance()));
+    }
+
+    /** Pixels of a mapped triangle's pictures per scene unit, along each axis in the mean. */
+    public double pixelsPerUnit(int triangle) {
+        double[][] at = {textureCoordinates(triangle, corner(triangle, 0)), textureCoordinates(triangle, corner(triangle, 1)),
+            textureCoordinates(triangle, corner(triangle, 2))};
+        double[] u = {at[0][0], at[1][0], at[2][0]};
+        double[] v = {at[0][1], at[1][1], at[2][1]};
+        Surface.Maps maps = surface(triangle).maps();
+        return Math.sqrt(Stream.concat(maps.exitance().stream(), maps.reflectance().stream())
+                .mapToDouble(map -> map.pixels(u, v)).max().orElse(0) / area(triangle));
+    }
+
+    /** u and v at a point of a triangle that has them. */
+    private double[] textureCoordinates(int triangle, Vec3 point) {
+        Vec3 a = corner(triangle, 0);
+        Vec3 ab = corner(triangle, 1).minus(a);
+        Vec3 ac = corner(triangle, 2).minus(a);
+        Vec3 n = ab.cross(ac);
+        double s = n.dot(point.minus(a).cross(ac)) / n.dot(n);
+        double t = n.dot(ab.cross(point.minus(a))) / n.dot(n);
+        double[] at = new double[2];
+        for (int i = 0; i < 2; i++) {
+            float first = textureCoordinates[6 * triangle + i];
+            at[i] = first + s * (textureCoordinates[6 * triangle + 2 + i] - first)
+                    + t * (textureCoordinates[6 * triangle + 4 + i] - first);
+        }
+        return at;
+    }
+
     /** Corner k (0, 1 or 2) of a triangle. */
     public Vec3 corner(int triangle, int k) {
         int p = 3 * corners[3 * triangle + k];

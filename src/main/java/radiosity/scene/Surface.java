@@ -1,25 +1,47 @@
 package radiosity.scene;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * How a set of triangles emits and reflects. Diffuse; on the visible side only, or on both if two-sided.
  *
  * @param name        unique within its scene
- * @param exitance    E, emitted radiosity in W/m², each channel finite and at least 0
- * @param reflectance rho, reflected / arriving, each channel in [0, {@value #MAX_REFLECTANCE}]
+ * @param exitance    E, emitted radiosity in W/m², each channel finite and at least 0; the mean of its map, if any
+ * @param reflectance rho, reflected / arriving, each channel in [0, {@value #MAX_REFLECTANCE}]; the mean of its map, if any
  * @param twoSided    reflects and emits on both sides
  * @param textures    images that vary exitance and reflectance, all at the triangle's one set of texture coordinates;
  *                    mostly none
+ * @param maps        what has become of them, where their images were read
  */
-public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures) {
+public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures, Maps maps) {
 
     /** A reader that finds a reflectance of 1 or more takes this instead and warns: at 1 light would never end. */
     public static final double MAX_REFLECTANCE = 0.9999;
 
+    /**
+     * Exitance and reflectance point by point; a quantity without a map is the same everywhere.
+     *
+     * @param exitance    W/m²
+     * @param reflectance without unit
+     */
+    public record Maps(Optional<Raster> exitance, Optional<Raster> reflectance) {
+
+        public static final Maps NONE = new Maps(Optional.empty(), Optional.empty());
+
+        public boolean isEmpty() {
+            return exitance.isEmpty() && reflectance.isEmpty();
+        }
+    }
+
     /** A surface without textures. */
     public Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided) {
         this(name, exitance, reflectance, twoSided, List.of());
+    }
+
+    /** A surface whose images were not read. */
+    public Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures) {
+        this(name, exitance, reflectance, twoSided, textures, Maps.NONE);
     }
 
     public Surface {
@@ -35,6 +57,12 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
                         + MAX_REFLECTANCE + "], got " + rho);
             }
         }
+    }
+
+    /** The same, with maps in place of what it is everywhere. */
+    public Surface with(Maps read) {
+        return new Surface(name, read.exitance().map(Raster::mean).orElse(exitance),
+                read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read);
     }
 
     public boolean emits() {

@@ -15,8 +15,9 @@ import radiosity.scene.Vec3;
  * @param point      scene units
  * @param radiosity  B, W/m²
  * @param irradiance H, W/m²
+ * @param reflectance rho, in [0, 1)
  */
-record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irradiance) {
+record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irradiance, Rgb reflectance) {
 
     /** @param mesh that was hit, in the light that is shown */
     static Probe of(Obstacles.Hit hit, Mesh mesh, Vec3 point) {
@@ -24,7 +25,8 @@ record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irrad
         double u = 1 - hit.v() - hit.w();
         return new Probe(mesh.surface(), mesh.back(), point,
                 mix(mesh.radiosity(e, 0), mesh.radiosity(e, 1), mesh.radiosity(e, 2), u, hit),
-                mix(mesh.irradiance(e, 0), mesh.irradiance(e, 1), mesh.irradiance(e, 2), u, hit));
+                mix(mesh.irradiance(e, 0), mesh.irradiance(e, 1), mesh.irradiance(e, 2), u, hit),
+                mix(mesh.reflectance(e, 0), mesh.reflectance(e, 1), mesh.reflectance(e, 2), u, hit));
     }
 
     private static Rgb mix(Rgb a, Rgb b, Rgb c, double u, Obstacles.Hit hit) {
@@ -37,7 +39,7 @@ record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irrad
         return List.of("surface      " + surface.name() + (back ? " (back)" : ""),
                 "radiosity    " + text(radiosity) + " W/m²",
                 "irradiance   " + text(irradiance) + " W/m²",
-                "reflectance  " + text(surface.reflectance()),
+                "reflectance  " + text(reflectance),
                 "exitance     " + text(surface.exitance()) + " W/m²",
                 "at           " + text(new Rgb(point.x(), point.y(), point.z())));
     }

@@ -192,7 +192,7 @@ final class CoarseSystem {
                         vertices[size++] = at;
                     }
                     for (int c = 0; c < colours; c++) {
-                        sum[colours * place[at] + c] += weight * (float) faces.reflectance(nodes.face(patch), c);
+                        sum[colours * place[at] + c] += weight * (float) nodes.reflectance(patch, c);
                     }
                 }
             }
@@ -221,7 +221,7 @@ final class CoarseSystem {
     private double[] exitance() {
         double[] e = noUnshot();
         for (int i = 0; i < e.length; i++) {
-            e[i] = faces.exitance(nodes.face(i / channels), i % channels);
+            e[i] = nodes.exitance(i / channels, i % channels);
         }
         return e;
     }
@@ -282,7 +282,7 @@ final class CoarseSystem {
         if (patch) {
             here = new double[3 * channels];
             for (int i = 0; i < here.length; i++) {
-                here[i] = faces.reflectance(tree.face(), i % channels) * corner(coarse, i / channels, h, i % channels);
+                here[i] = nodes.reflectance(coarse, i % channels) * corner(coarse, i / channels, h, i % channels);
             }
         }
         int first = tree.child()[node];

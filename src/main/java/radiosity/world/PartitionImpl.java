@@ -287,7 +287,7 @@ final class PartitionImpl implements Partition {
             total += Math.abs(u);
             sums.unshot[c].add(u);
             sums.received[c].add(h);
-            sums.absorbed[c].add(h - h * faces.reflectance(nodes.face(node), c));
+            sums.absorbed[c].add(h - h * nodes.reflectance(node, c));
         }
         sums.unshotFlux[layer].add(total);
         return total;

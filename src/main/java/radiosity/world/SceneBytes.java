@@ -7,19 +7,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import radiosity.formfactor.FormFactors;
+import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
+import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
 /**
- * What a host must know of a scene, and the settings, as bytes: original triangles, surfaces and lights. Names, images
- * and the camera stay with the master.
+ * What a host must know of a scene, and the settings, as bytes: original triangles, surfaces with what has become of
+ * their images, and lights. Names and the camera stay with the master.
  */
 final class SceneBytes {
 
-    private static final int SURFACE_BYTES = 49;
+    private static final int SURFACE_BYTES = 51;
     private static final int LIGHT_BYTES = 145;
 
     private SceneBytes() { }
@@ -41,7 +43,11 @@ final class SceneBytes {
                 write(out, surface.exitance());
                 write(out, surface.reflectance());
                 out.writeBoolean(surface.twoSided());
+                write(out, surface.maps().exitance());
+                write(out, surface.maps().reflectance());
             }
+            writeFloats(out, scene.surfaces().stream().allMatch(surface -> surface.maps().isEmpty()) ? new float[0]
+                    : scene.textureCoordinates());
             out.writeInt(scene.lights().size());
             for (Light light : scene.lights()) {
                 write(out, light);
@@ -62,15 +68,17 @@ final class SceneBytes {
         int[] surfaceOf = readInts(in);
         List<Surface> surfaces = new ArrayList<>();
         for (int n = Wire.count(in, SURFACE_BYTES), i = 0; i < n; i++) {
-            surfaces.add(new Surface("surface " + i, rgb(in), rgb(in), in.readBoolean()));
+            surfaces.add(new Surface("surface " + i, rgb(in), rgb(in), in.readBoolean(), List.of(),
+                    new Surface.Maps(raster(in), raster(in))));
         }
+        float[] textureCoordinates = readFloats(in);
         List<Light> lights = new ArrayList<>();
         for (int n = Wire.count(in, LIGHT_BYTES), i = 0; i < n; i++) {
             lights.add(new Light("light " + i, constant(Light.Kind.values(), in.readByte()), rgb(in), vec(in), vec(in),
                     vec(in), vec(in), in.readDouble(), in.readDouble(), in.readDouble()));
         }
         return new Task(new Scene("the master's scene", points, corners, surfaceOf, surfaces, lights,
-                Optional.empty()), settings);
+                Optional.empty(), textureCoordinates), settings);
     }
 
     private static void write(DataOutputStream out, RadiositySettings settings) throws IOException {
@@ -101,6 +109,43 @@ final class SceneBytes {
         for (int c = 0; c < 3; c++) {
             out.writeDouble(value.channel(c));
         }
+    }
+
+    private static void write(DataOutputStream out, Optional<Raster> raster) throws IOException {
+        out.writeBoolean(raster.isPresent());
+        if (raster.isPresent()) {
+            Raster r = raster.get();
+            out.writeInt(r.width());
+            out.writeInt(r.height());
+            writeFloats(out, r.rgb());
+            out.writeByte(r.wrapU().ordinal());
+            out.writeByte(r.wrapV().ordinal());
+            write(out, r.outside());
+        }
+    }
+
+    private static Optional<Raster> raster(DataInputStream in) throws IOException {
+        try {
+            return !in.readBoolean() ? Optional.empty() : Optional.of(new Raster(in.readInt(), in.readInt(), readFloats(in),
+                    constant(ImageMap.Wrap.values(), in.readByte()), constant(ImageMap.Wrap.values(), in.readByte()), rgb(in)));
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
+        }
+    }
+
+    private static void writeFloats(DataOutputStream out, float[] values) throws IOException {
+        out.writeInt(values.length);
+        for (float value : values) {
+            out.writeFloat(value);
+        }
+    }
+
+    private static float[] readFloats(DataInputStream in) throws IOException {
+        float[] values = new float[Wire.count(in, Float.BYTES)];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = in.readFloat();
+        }
+        return values;
     }
 
     private static void writeInts(DataOutputStream out, int[] values) throws IOException {

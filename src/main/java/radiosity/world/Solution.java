@@ -2,9 +2,11 @@ package radiosity.world;
 
 import java.util.List;
 import radiosity.scene.Lamp;
+import radiosity.scene.Look;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 
 /**
  * A world's elements and their light, merged from all partitions in the order of their ids.
@@ -74,7 +76,16 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
 
     /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
     public Rgb radiosityAt(int element, int k) {
-        Surface surface = surface(element);
-        return surface.exitance().plus(irradianceAt(corners[3 * element + k]).times(surface.reflectance()));
+        return look(element).radiosity(irradianceAt(corners[3 * element + k]));
+    }
+
+    /** What there is to see of an element in the mean. */
+    public Look look(int element) {
+        return scene.meanLook(faceOf[element] >> 1, corner(element, 0), corner(element, 1), corner(element, 2));
+    }
+
+    private Vec3 corner(int element, int k) {
+        int p = 3 * corners[3 * element + k];
+        return new Vec3(positions[p], positions[p + 1], positions[p + 2]);
     }
 }
