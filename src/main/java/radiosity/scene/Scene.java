@@ -101,15 +101,20 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
                 surface.maps().reflectance().map(map -> map.mean(u, v)).orElse(surface.reflectance()));
     }
 
-    /** Pixels of a mapped triangle's pictures per scene unit, along each axis in the mean. */
+    /** Pixels of a mapped triangle's pictures per scene unit along an edge, at most. */
     public double pixelsPerUnit(int triangle) {
-        double[][] at = {textureCoordinates(triangle, corner(triangle, 0)), textureCoordinates(triangle, corner(triangle, 1)),
-            textureCoordinates(triangle, corner(triangle, 2))};
-        double[] u = {at[0][0], at[1][0], at[2][0]};
-        double[] v = {at[0][1], at[1][1], at[2][1]};
         Surface.Maps maps = surface(triangle).maps();
-        return Math.sqrt(Stream.concat(maps.exitance().stream(), maps.reflectance().stream())
-                .mapToDouble(map -> map.pixels(u, v)).max().orElse(0) / area(triangle));
+        double most = 0;
+        for (int k = 0; k < 3; k++) {
+            Vec3 p = corner(triangle, k);
+            Vec3 q = corner(triangle, (k + 1) % 3);
+            double[] a = textureCoordinates(triangle, p);
+            double[] b = textureCoordinates(triangle, q);
+            most = Math.max(most, Stream.concat(maps.exitance().stream(), maps.reflectance().stream())
+                    .mapToDouble(map -> Math.hypot((b[0] - a[0]) * map.width(), (b[1] - a[1]) * map.height()))
+                    .max().orElse(0) / q.minus(p).length());
+        }
+        return most;
     }
 
     /** u and v at a point of a triangle that has them. */

@@ -2,17 +2,21 @@ package radiosity.world;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import radiosity.accuracy.Box;
 import radiosity.accuracy.Rooms;
 import radiosity.accuracy.SceneBuilder;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -105,6 +109,30 @@ class SameBitsTest {
         List<Surface> surfaces = new ArrayList<>(SCENE.surfaces());
         surfaces.set(3, new Surface("ceiling", new Rgb(0.1, 0, 0.2), Rgb.grey(0.4), false));
         return new Scene(SCENE.name(), SCENE.points(), SCENE.corners(), SCENE.surfaceOf(), surfaces, List.of(), SCENE.camera());
+    }
+
+    @Test
+    void images_reachOtherHostsWithTheScene() throws IOException {
+        Scene painted = painted();
+        SceneBytes.Task sent = SceneBytes.read(SceneBytes.write(painted, settings(Schedule.PREDICT)));
+        Solution here = solve(new LocalWorld(painted, settings(Schedule.PREDICT), 2), shots(100));
+        assertSame(here, solve(new LocalWorld(sent.scene(), sent.settings(), 1, 3), shots(100)));
+        Solution plain = solve(new LocalWorld(SCENE, settings(Schedule.PREDICT), 2), shots(100));
+        assertNotEquals(plain.unshotFlux(), here.unshotFlux(), "the image matters");
+    }
+
+    /** One wall has a picture of two pixels. */
+    private static Scene painted() {
+        Raster raster = new Raster(2, 1, new float[] {.9f, .1f, .2f, .1f, .5f, .7f}, ImageMap.Wrap.REPEAT,
+                ImageMap.Wrap.NONE, Rgb.grey(.3));
+        List<Surface> surfaces = new ArrayList<>(SCENE.surfaces());
+        surfaces.set(1, surfaces.get(1).with(new Surface.Maps(Optional.empty(), Optional.of(raster))));
+        float[] places = new float[6 * SCENE.triangles()];
+        for (int i = 0; i < places.length; i++) {
+            places[i] = i * 7 % 5 / 4f;
+        }
+        return new Scene(SCENE.name(), SCENE.points(), SCENE.corners(), SCENE.surfaceOf(), surfaces, List.of(),
+                SCENE.camera(), places);
     }
 
     @Test
