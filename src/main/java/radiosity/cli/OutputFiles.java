@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import radiosity.output.Points;
@@ -12,6 +13,7 @@ import radiosity.output.SceneFile;
 import radiosity.output.Snapshot;
 import radiosity.scene.Camera;
 import radiosity.scene.SceneFormatException;
+import radiosity.world.Certificate;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Solution;
 
@@ -51,10 +53,12 @@ final class OutputFiles {
     }
 
     /** The scene file: the old one stays until the new one is whole. */
-    void saveScene(Solution solution, RadiositySettings settings) throws IOException {
+    void saveScene(Solution solution, RadiositySettings settings, Optional<Certificate> certificate)
+            throws IOException {
         Map<String, Object> extras = new TreeMap<>();
         extras.put("commandLine", arguments);
         extras.put("settings", SavedCalculation.asJson(settings));
+        certificate.ifPresent(c -> extras.put("certificate", c));
         write(options.output(), file -> SceneFile.write(file, solution, extras, solution.scene().camera(),
                 options.picture.toneMapping(solution), options.textures == null ? OptionalDouble.empty()
                         : OptionalDouble.of(options.textures)));

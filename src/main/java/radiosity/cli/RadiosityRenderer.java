@@ -7,10 +7,12 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.SceneInfo;
 import radiosity.output.SurfaceMaps;
 import radiosity.scene.Scene;
+import radiosity.world.Certificate;
 import radiosity.world.HostKey;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
@@ -157,8 +159,10 @@ public final class RadiosityRenderer {
 
     private void save(World world, ProgressiveRadiosity radiosity) throws IOException {
         Solution solution = radiosity.solution();
-        files.saveScene(solution, world.settings());
-        Summary summary = new Summary(radiosity.progress(), solution.ledger(), world.patchArea(), seconds());
+        Optional<Certificate> certificate = stop.made() ? Optional.empty()
+                : radiosity.certificate(options.calculation.threads);
+        files.saveScene(solution, world.settings(), certificate);
+        Summary summary = new Summary(radiosity.progress(), solution.ledger(), certificate, world.patchArea(), seconds());
         files.saveRest(solution, summary);
         summary.print(System.out);
         if (options.statistics && world instanceof RemoteWorld remote) {

@@ -1,6 +1,7 @@
 package radiosity.cli;
 
 import java.io.IOException;
+import java.util.Optional;
 import radiosity.world.Progress;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
@@ -56,7 +57,7 @@ final class Rounds implements RoundListener {
         }
         Solution solution = radiosity.solution();
         if (scene) {
-            files.saveScene(solution, settings);
+            files.saveScene(solution, settings, Optional.empty());
         }
         if (snapshot) {
             files.saveSnapshot(solution);

@@ -4,7 +4,9 @@ import java.io.PrintStream;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
+import radiosity.world.Certificate;
 import radiosity.world.EnergyLedger;
 import radiosity.world.Progress;
 
@@ -13,6 +15,7 @@ final class Summary {
 
     private final Progress progress;
     private final EnergyLedger ledger;
+    private final Optional<Certificate> certificate;
     private final double patchArea;
     private final double seconds;
 
@@ -20,9 +23,11 @@ final class Summary {
      * @param patchArea square scene units
      * @param seconds   of wall time, of the whole program so far
      */
-    Summary(Progress progress, EnergyLedger ledger, double patchArea, double seconds) {
+    Summary(Progress progress, EnergyLedger ledger, Optional<Certificate> certificate, double patchArea,
+            double seconds) {
         this.progress = progress;
         this.ledger = ledger;
+        this.certificate = certificate;
         this.patchArea = patchArea;
         this.seconds = seconds;
     }
@@ -33,6 +38,17 @@ final class Summary {
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
         out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + unshot %.6g + not received %.6g%n",
                 sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());
+        certificate.ifPresent(c -> print(c, out));
+    }
+
+    private static void print(Certificate c, PrintStream out) {
+        String missing = c.missingFlux() == null ? "without a bound on what is still missing"
+                : String.format(Locale.ROOT, "at most %.4g W still missing", c.missingFlux());
+        out.printf(Locale.ROOT, "radiosity +- %s (rays %s, mesh %s), estimated at %d points; %s%n",
+                ProgressText.perCent(c.expected()), ProgressText.perCent(c.sampling()),
+                ProgressText.perCent(c.meshing()), c.points(), missing);
+        out.printf(Locale.ROOT, "form factors add up to %.4f on average, %.4f at most; two ways they differ by %s%n",
+                c.factors(), c.mostFactors(), ProgressText.perCent(c.reciprocity()));
     }
 
     /** Of JSON's types. */
@@ -45,6 +61,7 @@ final class Summary {
         json.put("patchArea", patchArea);
         json.put("seconds", seconds);
         json.put("ledger", ledger);
+        certificate.ifPresent(c -> json.put("certificate", c));
         return json;
     }
 

@@ -23,7 +23,7 @@ public final class SceneInfo {
 
     /** Keys of extras.radiosity that have a line of their own. */
     private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
-            "ledger", "state", "channels", "lamps");
+            "ledger", "state", "channels", "lamps", "certificate");
 
     private static final int MOST_NAMES = 20;
 
@@ -45,6 +45,7 @@ public final class SceneInfo {
             info.geometry();
             info.lamps();
             info.ledger();
+            info.certificate();
             info.camera();
             info.rest();
             return info.lines;
@@ -142,6 +143,16 @@ public final class SceneInfo {
 
     private static String watts(double[] flux) {
         return Arrays.toString(flux).replaceAll("[\\[\\]]", "") + " W";
+    }
+
+    /** Of the file's certificate, what is about the whole. */
+    private void certificate() {
+        if (file.extras().get("certificate") instanceof Map<?, ?> certificate) {
+            Map<String, Object> whole = new TreeMap<>();
+            certificate.forEach((key, value) -> whole.put(String.valueOf(key), value));
+            whole.remove("surfaces");
+            line("certificate", whole.toString().replaceAll("[{}]", ""));
+        }
     }
 
     private void camera() throws IOException {

@@ -49,14 +49,23 @@ final class Burial {
     }
 
     private boolean isBuried(RadiosityNodes nodes, int v) {
-        int f = nodes.vertexFace(v);
+        return isBuried(nodes.receivers(), 3 * v, nodes.vertexFace(v));
+    }
+
+    /**
+     * Whether a point lies inside a solid.
+     *
+     * @param place x, y, z of the scene brought to size 1, 3 from {@code at}
+     * @param f     the face on which it lies
+     */
+    boolean isBuried(float[] place, int at, int f) {
         float nx = faces.normal(f, 0);
         float ny = faces.normal(f, 1);
         float nz = faces.normal(f, 2);
         double[] frame = frame(nx, ny, nz);
-        float x = nodes.receivers()[3 * v] + LIFT * nx;
-        float y = nodes.receivers()[3 * v + 1] + LIFT * ny;
-        float z = nodes.receivers()[3 * v + 2] + LIFT * nz;
+        float x = place[at] + LIFT * nx;
+        float y = place[at + 1] + LIFT * ny;
+        float z = place[at + 2] + LIFT * nz;
         float[] hit = new float[3];
         for (int i = 0; i < DIRECTIONS.length; i += 3) {
             float[] d = new float[3];

@@ -38,13 +38,22 @@ final class LightSources {
 
     /** Adds what a vertex receives from all lights to its irradiance. */
     void light(RadiosityNodes nodes, int v) {
-        int f = nodes.vertexFace(v);
-        Vec3 x = new Vec3(nodes.receivers()[3 * v], nodes.receivers()[3 * v + 1], nodes.receivers()[3 * v + 2]);
-        Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
+        add(nodes.receivers(), 3 * v, nodes.vertexFace(v), nodes.irradiance(), nodes.channels() * v);
+    }
+
+    /**
+     * Adds what a point receives from all lights.
+     *
+     * @param place x, y, z of the scene brought to size 1, 3 from {@code at}
+     * @param to    modified: irradiance, one per channel from {@code first}, W/m²
+     */
+    void add(float[] place, int at, int face, double[] to, int first) {
+        Vec3 x = new Vec3(place[at], place[at + 1], place[at + 2]);
+        Vec3 n = new Vec3(faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
         for (int i = 0; i < lights.size(); i++) {
             double share = irradiance(lights.get(i), x, n);
-            for (int c = 0; c < nodes.channels(); c++) {
-                nodes.irradiance()[nodes.channels() * v + c] += share * faces.power(i, c);
+            for (int c = 0; c < faces.channels(); c++) {
+                to[first + c] += share * faces.power(i, c);
             }
         }
     }

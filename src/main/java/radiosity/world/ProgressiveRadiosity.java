@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
@@ -176,6 +177,24 @@ public final class ProgressiveRadiosity {
         List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, dark).solution(shots, rounds,
                 DoubleStream.of(values(answer.unshotFlux)).sum(), ledger(), state(blocks));
+    }
+
+    /**
+     * How far the solution so far can be trusted; takes a small part of the time that the solution took.
+     *
+     * @param threads at least 1
+     * @return nothing where some vertices have not gathered yet, or nobody has shot
+     */
+    public Optional<Certificate> certificate(int threads) throws IOException {
+        if (dark != 0 || shots == 0) {
+            return Optional.empty();
+        }
+        double unshotFlux = 0;
+        for (ExactSum layer : answer.unshotFlux) {
+            unshotFlux += layer.value();
+        }
+        return Optional.of(new Audit(world.mesh, world.blocks(), ledger(), answer.elements, threads)
+                .certificate(unshotFlux));
     }
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */

@@ -3,6 +3,7 @@ package radiosity.accuracy;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import radiosity.scene.Scene;
+import radiosity.world.Certificate;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
@@ -57,10 +58,21 @@ public record Solve(RadiositySettings settings, StopRule stop, int threads) {
     }
 
     public Solution solution(Scene scene) {
+        return certified(scene, false).solution();
+    }
+
+    /**
+     * A solution and how far it says it can be trusted.
+     *
+     * @param certificate null where it was not asked for
+     */
+    record Certified(Solution solution, Certificate certificate) { }
+
+    Certified certified(Scene scene, boolean certificate) {
         try (LocalWorld world = new LocalWorld(scene, settings, threads)) {
             ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, stop);
             rounds.run(progress -> true);
-            return rounds.solution();
+            return new Certified(rounds.solution(), certificate ? rounds.certificate(threads).orElseThrow() : null);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

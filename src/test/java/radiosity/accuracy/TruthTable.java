@@ -10,6 +10,7 @@ import radiosity.formfactor.FormFactors;
 import radiosity.lightwave.LightWaveOptions;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
+import radiosity.world.Certificate;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Schedule;
 import radiosity.world.Solution;
@@ -19,7 +20,7 @@ import radiosity.world.StopRule;
  * Prints how far the scenes with path-traced truth are from it and what that cost.
  *
  * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--tolerance T]
- * [--mesh-error M] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N] [scene ...]}
+ * [--mesh-error M] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N] [--certificate] [scene ...]}
  */
 public final class TruthTable {
 
@@ -32,6 +33,7 @@ public final class TruthTable {
     private int patches;
     private int threads = 1;
     private int repeat = 1;
+    private boolean certify;
     private final List<String> scenes = new ArrayList<>();
 
     private TruthTable(Path truth) {
@@ -48,7 +50,9 @@ public final class TruthTable {
 
     private void read(String[] arguments) {
         for (int i = 1; i < arguments.length; i++) {
-            if (arguments[i].startsWith("--")) {
+            if (arguments[i].equals("--certificate")) {
+                certify = true;
+            } else if (arguments[i].startsWith("--")) {
                 option(arguments[i], arguments[++i]);
             } else {
                 scenes.add(arguments[i]);
@@ -85,8 +89,9 @@ public final class TruthTable {
     }
 
     private void print() throws IOException {
-        System.out.printf("%-15s %8s %8s %8s %8s %8s %8s %7s %9s %7s%n", "scene", "rmse", "bias", "near", "dark",
+        System.out.printf("%-15s %8s %8s %8s %8s %8s %8s %7s %9s %7s", "scene", "rmse", "bias", "near", "dark",
                 "max", "noise", "CPU s", "elements", "shots");
+        System.out.println(certify ? " expected     bias sampling  meshing recipr.   factors     most" : "");
         for (String scene : scenes) {
             TruthFile points = TruthFile.read(truth.resolve(Path.of("truth", scene + ".csv")));
             Scene read = LightWaveReader.read(truth.resolve(Path.of("lightwave", scene + ".lws")),
@@ -105,13 +110,18 @@ public final class TruthTable {
         double start = cpuSeconds();
         Solution solution = solve.solution(scene);
         double seconds = cpuSeconds() - start;
+        Certificate certificate = certify ? solve.certified(scene, true).certificate() : null;
         double[] found = Evaluate.radiosity(solution, truthFile.places());
         Score all = Score.rgb(truthFile, PointSet.REFLECTORS, found);
         Score near = Score.rgb(truthFile, PointSet.NEAR, found);
         Score dark = Score.rgb(truthFile, PointSet.DARK, found);
-        System.out.printf("%-15s %s %s %s %s %s %s %7.2f %9d %7d%n", name, percent(all.rmse()), percent(all.bias()),
+        System.out.printf("%-15s %s %s %s %s %s %s %7.2f %9d %7d", name, percent(all.rmse()), percent(all.bias()),
                 percent(near.rmse()), percent(dark.rmse()), percent(all.max()), percent(all.noise()), seconds,
                 solution.elements(), solution.shots());
+        System.out.println(certificate == null ? "" : " " + percent(certificate.expected()) + " "
+                + percent(certificate.bias()) + " " + percent(certificate.sampling()) + " "
+                + percent(certificate.meshing()) + " " + percent(certificate.reciprocity())
+                + String.format(" %8.4f %8.4f", certificate.factors(), certificate.mostFactors()));
     }
 
     private static String percent(double part) {
