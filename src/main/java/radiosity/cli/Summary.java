@@ -13,6 +13,9 @@ import radiosity.world.Progress;
 /** What a render came to: for the user in lines, for programs as JSON. */
 final class Summary {
 
+    /** From here on the estimates of errors are mostly about what is unsent. */
+    private static final double MUCH_UNSENT = 0.01;
+
     private final Progress progress;
     private final EnergyLedger ledger;
     private final Optional<Certificate> certificate;
@@ -41,12 +44,13 @@ final class Summary {
         certificate.ifPresent(c -> print(c, out));
     }
 
-    private static void print(Certificate c, PrintStream out) {
+    private void print(Certificate c, PrintStream out) {
         String missing = c.missingFlux() == null ? "without a bound on what is still missing"
                 : String.format(Locale.ROOT, "at most %.4g W still missing", c.missingFlux());
-        out.printf(Locale.ROOT, "radiosity +- %s (rays %s, mesh %s), estimated at %d points; %s%n",
-                ProgressText.perCent(c.expected()), ProgressText.perCent(c.sampling()),
-                ProgressText.perCent(c.meshing()), c.points(), missing);
+        String parts = progress.unsent() > MUCH_UNSENT ? "what is still unsent among it" : String.format(Locale.ROOT,
+                "rays %s, mesh %s", ProgressText.perCent(c.sampling()), ProgressText.perCent(c.meshing()));
+        out.printf(Locale.ROOT, "radiosity +- %s (%s), estimated at %d points; %s%n",
+                ProgressText.perCent(c.expected()), parts, c.points(), missing);
         out.printf(Locale.ROOT, "form factors add up to %.4f on average, %.4f at most; two ways they differ by %s%n",
                 c.factors(), c.mostFactors(), ProgressText.perCent(c.reciprocity()));
     }

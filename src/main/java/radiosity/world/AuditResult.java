@@ -38,14 +38,19 @@ final class AuditResult {
     }
 
     /**
-     * U rho c / (1 - rho c): unshot flux reflected for ever, at most c of it arriving each time; c is not taken to be
-     * less than 1, as the points may have missed where it is largest.
+     * U rho c / (1 - rho c): unshot flux reflected for ever, at most c of it arriving each time; c is the largest sum of
+     * form factors at a point, and no less than 1, as the points may have missed where it is largest, nor than the part
+     * of the flux shot so far that has arrived, as factors are not quite reciprocal.
      */
     private Double missing(double unshotFlux, double mostFactors) {
         double rho = 0;
+        double arriving = Math.max(1, mostFactors);
+        for (int c = 0; c < faces.channels(); c++) {
+            arriving = Math.max(arriving, ledger.shot()[c] > 0 ? ledger.received()[c] / ledger.shot()[c] : 0);
+        }
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < faces.colours(); c++) {
-                rho = Math.max(rho, faces.reflectance(f, c) * Math.max(1, mostFactors));
+                rho = Math.max(rho, faces.reflectance(f, c) * arriving);
             }
         }
         return rho < 1 ? unshotFlux * rho / (1 - rho) : null;

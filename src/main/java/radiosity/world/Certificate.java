@@ -7,7 +7,8 @@ import java.util.List;
  *
  * <p>The bound is one, on what the discrete system still lacks. The errors are estimates: at some points of every
  * surface the light that arrives from the solution is found anew with many more rays, and compared with what the
- * solution has there. {@code docs/ACCURACY.md} tells how well they foresee the true error.
+ * solution has there. Light that is still unshot is found, too,
+ * so early in a render it is most of them. {@code docs/CERTIFICATE.md} tells how well they foresee the true error.
  *
  * @param points      at how many points it was looked
  * @param missingFlux most flux that could still arrive as unshot flux is shot, all channels, W; null: without a bound
@@ -28,11 +29,11 @@ public record Certificate(int points, Double missingFlux, double factors, double
     /**
      * Errors at a point of one surface, relative to its own mean radiosity.
      *
-     * @param surface    its name
-     * @param points     at how many points it was looked
-     * @param radiosity  mean over them and over the channels, W/m²
-     * @param sampling   what rays leave
-     * @param meshing    what interpolation leaves
+     * @param surface   its name
+     * @param points    at how many points it was looked
+     * @param radiosity mean over them and over the channels, W/m²
+     * @param sampling  what rays leave
+     * @param meshing   what interpolation leaves
      */
     public record SurfaceError(String surface, int points, double radiosity, double sampling, double meshing) { }
 }

@@ -33,16 +33,20 @@ class CertificateTest {
         return Arrays.stream(result.solution().ledger().received()).sum();
     }
 
-    /** What is missing of the discrete system is what is reflected of what arrives until nothing is unshot. */
+    /**
+     * What is missing of the discrete system is what is reflected of what arrives until nothing is unshot. In a closed
+     * room of one reflectance the bound is what will come, if factors are reciprocal; they are on average, and what is
+     * unshot arrives by up to 1e-3 more than what was shot.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 0.1, 0.01})
     void missingFlux_isWithinTheBound(double unsent) throws IOException {
         Scene scene = room(0.6);
-        Solve solve = Solve.byDefault().paper().patches(scene, 300);
+        Solve solve = Solve.byDefault().paper().patches(scene, 120);
         Solve.Certified early = solve.unsent(unsent).certified(scene, true);
         double missing = received(solve.unsent(1e-9).certified(scene, false)) - received(early);
         assertTrue(missing > 0.2 * early.solution().unshotFlux(), "missing " + missing);
-        assertTrue(missing * 0.6 <= early.certificate().missingFlux(),
+        assertTrue(missing * 0.6 <= 1.001 * early.certificate().missingFlux(),
                 missing * 0.6 + " of at most " + early.certificate().missingFlux());
     }
 
@@ -72,7 +76,7 @@ class CertificateTest {
         assertEquals(0.8, found.factors(), 0.03);
     }
 
-    /** Of nine scenes it was between 0.7 and 1.45 times the error: docs/ACCURACY.md. */
+    /** Of nine scenes it was between 0.7 and 1.45 times the error: docs/CERTIFICATE.md. */
     @ParameterizedTest
     @ValueSource(strings = {"cornell_empty", "two_room"})
     void expectedError_isTheErrorWithinAFactorOfTwo(String name) throws IOException {

@@ -64,6 +64,8 @@ class RenderTest {
         JsonNode report = new ObjectMapper().readTree(directory.resolve("r.json").toFile());
         assertTrue(report.get("unsent").doubleValue() <= 0.3);
         assertTrue(report.get("shots").intValue() > 1);
+        assertTrue(report.get("certificate").get("expected").doubleValue() > 0);
+        assertTrue(report.get("certificate").get("surfaces").size() > 1);
     }
 
     @Test
