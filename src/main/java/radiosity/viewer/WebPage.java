@@ -1,5 +1,6 @@
 package radiosity.viewer;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import java.io.Closeable;
@@ -12,7 +13,9 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import radiosity.output.LitScene;
@@ -27,14 +30,18 @@ public final class WebPage implements Closeable {
     private static final String THREE = "/META-INF/resources/webjars/three/0.181.1/";
     private static final String JAVASCRIPT = "text/javascript; charset=utf-8";
     /** Everything there is besides the scene: path, and the resource behind it. */
-    private static final Map<String, String> RESOURCES = Map.of(
-            "/", "walk.html",
-            "/walk.js", "walk.js",
-            "/light.frag", "light.frag",
-            "/three/build/three.module.min.js", THREE + "build/three.module.min.js",
-            "/three/build/three.core.min.js", THREE + "build/three.core.min.js",
-            "/three/examples/jsm/loaders/GLTFLoader.js", THREE + "examples/jsm/loaders/GLTFLoader.js",
-            "/three/examples/jsm/utils/BufferGeometryUtils.js", THREE + "examples/jsm/utils/BufferGeometryUtils.js");
+    private static final Map<String, String> RESOURCES = Map.ofEntries(
+            Map.entry("/", "walk.html"),
+            Map.entry("/walk.js", "walk.js"),
+            Map.entry("/keys.js", "keys.js"),
+            Map.entry("/panel.js", "panel.js"),
+            Map.entry("/lamps.js", "lamps.js"),
+            Map.entry("/obstacles.js", "obstacles.js"),
+            Map.entry("/light.frag", "light.frag"),
+            three("build/three.module.min.js"),
+            three("build/three.core.min.js"),
+            three("examples/jsm/loaders/GLTFLoader.js"),
+            three("examples/jsm/utils/BufferGeometryUtils.js"));
 
     private final Path file;
     private final ToneMapping.Operator curve;
@@ -60,6 +67,10 @@ public final class WebPage implements Closeable {
         server.createContext("/", this::answer);
         server.setExecutor(threads);
         server.start();
+    }
+
+    private static Map.Entry<String, String> three(String name) {
+        return Map.entry("/three/" + name, THREE + name);
     }
 
     /** What to open in a browser. */
@@ -115,13 +126,20 @@ public final class WebPage implements Closeable {
         LitScene scene = LitScene.read(file);
         Camera camera = scene.camera();
         ToneMapping toneMapping = ToneMapping.automatic(curve, scene.meshes(), stops);
-        return "{\"exposure\": " + toneMapping.exposure() + ", \"curve\": " + curve.ordinal()
-                + ", \"verticalHalfAngle\": " + camera.verticalHalfAngle() + ", \"eye\": " + json(camera.position())
-                + ", \"forward\": " + json(camera.forward()) + "}";
+        Map<String, Object> settings = new TreeMap<>();
+        settings.put("exposure", toneMapping.exposure());
+        settings.put("curve", curve.ordinal());
+        settings.put("verticalHalfAngle", camera.verticalHalfAngle());
+        settings.put("eye", numbers(camera.position()));
+        settings.put("forward", numbers(camera.forward()));
+        settings.put("lamps", scene.lamps());
+        scene.textures().ifPresent(textures -> settings.put("textures", Map.of("exposure",
+                textures.toneMapping().exposure(), "curve", textures.toneMapping().operator().ordinal())));
+        return new ObjectMapper().writeValueAsString(settings);
     }
 
-    private static String json(Vec3 v) {
-        return "[" + v.x() + ", " + v.y() + ", " + v.z() + "]";
+    private static List<Double> numbers(Vec3 v) {
+        return List.of(v.x(), v.y(), v.z());
     }
 
     @Override

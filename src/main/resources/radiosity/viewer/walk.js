@@ -1,162 +1,216 @@
 // Walks through a scene file in a browser; the keys are those of the window (radiosity.viewer.Keys).
 import * as THREE from 'three';
 import {GLTFLoader} from './three/examples/jsm/loaders/GLTFLoader.js';
+import {Obstacles} from './obstacles.js';
+import {Lamps} from './lamps.js';
+import {panel} from './panel.js';
+import {HELP, listen} from './keys.js';
 
-const SPEED = 0.12, HURRY = 4, TURN = 1.2, LOOK = 0.8, DRAG = 1.5, STEEPEST = 89 * Math.PI / 180;
+const DRAG = 1.5, NOTCH = 0.02, STEEPEST = 89 * Math.PI / 180;
 const CURVES = ['linear', 'reinhard', 'filmic'];
-const HELP = `Up, Down            walk ahead, back
-Left, Right         turn
-Page Up, Page Down  look up, down
-W, S, A, D          walk ahead, back, sideways
-E, Q                rise, sink
-Shift               hurry
-mouse drag          look around
-Home                back to where it began
-+, -                brighter, darker by a third of a stop
-0                   automatic exposure
-T                   next tone mapping
-C                   luminance in colours
-X                   wireframe
-H                   this help`;
 const VERTEX = `
+#ifdef TEXTURES
+varying vec2 place;
+#else
 attribute vec3 _radiosity;
 varying vec3 radiosity;
+#endif
 void main() {
+#ifdef TEXTURES
+    place = uv;
+#else
     radiosity = _radiosity;
+#endif
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
 
 const text = document.getElementById('text');
 const fetched = async (path, kind) => (await fetch(path))[kind]();
 
+/** What is shown, and from where. */
+class Walk {
+
+    constructor(settings, fragment, gltf) {
+        this.settings = settings;
+        this.fragment = fragment;
+        this.scene = gltf.scene;
+        this.textured = gltf.scenes[1];
+        this.light = {exposure: {value: settings.exposure}, curve: {value: settings.curve}, falseColour: {value: 0}};
+        this.meshes = meshesOf(this.scene);
+        this.lamps = new Lamps(settings.lamps, this.meshes);
+        this.materials = [this.material({})];
+        this.meshes.forEach(mesh => { mesh.material = this.materials[0]; });
+        if (this.textured) {
+            meshesOf(this.textured).forEach(mesh => { mesh.material = this.baked(mesh.material.map); });
+        }
+        this.scene.updateMatrixWorld(true);
+        this.extent = new THREE.Box3().setFromObject(this.scene);
+        this.size = this.extent.getSize(new THREE.Vector3()).length() || 1;
+        this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
+        document.body.prepend(this.renderer.domElement);
+        this.camera = new THREE.PerspectiveCamera(2 * settings.verticalHalfAngle * 180 / Math.PI, 1, 1e-3 * this.size, 4 * this.size);
+        this.shown = this.scene;
+        this.collides = true;
+        this.pace = 1;
+        this.home();
+        listen(this, this.renderer.domElement);
+        this.panel = panel(this);
+        // a large scene is shown before its walls are known
+        setTimeout(() => {
+            this.obstacles = new Obstacles(this.meshes, new THREE.Vector3().setFromMatrixPosition(this.scene.children[0].matrixWorld), this.size);
+            document.body.dataset.ready = 'yes';
+        });
+    }
+
+    material(more, defines = {}) {
+        return new THREE.ShaderMaterial({vertexShader: VERTEX, fragmentShader: this.fragment, defines,
+            uniforms: {...this.light, ...more}});
+    }
+
+    /** The shader makes the texture's codes linear itself. */
+    baked(texture) {
+        texture.colorSpace = THREE.NoColorSpace;
+        const {exposure, curve} = this.settings.textures;
+        const material = this.material({image: {value: texture}, bakedExposure: {value: exposure}, bakedCurve: {value: curve}},
+            {TEXTURES: ''});
+        this.materials.push(material);
+        return material;
+    }
+
+    draw() {
+        const {innerWidth: width, innerHeight: height} = window;
+        this.renderer.setPixelRatio(window.devicePixelRatio);
+        this.renderer.setSize(width, height);
+        this.camera.aspect = width / height;
+        this.camera.far = this.eye.distanceTo(this.extent.getCenter(new THREE.Vector3())) + this.size;
+        this.camera.updateProjectionMatrix();
+        this.camera.position.copy(this.eye);
+        this.camera.rotation.set(this.pitch, this.heading, 0, 'YXZ');
+        this.renderer.render(this.shown, this.camera);
+    }
+
+    home() {
+        this.eye = new THREE.Vector3(...this.settings.eye);
+        const [x, y, z] = this.settings.forward;
+        this.pitch = Math.asin(Math.max(-1, Math.min(1, y)));
+        this.heading = Math.atan2(-x, -z);
+        this.say('');
+        this.draw();
+    }
+
+    say(line) {
+        text.textContent = line;
+    }
+
+    help() {
+        this.say(text.textContent === HELP ? '' : HELP);
+    }
+
+    turn(left, up) {
+        this.heading += left;
+        this.pitch = Math.max(-STEEPEST, Math.min(STEEPEST, this.pitch + up));
+    }
+
+    drag(x, y) {
+        this.turn(x * DRAG / innerHeight, y * DRAG / innerHeight);
+        this.draw();
+    }
+
+    /** Scene units. */
+    step(ahead, right, up) {
+        const sine = Math.sin(this.heading), cosine = Math.cos(this.heading);
+        const step = new THREE.Vector3(-sine * ahead + cosine * right, up, -cosine * ahead - sine * right);
+        this.eye.add(this.collides && this.obstacles ? this.obstacles.allowed(this.eye, step) : step);
+        this.draw();
+    }
+
+    wheel(notches) {
+        this.step(-NOTCH * this.size * notches, 0, 0);
+    }
+
+    stops() {
+        return Math.log2(this.light.exposure.value / this.settings.exposure);
+    }
+
+    /** Exposure in stops from the automatic one, and the number of the curve. */
+    tone(stops, curve) {
+        this.light.exposure.value = this.settings.exposure * 2 ** stops;
+        this.light.curve.value = curve % CURVES.length;
+        this.say(`exposure ${this.light.exposure.value.toPrecision(4)} per W/m² (${stops >= 0 ? '+' : ''}${stops.toFixed(2)} EV)   ${CURVES[this.light.curve.value]}`);
+        this.changed();
+    }
+
+    falseColour() {
+        this.light.falseColour.value = 1 - this.light.falseColour.value;
+        this.changed();
+    }
+
+    wireframe() {
+        this.materials.forEach(material => { material.wireframe = !material.wireframe; });
+        this.changed();
+    }
+
+    /** The light of textures is as it was rendered. */
+    textures() {
+        this.shown = this.textured && this.shown === this.scene ? this.textured : this.scene;
+        this.say(!this.textured ? 'no textures: they are made by RadiosityRenderer -ut'
+            : this.shown === this.scene ? 'vertices' : 'textures');
+        this.changed();
+    }
+
+    lampsChanged() {
+        this.shown = this.scene;
+        this.changed();
+    }
+
+    walls() {
+        this.collides = !this.collides;
+        this.say(`walls ${this.collides ? 'stop you' : 'let you through'}`);
+        this.changed();
+    }
+
+    changed() {
+        this.panel?.refresh();
+        this.draw();
+    }
+
+    /** Tells what light there is under a pixel. */
+    probe(x, y) {
+        const at = new THREE.Vector3(2 * (x + 0.5) / innerWidth - 1, 1 - 2 * (y + 0.5) / innerHeight, 0.5);
+        const direction = at.unproject(this.camera).sub(this.eye).normalize();
+        const hit = this.obstacles?.hit(this.eye, direction, 4 * this.size + this.eye.length());
+        this.say(hit ? this.told(hit, direction) : '');
+    }
+
+    told({mesh, element, v, w, distance}, direction) {
+        const corner = k => mesh.geometry.index.array[3 * element + k];
+        const mean = value => [0, 1, 2].map(a => (1 - v - w) * value(3 * corner(0) + a) + v * value(3 * corner(1) + a)
+            + w * value(3 * corner(2) + a));
+        const {_radiosity: b, _irradiance: h} = mesh.geometry.attributes, light = mesh.userData.light;
+        const line = (name, values, unit = '') => name.padEnd(13) + values.map(x => x.toPrecision(4)).join('  ') + unit;
+        const place = this.eye.clone().addScaledVector(direction, distance);
+        return [`surface      ${light.surface}`, line('radiosity', mean(i => b.array[i]), ' W/m²'),
+            line('irradiance', mean(i => h.array[i]), ' W/m²'), line('reflectance', mean(light.rho)),
+            line('at', place.toArray())].join('\n');
+    }
+}
+
+function meshesOf(scene) {
+    const meshes = [];
+    scene.traverse(node => {
+        if (node.isMesh) {
+            meshes.push(node);
+        }
+    });
+    return meshes;
+}
+
 try {
     const [settings, fragment, gltf] = await Promise.all([fetched('settings.json', 'json'),
         fetched('light.frag', 'text'), new GLTFLoader().loadAsync('scene.glb')]);
-    start(settings, fragment.replace(/^#version.*\n/, ''), gltf);
+    // for whoever looks into the page
+    window.walk = new Walk(settings, fragment.replace(/^#version.*\n/, ''), gltf);
 } catch (error) {
     text.textContent = error.message;
     throw error;
-}
-
-function start(settings, fragment, gltf) {
-    const material = new THREE.ShaderMaterial({vertexShader: VERTEX, fragmentShader: fragment,
-        uniforms: {exposure: {value: settings.exposure}, curve: {value: settings.curve}, falseColour: {value: 0}}});
-    gltf.scene.traverse(node => {
-        if (node.isMesh) {
-            node.material = material;
-        }
-    });
-    gltf.scene.updateMatrixWorld(true);
-    const extent = new THREE.Box3().setFromObject(gltf.scene);
-    const size = extent.getSize(new THREE.Vector3()).length() || 1;
-    const renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
-    document.body.appendChild(renderer.domElement);
-    const camera = new THREE.PerspectiveCamera(2 * settings.verticalHalfAngle * 180 / Math.PI, 1, 1e-3 * size, 4 * size);
-    const walker = {};
-    const keys = new Set();
-    let last = 0;
-
-    function home() {
-        walker.eye = new THREE.Vector3(...settings.eye);
-        const [x, y, z] = settings.forward;
-        walker.pitch = Math.asin(Math.max(-1, Math.min(1, y)));
-        walker.heading = Math.atan2(-x, -z);
-        text.textContent = '';
-        draw();
-    }
-
-    function draw() {
-        const {innerWidth: width, innerHeight: height} = window;
-        renderer.setPixelRatio(window.devicePixelRatio);
-        renderer.setSize(width, height);
-        camera.aspect = width / height;
-        camera.far = walker.eye.distanceTo(extent.getCenter(new THREE.Vector3())) + size;
-        camera.updateProjectionMatrix();
-        camera.position.copy(walker.eye);
-        camera.rotation.set(walker.pitch, walker.heading, 0, 'YXZ');
-        renderer.render(gltf.scene, camera);
-    }
-
-    function between(more, less) {
-        const held = names => names.some(name => keys.has(name)) ? 1 : 0;
-        return held(more) - held(less);
-    }
-
-    function walk(now) {
-        const seconds = Math.min(0.1, (now - last) / 1000);
-        last = now;
-        const way = seconds * SPEED * size * (keys.has('ShiftLeft') || keys.has('ShiftRight') ? HURRY : 1);
-        turn(seconds * TURN * between(['ArrowLeft'], ['ArrowRight']),
-            seconds * LOOK * between(['PageUp'], ['PageDown']));
-        const ahead = way * between(['ArrowUp', 'KeyW'], ['ArrowDown', 'KeyS']);
-        const right = way * between(['KeyD'], ['KeyA']);
-        const sine = Math.sin(walker.heading), cosine = Math.cos(walker.heading);
-        walker.eye.x += -sine * ahead + cosine * right;
-        walker.eye.z += -cosine * ahead - sine * right;
-        walker.eye.y += way * between(['KeyE'], ['KeyQ']);
-        draw();
-        if (keys.size > 0) {
-            requestAnimationFrame(walk);
-        }
-    }
-
-    function turn(left, up) {
-        walker.heading += left;
-        walker.pitch = Math.max(-STEEPEST, Math.min(STEEPEST, walker.pitch + up));
-    }
-
-    function light(exposure, curve) {
-        material.uniforms.exposure.value = exposure;
-        material.uniforms.curve.value = curve;
-        const stops = Math.log2(exposure / settings.exposure);
-        text.textContent = `exposure ${exposure.toPrecision(4)} per W/m² (${stops >= 0 ? '+' : ''}${stops.toFixed(2)} EV)   ${CURVES[curve]}`;
-    }
-
-    function act(event) {
-        const {exposure, curve, falseColour} = material.uniforms;
-        const actions = {
-            '+': () => light(exposure.value * 2 ** (1 / 3), curve.value),
-            '-': () => light(exposure.value / 2 ** (1 / 3), curve.value),
-            '0': () => light(settings.exposure, curve.value),
-            't': () => light(exposure.value, (curve.value + 1) % CURVES.length),
-            'c': () => { falseColour.value = 1 - falseColour.value; },
-            'x': () => { material.wireframe = !material.wireframe; },
-            'h': () => { text.textContent = text.textContent ? '' : HELP; },
-            'home': home,
-        };
-        const action = actions[event.key === '=' ? '+' : event.key.toLowerCase()];
-        if (action) {
-            action();
-            draw();
-        }
-        return action;
-    }
-
-    const WALKS = /^(Arrow\w+|Page\w+|Key[WASDQE]|Shift\w+)$/;
-    addEventListener('keydown', event => {
-        if (event.ctrlKey || event.altKey || event.metaKey) {
-            return;
-        }
-        if (WALKS.test(event.code)) {
-            if (keys.size === 0) {
-                last = performance.now();
-                requestAnimationFrame(walk);
-            }
-            keys.add(event.code);
-            event.preventDefault();
-        } else if (act(event)) {
-            event.preventDefault();
-        }
-    });
-    addEventListener('keyup', event => keys.delete(event.code));
-    addEventListener('blur', () => keys.clear());
-    addEventListener('resize', draw);
-    addEventListener('pointermove', event => {
-        if (event.buttons & 1) {
-            turn(event.movementX * DRAG / innerHeight, event.movementY * DRAG / innerHeight);
-            draw();
-        }
-    });
-    home();
-    document.body.dataset.ready = 'yes';
 }

@@ -128,10 +128,24 @@ final class Browser implements AutoCloseable, WebSocket.Listener {
         }
     }
 
-    void hold(String code, String key, int milliseconds) throws Exception {
+    void tap(String code, String key) throws Exception {
         call("Input.dispatchKeyEvent", Map.of("type", "keyDown", "code", code, "key", key));
-        Thread.sleep(milliseconds);
         call("Input.dispatchKeyEvent", Map.of("type", "keyUp", "code", code, "key", key));
+    }
+
+    /** Until an expression on the page holds. */
+    void holdUntil(String code, String key, String condition) throws Exception {
+        call("Input.dispatchKeyEvent", Map.of("type", "keyDown", "code", code, "key", key));
+        for (int i = 0; i < 10 * SECONDS && !value(condition).asBoolean(); i++) {
+            Thread.sleep(100);
+        }
+        call("Input.dispatchKeyEvent", Map.of("type", "keyUp", "code", code, "key", key));
+    }
+
+    void click(int x, int y) throws Exception {
+        for (String type : List.of("mousePressed", "mouseReleased")) {
+            call("Input.dispatchMouseEvent", Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1));
+        }
     }
 
     BufferedImage screenshot() throws Exception {

@@ -46,7 +46,7 @@ class WebPageTest {
 
     @Test
     void everythingThePageNames_isServed() throws Exception {
-        for (String path : List.of("/", "/walk.js", "/light.frag", "/settings.json", "/scene.glb",
+        for (String path : List.of("/", "/walk.js", "/keys.js", "/panel.js", "/lamps.js", "/obstacles.js", "/light.frag", "/settings.json", "/scene.glb",
                 "/three/build/three.module.min.js", "/three/build/three.core.min.js",
                 "/three/examples/jsm/loaders/GLTFLoader.js", "/three/examples/jsm/utils/BufferGeometryUtils.js")) {
             HttpResponse<String> answer = get(path);
@@ -75,16 +75,76 @@ class WebPageTest {
             BufferedImage start = browser.screenshot();
             double difference = Rendered.difference(start, Rendered.picture(folder.resolve("box.png")));
             assertTrue(difference <= 3, "mean difference " + difference + " of 255");
-            browser.hold("ArrowUp", "ArrowUp", 400);
+            browser.holdUntil("ArrowUp", "ArrowUp", "walk.eye.z < 700");
             assertTrue(Rendered.difference(start, browser.screenshot()) > 3, "walked ahead");
-            browser.hold("Home", "Home", 50);
+            browser.tap("Home", "Home");
             assertEquals(0, Rendered.difference(start, browser.screenshot()), 0.01);
-            browser.hold("KeyT", "t", 50);
+            browser.tap("KeyT", "t");
             assertTrue(browser.value("document.getElementById('text').textContent").asText().endsWith("filmic"));
-            browser.hold("Minus", "-", 50);
-            browser.hold("Minus", "-", 50);
-            browser.hold("Minus", "-", 50);
+            browser.tap("Minus", "-");
+            browser.tap("Minus", "-");
+            browser.tap("Minus", "-");
             assertTrue(Rendered.brightness(browser.screenshot()) < 0.9 * Rendered.brightness(start), "darker");
+            assertEquals(List.of(), browser.errors);
+        }
+    }
+
+    /** A slider of the panel, or a colour. */
+    private static void set(Browser browser, String id, String value) throws Exception {
+        browser.value("{const part = document.getElementById('" + id + "'); part.value = '" + value
+                + "'; part.dispatchEvent(new Event('input'));}");
+    }
+
+    private static double[] probe(Browser browser, String name) throws Exception {
+        browser.click(Rendered.SIZE / 10, Rendered.SIZE / 2);
+        return DrivenWindow.numbers(browser.value("document.getElementById('text').textContent").asText().replace("\n", "; "),
+                name);
+    }
+
+    @Test
+    void browser_mixesLampsProbesAndShowsTextures() throws Exception {
+        Path lamps = TwoLamps.write(Files.createDirectory(folder.resolve("lamps")));
+        try (WebPage two = new WebPage(lamps, ToneMapping.Operator.REINHARD, 0, 0);
+                Browser browser = new Browser(Files.createDirectory(folder.resolve("second")), Rendered.SIZE)) {
+            browser.open(two.address());
+            BufferedImage start = browser.screenshot();
+            double[] both = probe(browser, "radiosity");
+            double[] reflectance = probe(browser, "reflectance");
+            double[] irradiance = probe(browser, "irradiance");
+            set(browser, "lamp1", "0");
+            double[] ceiling = probe(browser, "radiosity");
+            set(browser, "lamp1", "100");
+            set(browser, "lamp0", "30");
+            double[] mixed = probe(browser, "radiosity");
+            for (int c = 0; c < 3; c++) {
+                assertEquals(both[c], reflectance[c] * irradiance[c], 2e-3 * both[c]);
+                assertEquals(both[c] - 0.7 * ceiling[c], mixed[c], 2e-3 * both[c]);
+            }
+            set(browser, "colour0", "#ff0000");
+            assertTrue(probe(browser, "radiosity")[0] / mixed[0] > 0.999, "as much red as before");
+            browser.value("document.getElementById('asRendered').click()");
+            browser.tap("Space", " ");
+            assertEquals(0, Rendered.difference(start, browser.screenshot()), 0.01, "as rendered");
+            browser.tap("KeyU", "u");
+            browser.tap("Space", " ");
+            double textures = Rendered.difference(start, browser.screenshot());
+            assertTrue(textures > 0 && textures <= 2, "textures differ by " + textures + " of 255");
+            assertEquals(List.of(), browser.errors);
+        }
+    }
+
+    @Test
+    void browser_stopsAtWallsUnlessTold() throws Exception {
+        try (Browser browser = new Browser(Files.createDirectory(folder.resolve("third")), Rendered.SIZE)) {
+            browser.open(page.address());
+            String far = "for (let i = 0; i < 200; i++) walk.step(10, 0, 0); walk.eye.z";
+            double stopped = browser.value(far).asDouble();
+            assertTrue(stopped > -559 && stopped < -500, "before the back wall: " + stopped);
+            browser.tap("Home", "Home");
+            browser.tap("KeyK", "k");
+            assertTrue(browser.value(far).asDouble() < -1000, "through the wall");
+            browser.tap("KeyP", "p");
+            assertTrue(browser.value("!document.getElementById('panel').hidden").asBoolean(), "the panel is shown");
             assertEquals(List.of(), browser.errors);
         }
     }

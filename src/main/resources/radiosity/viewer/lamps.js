@@ -1,0 +1,82 @@
+// The light of each lamp, mixed anew as in the window (radiosity.viewer.Lighting): exact, on the CPU.
+
+/** Lets lamps be dimmed and coloured; lamps: names, and whether each is a surface. */
+export class Lamps {
+
+    constructor(lamps, meshes) {
+        this.lamps = lamps;
+        this.meshes = meshes;
+        this.factors = lamps.map(() => [1, 1, 1]);
+        meshes.forEach(mesh => remember(mesh, lamps));
+    }
+
+    /** factor: what the lamp's light is multiplied with, three numbers. */
+    set(lamp, factor) {
+        this.factors[lamp] = factor;
+        this.meshes.forEach(mesh => mix(mesh, this.factors));
+    }
+
+    reset() {
+        this.lamps.forEach((_, lamp) => { this.factors[lamp] = [1, 1, 1]; });
+        this.meshes.forEach(mesh => mix(mesh, this.factors));
+    }
+}
+
+/** What a mesh was rendered with: mixtures are made of that, not of each other. */
+function remember(mesh, lamps) {
+    const {attributes} = mesh.geometry, {surface, reflectance, exitance} = mesh.material.userData;
+    const own = attributes._reflectance?.array;
+    mesh.userData.light = {
+        surface, reflectance, exitance,
+        radiosity: attributes._radiosity.array.slice(),
+        irradiance: attributes._irradiance.array.slice(),
+        layers: lamps.map((_, lamp) => attributes[`_irradiance_${lamp}`].array),
+        own: lamps.findIndex(lamp => lamp.surface && lamp.name === surface),
+        rho: i => own ? own[i] : reflectance[i % 3],
+    };
+    // only the vertices' radiosity is drawn
+    lamps.forEach((_, lamp) => mesh.geometry.deleteAttribute(`_irradiance_${lamp}`));
+}
+
+function mix(mesh, factors) {
+    const light = mesh.userData.light, {_radiosity: to, _irradiance: h} = mesh.geometry.attributes;
+    for (let i = 0; i < to.array.length; i++) {
+        let sum = 0;
+        for (let lamp = 0; lamp < factors.length; lamp++) {
+            sum += factors[lamp][i % 3] * light.layers[lamp][i];
+        }
+        const emitted = light.radiosity[i] - light.rho(i) * light.irradiance[i];
+        h.array[i] = sum;
+        to.array[i] = light.rho(i) * sum + Math.max(0, emitted) * (light.own < 0 ? 1 : factors[light.own][i % 3]);
+    }
+    to.needsUpdate = true;
+}
+
+/** Of a colour as #rrggbb: linear, the largest of the three 1. */
+export function linear(code) {
+    const rgb = [1, 3, 5].map(i => parseInt(code.slice(i, i + 2), 16) / 255)
+        .map(x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+    const most = Math.max(...rgb);
+    return most > 0 ? rgb.map(x => x / most) : [1, 1, 1];
+}
+
+/** A slider and a colour for each lamp; changed is called after each. */
+export function controls(lamps, changed) {
+    const box = document.createElement('div');
+    lamps.lamps.forEach((lamp, i) => {
+        const label = document.createElement('label'), slider = document.createElement('input');
+        const colour = document.createElement('input');
+        Object.assign(slider, {type: 'range', min: 0, max: 300, value: 100, id: `lamp${i}`});
+        Object.assign(colour, {type: 'color', value: '#ffffff', id: `colour${i}`});
+        const apply = () => {
+            label.textContent = `${lamp.name} ${slider.value} %`;
+            lamps.set(i, linear(colour.value).map(x => x * slider.value / 100));
+            changed();
+        };
+        slider.addEventListener('input', apply);
+        colour.addEventListener('input', apply);
+        label.textContent = `${lamp.name} 100 %`;
+        box.append(label, slider, colour);
+    });
+    return box;
+}
