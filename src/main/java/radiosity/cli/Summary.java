@@ -46,7 +46,7 @@ final class Summary {
 
     private void print(Certificate c, PrintStream out) {
         String missing = c.missingFlux() == null ? "without a bound on what is still missing"
-                : String.format(Locale.ROOT, "at most %.4g W still missing", c.missingFlux());
+                : String.format(Locale.ROOT, "about %.4g W at most still missing", c.missingFlux());
         String parts = progress.unsent() > MUCH_UNSENT ? "what is still unsent among it" : String.format(Locale.ROOT,
                 "rays %s, mesh %s", ProgressText.perCent(c.sampling()), ProgressText.perCent(c.meshing()));
         out.printf(Locale.ROOT, "radiosity +- %s (%s), estimated at %d points; %s%n",

@@ -35,18 +35,18 @@ class CertificateTest {
 
     /**
      * What is missing of the discrete system is what is reflected of what arrives until nothing is unshot. In a closed
-     * room of one reflectance the bound is what will come, if factors are reciprocal; they are on average, and what is
-     * unshot arrives by up to 1e-3 more than what was shot.
+     * room of one reflectance the bound is what will come, if factors are reciprocal. They are so on average: of 120
+     * patches, what is unshot arrives by up to .2 % more than what was shot, which becomes .6 % of the bound.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 0.1, 0.01})
-    void missingFlux_isWithinTheBound(double unsent) throws IOException {
+    void missingFlux_isWithinAHundredthOfTheBound(double unsent) throws IOException {
         Scene scene = room(0.6);
         Solve solve = Solve.byDefault().paper().patches(scene, 120);
         Solve.Certified early = solve.unsent(unsent).certified(scene, true);
         double missing = received(solve.unsent(1e-9).certified(scene, false)) - received(early);
         assertTrue(missing > 0.2 * early.solution().unshotFlux(), "missing " + missing);
-        assertTrue(missing * 0.6 <= 1.001 * early.certificate().missingFlux(),
+        assertTrue(missing * 0.6 <= 1.01 * early.certificate().missingFlux(),
                 missing * 0.6 + " of at most " + early.certificate().missingFlux());
     }
 
