@@ -27,7 +27,7 @@ public final class RayCaster implements FormFactorCalculator {
     /** Squared size over squared distance from which 8, and from which 4 sample points are drawn per ray. */
     private static final double NEAR_8 = 0.05;
     private static final double NEAR_4 = 0.003;
-    /** Triangles drawn from a cluster for one ray. */
+    /** Triangles drawn for one ray from a cluster that carries as much as a ray may; in proportion from others. */
     private static final int CLUSTER_DRAWS = 8;
     /** How far the ends of rays stand off their surfaces at most, of the scene's size. */
     private static final float LIFT = 4e-6f;
@@ -80,8 +80,10 @@ public final class RayCaster implements FormFactorCalculator {
         if (s.face[node] < 0) {
             double gap = Math.sqrt(d2) - Math.sqrt(r2);
             double most = strength * s.area[node] * (1 + NEAR * r2 / d2);
-            if (gap > 0 && most <= tolerance * Math.PI * gap * gap) {
-                sampleCluster(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), s, node, gathering);
+            double may = tolerance * Math.PI * gap * gap;
+            if (gap > 0 && most <= may) {
+                int draws = (int) Math.ceil(CLUSTER_DRAWS * most / may);
+                sampleCluster(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), draws, s, node, gathering);
             } else {
                 enter(px, py, pz, nx, ny, nz, key, s, s.child[node], gathering);
                 enter(px, py, pz, nx, ny, nz, key, s, s.child[node] + 1, gathering);
@@ -114,8 +116,8 @@ public final class RayCaster implements FormFactorCalculator {
      * One ray into a cluster of triangles: a few of them are drawn in proportion to what they shoot, and of these one
      * in proportion to how it stands.
      */
-    private void sampleCluster(float px, float py, float pz, float nx, float ny, float nz, long rotation, Shooter s,
-                               int cluster, Gathering gathering) {
+    private void sampleCluster(float px, float py, float pz, float nx, float ny, float nz, long rotation, int draws,
+                               Shooter s, int cluster, Gathering gathering) {
         int u = (int) (rotation >>> 32);
         int v = (int) rotation;
         int lot = lot(rotation);
@@ -124,11 +126,11 @@ public final class RayCaster implements FormFactorCalculator {
         int found = -1;
         float fb = 0;
         float fc = 0;
-        for (int draw = 0; draw < CLUSTER_DRAWS; draw++) {
+        for (int draw = 0; draw < draws; draw++) {
             u += R2_U;
             v += R2_V;
             lot = next(lot);
-            int node = pick(s, cluster, (pick + draw) / CLUSTER_DRAWS);
+            int node = pick(s, cluster, (pick + draw) / draws);
             int fold = fold(u, v);
             float b = unit(u ^ fold);
             float c = unit(v ^ fold);
@@ -167,7 +169,7 @@ public final class RayCaster implements FormFactorCalculator {
             double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
             reach(s, found, fa, fb, fc, power * sum, gathering);
         }
-        gathering.close(1 / (CLUSTER_DRAWS * Math.PI));
+        gathering.close(1 / (draws * Math.PI));
     }
 
     /** The triangle at a place in [0, 1) of a cluster, where each takes as much room as it shoots. */

@@ -33,6 +33,9 @@ public final class Faces {
     private final int colours;
     /** What has a layer of its own; empty where all light is kept as one. */
     private final List<Lamp> lamps;
+    /** What normals of faces in one plane differ by at most. */
+    private static final float SAME_PLANE = 1e-5f;
+
     private final int channels;
     private int count;
     private int dropped;
@@ -278,6 +281,19 @@ public final class Faces {
     /** Component a of a face's normal. */
     public float normal(int face, int a) {
         return normal[3 * face + a];
+    }
+
+    /**
+     * The face whose plane stands for a face's: the lowest of its part, so that a vertex which faces share lies in the
+     * same plane whichever of them it was made for; the face itself where it is bent away from that.
+     */
+    public int plane(int face) {
+        int root = part[face];
+        float off = 0;
+        for (int a = 0; a < 3; a++) {
+            off = Math.max(off, Math.abs(normal[3 * root + a] - normal[3 * face + a]));
+        }
+        return off < SAME_PLANE ? root : face;
     }
 
     /** Component a of corner k of a face. */

@@ -15,7 +15,7 @@ import java.util.List;
  * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
  * @param weight    one per channel: what a W/m² counts for in that
  * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
- * @param most      how many candidates for the next round to name
+ * @param most      how many candidates for the next round to name; -1: nobody reads the answer
  */
 record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
              double meshError, int most) {
@@ -69,6 +69,10 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
     /** The same, naming other numbers of candidates. */
     Order naming(int candidates) {
         return new Order(kind, number, more, shots, tolerance, weight, meshError, candidates);
+    }
+
+    boolean isAnswered() {
+        return most >= 0;
     }
 
     byte[] encode() {

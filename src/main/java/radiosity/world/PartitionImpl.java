@@ -96,7 +96,7 @@ final class PartitionImpl implements Partition {
                 }
                 default -> { }
             }
-            Answer answer = answer(order.most());
+            Answer answer = order.isAnswered() ? answer(order.most()) : new Answer(faces, scale);
             return Wire.bytes(answer::write);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -179,7 +179,7 @@ final class PartitionImpl implements Partition {
 
     private void gather(FormFactorCalculator calculator, Shooter shooter, RadiosityNodes of, int v, Gathering sum) {
         float[] x = of.receivers();
-        int f = of.vertexFace(v);
+        int f = faces.plane(of.vertexFace(v));
         calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), of.vertexKey(v), shooter, sum);
     }

@@ -30,6 +30,8 @@ public final class ProgressiveRadiosity {
     private Order pending;
     private Planner planner;
     private Answer answer;
+    /** Whether that is the answer to the last order. */
+    private boolean isKnown = true;
     /** The round whose new vertices have not gathered yet; 0 where there is none. */
     private int dark;
     private final Pace pace;
@@ -69,6 +71,15 @@ public final class ProgressiveRadiosity {
             }
             step();
             goOn = listener.afterRound(progress());
+        }
+        know();
+    }
+
+    /** Asks how things stand, where the last order wanted no answer. */
+    private void know() throws IOException {
+        if (!isKnown) {
+            answer = world.answer(Order.plain(Order.Kind.ASK, 0));
+            isKnown = true;
         }
     }
 
@@ -110,6 +121,7 @@ public final class ProgressiveRadiosity {
             size = Math.min(size, stop.shots() - shots);
         }
         Order now = pending.first(size);
+        now = now.more() && pace.isShort(size) ? now.naming(-1) : now;
         long begin = System.nanoTime();
         carryOut(now);
         pace.took(size, (System.nanoTime() - begin) * 1e-9);
@@ -126,7 +138,12 @@ public final class ProgressiveRadiosity {
             planner.take(now.shots().size(), world.round(now));
             return;
         }
-        answer = world.answer(now);
+        isKnown = now.isAnswered();
+        if (isKnown) {
+            answer = world.answer(now);
+        } else {
+            world.round(now);
+        }
         dark = now.kind() == Order.Kind.SPLIT ? now.number() : now.more() ? dark : 0;
     }
 
@@ -153,8 +170,17 @@ public final class ProgressiveRadiosity {
         return new Progress(shots, rounds, unsent(), answer.elements);
     }
 
-    /** Where the light went so far. */
+    /**
+     * Where the light went so far.
+     *
+     * @throws UncheckedIOException where a partition cannot be reached
+     */
     public EnergyLedger ledger() {
+        try {
+            know();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
         return new EnergyLedger(ofAllLayers(emitted), ofAllLayers(shotFlux), ofAllLayers(values(answer.received)),
                 ofAllLayers(values(answer.absorbed)), ofAllLayers(values(answer.unshot)));
     }
@@ -174,6 +200,7 @@ public final class ProgressiveRadiosity {
 
     /** Everything so far, merged from all partitions; may be asked for between rounds. */
     public Solution solution() throws IOException {
+        know();
         List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, dark).solution(shots, rounds,
                 DoubleStream.of(values(answer.unshotFlux)).sum(), ledger(), state(blocks));
