@@ -5,8 +5,11 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import radiosity.patch.Faces;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
+import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
 import radiosity.world.Solution;
 
 /** The light at points on surfaces, interpolated on the element that is there on the side that is asked for. */
@@ -16,11 +19,15 @@ public final class Points {
 
     private final ElementSearch search;
     private final Solution solution;
+    private final Faces faces;
+    private final Solids solids;
 
     /** @param solution T-junctions are closed here, as in the scene file */
     public Points(Solution solution) {
         this.solution = TJunctions.close(solution);
         search = new ElementSearch(this.solution);
+        faces = new Faces(solution.scene());
+        solids = new Solids(new RadiosityBounds(faces.occluders()), faces.fronts());
     }
 
     /**
@@ -33,7 +40,7 @@ public final class Points {
     }
 
     /**
-     * Irradiance and radiosity at a point.
+     * Irradiance and radiosity at a point. Inside a solid no light arrives, though a floor's element may reach there.
      *
      * @param normal of any length but 0; says which side is meant
      */
@@ -43,6 +50,9 @@ public final class Points {
             Rgb none = Rgb.grey(Double.NaN);
             return new Light(none, none);
         }
+        if (isInSolid(point, normal.unit())) {
+            return new Light(Rgb.BLACK, solution.surface(element).exitance());
+        }
         double[] weight = new Nearest(solution, element, point).weights();
         Rgb h = Rgb.BLACK;
         for (int k = 0; k < 3; k++) {
@@ -50,6 +60,11 @@ public final class Points {
         }
         Vec3 on = Elements.point(solution, element, weight[1], weight[2]);
         return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
+    }
+
+    private boolean isInSolid(Vec3 point, Vec3 n) {
+        Vec3 p = faces.unit(point);
+        return solids.hold((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
     }
 
     /**

@@ -254,6 +254,17 @@ public final class Faces {
         return isOf(false, light, channel) ? scene.lights().get(light).power().channel(channel % colours) : 0;
     }
 
+    /** 3 per original triangle: normal of its visible side, 0 where both are visible. */
+    public float[] fronts() {
+        float[] fronts = new float[3 * scene.triangles()];
+        for (int f = 0; f < count; f++) {
+            for (int a = 0; a < 3 && !scene.surface(triangle(f)).twoSided(); a++) {
+                fronts[3 * triangle(f) + a] = normal(f, a);
+            }
+        }
+        return fronts;
+    }
+
     /** The original triangle of a face. */
     public int triangle(int face) {
         return side[face] >> 1;

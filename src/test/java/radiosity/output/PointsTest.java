@@ -149,4 +149,25 @@ class PointsTest {
         Files.write(in, new byte[] {(byte) 0xff, (byte) 0xfe, 0, 1});
         assertThrows(SceneFormatException.class, () -> new Points(room()).write(in, out));
     }
+
+    /** A block without a bottom, seen from outside, in the middle of a floor whose two elements run on below it. */
+    @Test
+    void floorUnderABlock_isBlack() {
+        Handmade room = Handmade.room(Vec3.ZERO, 1, p -> Rgb.grey(2));
+        int block = room.surface("block", .5);
+        Vec3 at = new Vec3(.3, 0, .3);
+        Vec3 x = X.times(.4);
+        Vec3 y = Y.times(.4);
+        Vec3 z = Z.times(.4);
+        room.grid(block, at.plus(y), z, x, 1, 1, p -> Rgb.BLACK);
+        room.grid(block, at, y, x, 1, 1, p -> Rgb.BLACK);
+        room.grid(block, at, z, y, 1, 1, p -> Rgb.BLACK);
+        room.grid(block, at.plus(z), x, y, 1, 1, p -> Rgb.BLACK);
+        room.grid(block, at.plus(x), y, z, 1, 1, p -> Rgb.BLACK);
+        Points points = new Points(room.solution());
+        assertEquals(0, points.at(new Vec3(.31, 0, .31), Y).irradiance().r());
+        assertEquals(0, points.at(new Vec3(.5, 0, .69), Y).radiosity().g());
+        assertEquals(2, points.at(new Vec3(.29, 0, .31), Y).irradiance().r(), 1e-12);
+        assertEquals(2, points.at(new Vec3(.5, 0, .71), Y).irradiance().g(), 1e-12);
+    }
 }

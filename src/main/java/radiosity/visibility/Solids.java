@@ -1,0 +1,65 @@
+package radiosity.visibility;
+
+/** Which points of surfaces lie inside a solid, where a floor runs on below a block: whatever they look at turns its back. */
+public final class Solids {
+
+    /** Directions about the normal: up, and five that lean by 55 degrees; x, y in the surface and z up. */
+    private static final double[] DIRECTIONS = {
+        0, 0, 1,
+        0.819, 0, 0.574,
+        0.253, 0.779, 0.574,
+        -0.663, 0.481, 0.574,
+        -0.663, -0.481, 0.574,
+        0.253, -0.779, 0.574};
+    /** Of the scene's size: where a look begins, above the surface; and how far it goes. */
+    private static final float LIFT = 1e-5f;
+    private static final float FAR = 4;
+
+    private final RadiosityBounds bounds;
+    private final float[] front;
+
+    /**
+     * @param bounds original triangles
+     * @param front  3 per original triangle: normal of its visible side, 0 where it has two; not modified
+     */
+    public Solids(RadiosityBounds bounds, float[] front) {
+        this.bounds = bounds;
+        this.front = front;
+    }
+
+    /** Whether the point p of a surface with the normal n, of length 1, is inside a solid, where no light reaches it. */
+    public boolean hold(float px, float py, float pz, float nx, float ny, float nz) {
+        double[] frame = frame(nx, ny, nz);
+        float x = px + LIFT * nx;
+        float y = py + LIFT * ny;
+        float z = pz + LIFT * nz;
+        float[] normal = {nx, ny, nz};
+        float[] d = new float[3];
+        float[] hit = new float[3];
+        for (int i = 0; i < DIRECTIONS.length; i += 3) {
+            for (int a = 0; a < 3; a++) {
+                d[a] = (float) (DIRECTIONS[i] * frame[a] + DIRECTIONS[i + 1] * frame[3 + a]
+                        + DIRECTIONS[i + 2] * normal[a]);
+            }
+            int t = bounds.nearest(x, y, z, d[0], d[1], d[2], FAR, hit);
+            if (t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] <= 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Two directions in a plane, at right angles to each other and to its normal. */
+    private static double[] frame(double nx, double ny, double nz) {
+        double ax = Math.abs(nx) < 0.6 ? 1 : 0;
+        double ay = 1 - ax;
+        double ux = -ay * nz;
+        double uy = ax * nz;
+        double uz = ay * nx - ax * ny;
+        double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
+        ux /= length;
+        uy /= length;
+        uz /= length;
+        return new double[] {ux, uy, uz, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux};
+    }
+}
