@@ -114,7 +114,7 @@ final class CoarseSystem {
                 mean[layer] += faces.area(f) * brightest(f, layer) / faces.area();
             }
         }
-        return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> 1 + brightness(nodes.face(node), mean)))
+        return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> (float) (1 + brightness(nodes.face(node), mean))))
                 .toList();
     }
 
@@ -261,7 +261,7 @@ final class CoarseSystem {
         return new double[channels * nodes.nodes()];
     }
 
-    /** Adds to a shot what its patches will reflect of an irradiance: linear between the vertices of the mesh. */
+    /** Adds to a shot what its patches will reflect of an irradiance, linear between the vertices; in floats. */
     Shot with(Shot shot, double[] h) {
         return new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
     }
@@ -288,7 +288,7 @@ final class CoarseSystem {
         int first = tree.child()[node];
         if (first < 0) {
             for (int i = 0; i < 3 * channels; i++) {
-                radiosity[3 * channels * node + i] += here[i];
+                radiosity[3 * channels * node + i] = (float) (radiosity[3 * channels * node + i] + here[i]);
             }
             return;
         }

@@ -92,15 +92,16 @@ final class Prediction implements Planner {
         return order(Order.Kind.GATHER, world.totals());
     }
 
-    private Order shoot(Answer last, BooleanSupplier goOn) {
-        if (last.candidates.isEmpty()) {
-            return null;
-        }
+    private Order shoot(Answer last, BooleanSupplier goOn) throws IOException {
         if (!coarse.isMade()) {
             return rows();
         }
+        List<Shot> candidates = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE)).candidates;
+        if (candidates.isEmpty()) {
+            return null;
+        }
         double[] unshot = coarse.noUnshot();
-        last.candidates.forEach(shot -> coarse.restrict(shot, unshot));
+        candidates.forEach(shot -> coarse.restrict(shot, unshot));
         double[] h = coarse.irradiance(unshot, goOn);
         if (h == null) {
             return null;
@@ -109,7 +110,7 @@ final class Prediction implements Planner {
             weigh(last, h);
         }
         stage = Stage.SHOOT;
-        return order(Order.Kind.SHOOT, last.candidates.stream().map(shot -> coarse.with(shot, h)).toList());
+        return order(Order.Kind.SHOOT, candidates.stream().map(shot -> coarse.with(shot, h)).toList());
     }
 
     /** By the radiosity that is there and is foreseen, over all area; a channel without light does not count. */
@@ -122,8 +123,9 @@ final class Prediction implements Planner {
         }
     }
 
+    /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, Integer.MAX_VALUE);
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, 0);
     }
 
     @Override

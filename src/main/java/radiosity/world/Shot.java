@@ -19,13 +19,12 @@ import radiosity.patch.RadiosityNodes;
  */
 record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
 
-    /** What the smallest takes when written, and the smallest of its trees. */
+    /** What the smallest takes when written. */
     static final int LEAST_BYTES = 12;
-    private static final int TREE_BYTES = 16;
 
-    /** What some nodes have to shoot. */
+    /** What some nodes have to shoot: in floats, as what rounding leaves over is not shot and so not lost. */
     static Shot of(RadiosityNodes nodes, int[] tops, double flux) {
-        return of(nodes, tops, flux, nodes::unshot);
+        return of(nodes, tops, flux, (node, k, c) -> (float) nodes.unshot(node, k, c));
     }
 
     /** What some nodes have ever shot. */
@@ -73,37 +72,19 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return order != 0 ? order : Long.compare(mine.path(), others.path());
     }
 
-    void write(DataOutput out) throws IOException {
+    void write(int channels, DataOutput out) throws IOException {
         out.writeInt(trees.size());
         for (PatchTree tree : trees) {
-            out.writeInt(tree.face());
-            out.writeLong(tree.path());
-            out.writeInt(tree.child().length);
-            Wire.write(out, tree.child());
-            Wire.write(out, tree.radiosity());
+            TreeBytes.write(tree, channels, out);
         }
         out.writeDouble(flux);
     }
 
     static Shot read(DataInputStream in, int channels) throws IOException {
         List<PatchTree> trees = new ArrayList<>();
-        for (int n = Wire.count(in, TREE_BYTES); n > 0; n--) {
-            int face = in.readInt();
-            long path = in.readLong();
-            int[] child = children(in, 3 * channels * Double.BYTES);
-            trees.add(new PatchTree(face, path, child, Wire.doubles(in, 3 * channels * child.length)));
+        for (int n = Wire.count(in, TreeBytes.LEAST); n > 0; n--) {
+            trees.add(TreeBytes.read(in, channels));
         }
         return new Shot(trees, in.readDouble());
-    }
-
-    /** A tree whose children did not follow their parents would have no end. */
-    private static int[] children(DataInputStream in, int nodeBytes) throws IOException {
-        int[] child = Wire.ints(in, Wire.count(in, Integer.BYTES + nodeBytes));
-        for (int i = 0; i < child.length; i++) {
-            if (child[i] != -1 && (child[i] <= i || child[i] > child.length - 4)) {
-                throw new IOException("shot: expected children behind node " + i + ", got " + child[i]);
-            }
-        }
-        return child;
     }
 }

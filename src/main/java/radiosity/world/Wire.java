@@ -9,7 +9,6 @@ import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -52,37 +51,11 @@ final class Wire {
         out.writeInt(channels);
         out.writeInt(shots.size());
         for (Shot shot : shots) {
-            shot.write(out);
+            shot.write(channels, out);
         }
     }
 
-    /** The numbers alone, without how many. */
-    static void write(DataOutput out, int[] numbers) throws IOException {
-        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * numbers.length);
-        bytes.asIntBuffer().put(numbers);
-        out.write(bytes.array());
-    }
-
-    /** The numbers alone, without how many. */
-    static void write(DataOutput out, double[] numbers) throws IOException {
-        ByteBuffer bytes = ByteBuffer.allocate(Double.BYTES * numbers.length);
-        bytes.asDoubleBuffer().put(numbers);
-        out.write(bytes.array());
-    }
-
-    static int[] ints(DataInputStream in, int count) throws IOException {
-        int[] numbers = new int[count];
-        ByteBuffer.wrap(exactly(in, Integer.BYTES * count)).asIntBuffer().get(numbers);
-        return numbers;
-    }
-
-    static double[] doubles(DataInputStream in, int count) throws IOException {
-        double[] numbers = new double[count];
-        ByteBuffer.wrap(exactly(in, Double.BYTES * count)).asDoubleBuffer().get(numbers);
-        return numbers;
-    }
-
-    private static byte[] exactly(DataInputStream in, int count) throws IOException {
+    static byte[] exactly(DataInputStream in, int count) throws IOException {
         byte[] bytes = in.readNBytes(count);
         if (bytes.length < count) {
             throw new EOFException("message: expected " + count + " bytes, got " + bytes.length);

@@ -17,7 +17,7 @@ import radiosity.scene.Scene;
  */
 public final class ScalingTable {
 
-    private static final int WARM_UP = 2;
+    private static final double WARM_UP_SECONDS = 5;
 
     private ScalingTable() { }
 
@@ -28,14 +28,20 @@ public final class ScalingTable {
         RadiositySettings settings = new RadiositySettings(Double.parseDouble(arguments[1]),
                 Integer.parseInt(arguments[2]), meshing, Schedule.valueOf(arguments[5].toUpperCase(Locale.ROOT)));
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
-        for (int i = 0; i < WARM_UP; i++) {
-            solve(new LocalWorld(scene, settings, 1), stop, 1);
-        }
+        warmUp(new LocalWorld(scene, settings, 1), stop);
         double local = solve(new LocalWorld(scene, settings, 1), stop, 1);
         System.out.printf(Locale.ROOT, "in one process, CPU s: %.2f%n", local);
         System.out.println("hosts  elements  calls   CPU s  slowest s  master s  network s   wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
             print(scene, settings, stop, Integer.parseInt(arguments[i]), local);
+        }
+    }
+
+    /** Until the JVM has compiled what matters. */
+    private static void warmUp(World world, StopRule stop) throws IOException {
+        long end = System.nanoTime() + (long) (1e9 * WARM_UP_SECONDS);
+        while (System.nanoTime() < end) {
+            new ProgressiveRadiosity(world, stop).run(progress -> System.nanoTime() < end);
         }
     }
 
