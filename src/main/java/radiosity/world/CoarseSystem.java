@@ -27,6 +27,7 @@ final class CoarseSystem {
     private static final int ROW_BYTES = 13;
     private static final int ENTRY_BYTES = 24;
 
+    private final InitialMesh mesh;
     private final Faces faces;
     private final List<Block> blocks;
     private final RadiosityNodes nodes;
@@ -48,6 +49,7 @@ final class CoarseSystem {
     private double[] mode;
 
     CoarseSystem(InitialMesh mesh) {
+        this.mesh = mesh;
         faces = mesh.faces;
         channels = faces.channels();
         blocks = mesh.blocks;
@@ -114,7 +116,8 @@ final class CoarseSystem {
                 mean[layer] += faces.area(f) * brightest(f, layer) / faces.area();
             }
         }
-        return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> (float) (1 + brightness(nodes.face(node), mean))))
+        return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) ->
+                mesh.rounded(1 + brightness(nodes.face(node), mean))))
                 .toList();
     }
 
@@ -261,7 +264,7 @@ final class CoarseSystem {
         return new double[channels * nodes.nodes()];
     }
 
-    /** Adds to a shot what its patches will reflect of an irradiance, linear between the vertices; in floats. */
+    /** Adds to a shot what its patches will reflect of an irradiance, linear between the vertices. */
     Shot with(Shot shot, double[] h) {
         return new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
     }
@@ -288,7 +291,7 @@ final class CoarseSystem {
         int first = tree.child()[node];
         if (first < 0) {
             for (int i = 0; i < 3 * channels; i++) {
-                radiosity[3 * channels * node + i] = (float) (radiosity[3 * channels * node + i] + here[i]);
+                radiosity[3 * channels * node + i] = mesh.rounded(radiosity[3 * channels * node + i] + here[i]);
             }
             return;
         }

@@ -23,6 +23,8 @@ final class InitialMesh {
     /** Blocks: for sharing out, and where each is also what shoots together. */
     private static final int BLOCKS = 256;
     private static final int CLUSTERS = 128;
+    /** Reflectance above which the rounding of floats would show. */
+    private static final double WHITE = 0.98;
     /** Sample points per shooter where no number is given, likewise. */
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
@@ -37,6 +39,7 @@ final class InitialMesh {
     /** Flux that surfaces emit, one per channel, W. */
     final double[] emitted;
 
+    private final boolean white;
     private RadiosityBounds bounds;
 
     InitialMesh(Scene scene, RadiositySettings settings) {
@@ -49,6 +52,8 @@ final class InitialMesh {
         patcher = new Patcher(faces, area);
         blocks = Partitioner.blocks(patcher, predicts() ? CLUSTERS : BLOCKS);
         coarse = solvesAtOnce() ? patcher : patcher.coarser(blocks, COARSE_PATCHES);
+        white = scene.surfaces().stream()
+                .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {
@@ -86,6 +91,14 @@ final class InitialMesh {
     /** Largest area of a patch, square scene units. */
     double patchArea() {
         return patcher.patchArea() * faces.size() * faces.size();
+    }
+
+    /**
+     * A radiosity to be shot, as it is sent: a float takes half the room, and what rounding leaves over is not shot and
+     * so not lost. Among white surfaces it would be a part of what is emitted: there it is sent as it is.
+     */
+    double rounded(double radiosity) {
+        return white ? radiosity : (float) radiosity;
     }
 
     /** About as much flux as there is, W: what sums of flux are counted in. */

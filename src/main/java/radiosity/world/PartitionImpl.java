@@ -250,7 +250,7 @@ final class PartitionImpl implements Partition {
             answer.addSums(part);
         }
         for (int p : largest(most)) {
-            answer.candidates.add(Shot.of(nodes, shooters[p], flux[p]));
+            answer.candidates.add(Shot.of(nodes, shooters[p], flux[p], (node, k, c) -> mesh.rounded(nodes.unshot(node, k, c))));
         }
         return answer;
     }

@@ -22,11 +22,6 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
     /** What the smallest takes when written. */
     static final int LEAST_BYTES = 12;
 
-    /** What some nodes have to shoot: in floats, as what rounding leaves over is not shot and so not lost. */
-    static Shot of(RadiosityNodes nodes, int[] tops, double flux) {
-        return of(nodes, tops, flux, (node, k, c) -> (float) nodes.unshot(node, k, c));
-    }
-
     /** What some nodes have ever shot. */
     static Shot total(RadiosityNodes nodes, int[] tops) {
         return of(nodes, tops, 0, nodes::shot);
