@@ -65,7 +65,7 @@ final class ViewOptions {
         Optional<ToneMapping> unlit = w.lightWave
                 ? Optional.of(new ToneMapping(ToneMapping.Operator.LINEAR, Math.pow(2, w.exposure)))
                 : Optional.empty();
-        return new ViewSettings(file().getFileName() + " (H: keys)", w.wireframe, w.textures, unlit, w.curve,
+        return new ViewSettings(file().getFileName() + " (H: keys, P: panel)", w.wireframe, w.textures, unlit, w.curve,
                 w.exposure, w.size == null ? WindowOptions.USUAL_WIDTH : w.size.width(),
                 w.size == null ? 0 : w.size.height(), w.lightWave ? Optional.empty() : Optional.of(file()),
                 Optional.ofNullable(w.screenshot));

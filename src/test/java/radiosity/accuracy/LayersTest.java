@@ -38,7 +38,7 @@ class LayersTest {
     }
 
     /** Four lamps, of which the last is a light without geometry; the first is as bright as told. */
-    private static Scene room(Rgb first) {
+    static Scene room(Rgb first) {
         Surface wall = new Surface("wall", Rgb.BLACK, new Rgb(0.7, 0.5, 0.3), false);
         Surface[] lamp = {new Surface("first", first.times(5), Rgb.grey(0.2), false), Rooms.grey("second", 1, 0.4),
             new Surface("third", new Rgb(0, 0.2, 3), Rgb.BLACK, false)};

@@ -17,7 +17,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.output.Mesh;
 import radiosity.output.SceneFile;
+import radiosity.scene.Lamp;
 
 /** What a render does with its options, its files and what goes wrong, on a coarse Cornell box. */
 class RenderTest {
@@ -66,6 +68,23 @@ class RenderTest {
         assertTrue(report.get("shots").intValue() > 1);
         assertTrue(report.get("certificate").get("expected").doubleValue() > 0);
         assertTrue(report.get("certificate").get("surfaces").size() > 1);
+    }
+
+    /** The box has one lamp and, made to count, no light: its one layer is the whole. */
+    @Test
+    void layers_areKeptAndGoneOnWith() throws IOException {
+        succeeds(render("-q", "--layers", "-it", 5));
+        try (SceneFile scene = SceneFile.open(output)) {
+            assertEquals(List.of("light"), scene.lamps().stream().map(Lamp::name).toList());
+            for (Mesh mesh : scene.meshes()) {
+                assertArrayEquals(mesh.irradiance(), mesh.layers().get(0));
+            }
+        }
+        Path more = directory.resolve("more.scene");
+        succeeds(Run.of("-q", "-tf", output, 5, "-it", 9, BOX, more));
+        try (SceneFile scene = SceneFile.open(more)) {
+            assertEquals(1, scene.lamps().size(), "goes on with layers");
+        }
     }
 
     @Test

@@ -142,6 +142,12 @@ final class Browser implements AutoCloseable, WebSocket.Listener {
         call("Input.dispatchKeyEvent", Map.of("type", "keyUp", "code", code, "key", key));
     }
 
+    /** A slider of the panel, or a colour. */
+    void set(String id, String to) throws Exception {
+        value("{const part = document.getElementById('" + id + "'); part.value = '" + to
+                + "'; part.dispatchEvent(new Event('input'));}");
+    }
+
     void click(int x, int y) throws Exception {
         for (String type : List.of("mousePressed", "mouseReleased")) {
             call("Input.dispatchMouseEvent", Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1));

@@ -24,8 +24,12 @@ final class DrivenWindow implements AutoCloseable {
 
     /** @param folder for pictures */
     DrivenWindow(Path scene, Path folder) throws IOException {
+        this(scene, folder, Rendered.SIZE, Rendered.SIZE);
+    }
+
+    DrivenWindow(Path scene, Path folder, int width, int height) throws IOException {
         this.folder = folder;
-        process = display.program(Session.class, scene.toString(), "" + Rendered.SIZE, "" + Rendered.SIZE)
+        process = display.program(Session.class, scene.toString(), "" + width, "" + height)
                 .redirectError(ProcessBuilder.Redirect.DISCARD).start();
         to = new PrintWriter(process.getOutputStream(), true);
         from = new BufferedReader(new InputStreamReader(process.getInputStream()));
@@ -45,6 +49,13 @@ final class DrivenWindow implements AutoCloseable {
     BufferedImage shot(String name) throws IOException {
         Path file = folder.resolve(name + ".png");
         say("shot " + file);
+        return Rendered.picture(file);
+    }
+
+    /** All of the window, with its panel. */
+    BufferedImage screen(String name) throws IOException {
+        Path file = folder.resolve(name + ".png");
+        say("screen " + file);
         return Rendered.picture(file);
     }
 

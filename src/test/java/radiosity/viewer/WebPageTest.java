@@ -89,12 +89,6 @@ class WebPageTest {
         }
     }
 
-    /** A slider of the panel, or a colour. */
-    private static void set(Browser browser, String id, String value) throws Exception {
-        browser.value("{const part = document.getElementById('" + id + "'); part.value = '" + value
-                + "'; part.dispatchEvent(new Event('input'));}");
-    }
-
     private static double[] probe(Browser browser, String name) throws Exception {
         browser.click(Rendered.SIZE / 10, Rendered.SIZE / 2);
         return DrivenWindow.numbers(browser.value("document.getElementById('text').textContent").asText().replace("\n", "; "),
@@ -111,16 +105,16 @@ class WebPageTest {
             double[] both = probe(browser, "radiosity");
             double[] reflectance = probe(browser, "reflectance");
             double[] irradiance = probe(browser, "irradiance");
-            set(browser, "lamp1", "0");
+            browser.set("lamp1", "0");
             double[] ceiling = probe(browser, "radiosity");
-            set(browser, "lamp1", "100");
-            set(browser, "lamp0", "30");
+            browser.set("lamp1", "100");
+            browser.set("lamp0", "30");
             double[] mixed = probe(browser, "radiosity");
             for (int c = 0; c < 3; c++) {
                 assertEquals(both[c], reflectance[c] * irradiance[c], 2e-3 * both[c]);
                 assertEquals(both[c] - 0.7 * ceiling[c], mixed[c], 2e-3 * both[c]);
             }
-            set(browser, "colour0", "#ff0000");
+            browser.set("colour0", "#ff0000");
             assertTrue(probe(browser, "radiosity")[0] / mixed[0] > 0.999, "as much red as before");
             browser.value("document.getElementById('asRendered').click()");
             browser.tap("Space", " ");
