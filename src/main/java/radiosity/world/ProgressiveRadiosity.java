@@ -181,8 +181,15 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return new EnergyLedger(ofAllLayers(emitted), ofAllLayers(shotFlux), ofAllLayers(values(answer.received)),
-                ofAllLayers(values(answer.absorbed)), ofAllLayers(values(answer.unshot)));
+        EnergyLedger all = byChannel();
+        return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),
+                ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()));
+    }
+
+    /** One value per channel, layer by layer. */
+    private EnergyLedger byChannel() {
+        return new EnergyLedger(emitted.clone(), shotFlux.clone(), values(answer.received), values(answer.absorbed),
+                values(answer.unshot));
     }
 
     private static double[] values(ExactSum[] sums) {
@@ -220,7 +227,7 @@ public final class ProgressiveRadiosity {
         for (ExactSum layer : answer.unshotFlux) {
             unshotFlux += layer.value();
         }
-        return Optional.of(new Audit(world.mesh, world.blocks(), ledger(), answer.elements, threads)
+        return Optional.of(new Audit(world.mesh, world.blocks(), byChannel(), answer.elements, threads)
                 .certificate(unshotFlux));
     }
 
