@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -51,6 +52,7 @@ final class FileChecks {
         }
         refuseLightWave(file);
         tryDirectory(file);
+        tryName(file);
         outputs.add(file);
     }
 
@@ -75,6 +77,18 @@ final class FileChecks {
             Files.delete(Files.createTempFile(directory(file), ".radiosity", ".tmp"));
         } catch (IOException e) {
             throw Failure.file(file, "expected a directory that can be written, got " + reason(e), e);
+        }
+    }
+
+    /** A name may be too long, or have characters that the file system does not take. */
+    private static void tryName(Path file) {
+        if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+            return;
+        }
+        try {
+            Files.delete(Files.createFile(file));
+        } catch (IOException e) {
+            throw Failure.file(file, "expected a name that can be written, got " + reason(e), e);
         }
     }
 

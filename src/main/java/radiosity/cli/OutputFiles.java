@@ -3,6 +3,7 @@ package radiosity.cli;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -59,9 +60,21 @@ final class OutputFiles {
         extras.put("commandLine", arguments);
         extras.put("settings", SavedCalculation.asJson(settings));
         certificate.ifPresent(c -> extras.put("certificate", c));
+        if (options.textures == null) {
+            saveScene(solution, extras, OptionalDouble.empty());
+            return;
+        }
+        try {
+            saveScene(solution, extras, OptionalDouble.of(options.textures));
+        } catch (Failure e) {
+            saveScene(solution, extras, OptionalDouble.empty()); // too large textures do not cost the solution
+            throw e;
+        }
+    }
+
+    private void saveScene(Solution solution, Map<String, Object> extras, OptionalDouble textures) throws IOException {
         write(options.output(), file -> SceneFile.write(file, solution, extras, solution.scene().camera(),
-                options.picture.toneMapping(solution), options.textures == null ? OptionalDouble.empty()
-                        : OptionalDouble.of(options.textures)));
+                options.picture.toneMapping(solution), textures));
     }
 
     /** The picture of {@code -sn}. */
@@ -69,18 +82,19 @@ final class OutputFiles {
         savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"));
     }
 
-    /** Everything that is written once, at the end. */
+    /** Everything that is written once, at the end; what can be, where not all can. */
     void saveRest(Solution solution, Summary summary) throws IOException {
-        for (Path picture : options.picture.pictures) {
-            savePicture(solution, picture);
-        }
+        List<Task> tasks = new ArrayList<>();
+        options.picture.pictures.forEach(picture -> tasks.add(() -> savePicture(solution, picture)));
         if (options.file.points != null) {
-            write(options.file.points.out(), out -> new Points(solution).write(options.file.points.in(), out));
+            tasks.add(() -> write(options.file.points.out(),
+                    out -> new Points(solution).write(options.file.points.in(), out)));
         }
         if (options.file.report != null) {
-            write(options.file.report, file -> new ObjectMapper().writerWithDefaultPrettyPrinter()
-                    .writeValue(file.toFile(), summary.asJson()));
+            tasks.add(() -> write(options.file.report, file -> new ObjectMapper().writerWithDefaultPrettyPrinter()
+                    .writeValue(file.toFile(), summary.asJson())));
         }
+        Task.runAll(tasks);
     }
 
     private void savePicture(Solution solution, Path file) throws IOException {
@@ -89,6 +103,24 @@ final class OutputFiles {
         }
         write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
                 options.picture.toneMapping(solution)));
+    }
+
+    /** One of several things to save. */
+    private interface Task {
+
+        void run() throws IOException;
+
+        /** Runs all of them, then throws what the first that failed threw. */
+        static void runAll(List<Task> tasks) throws IOException {
+            for (int i = 0; i < tasks.size(); i++) {
+                try {
+                    tasks.get(i).run();
+                } catch (Failure | IOException e) {
+                    runAll(tasks.subList(i + 1, tasks.size()));
+                    throw e;
+                }
+            }
+        }
     }
 
     /** What writes one file. */

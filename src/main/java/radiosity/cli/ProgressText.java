@@ -47,6 +47,11 @@ final class ProgressText {
         return done > 0 && done < 1 ? ", " + time(elapsed * (1 - done) / done) + " left" : "";
     }
 
+    /** So many of a thing. */
+    static String count(int number, String thing) {
+        return String.format(Locale.ROOT, "%,d %s%s", number, thing, number == 1 ? "" : "s");
+    }
+
     /** Two digits that count. */
     static String perCent(double part) {
         double value = 100 * part;

@@ -123,6 +123,9 @@ public final class RadiosityRenderer {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
         checks.layers(settings.layers());
+        if (options.textures != null) {
+            checks.textures(options.textures);
+        }
         checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
     }
 
@@ -163,8 +166,8 @@ public final class RadiosityRenderer {
                 : radiosity.certificate(options.calculation.threads);
         files.saveScene(solution, world.settings(), certificate);
         Summary summary = new Summary(radiosity.progress(), solution.ledger(), certificate, world.patchArea(), seconds());
-        files.saveRest(solution, summary);
         summary.print(System.out);
+        files.saveRest(solution, summary);
         if (options.statistics && world instanceof RemoteWorld remote) {
             new StatisticsTable(remote.statistics()).print(System.out);
         }

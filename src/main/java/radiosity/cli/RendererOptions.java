@@ -66,8 +66,9 @@ final class RendererOptions {
             throw Failure.commandLine("--statistics", "expected with -h, got it without");
         }
         picture.check();
-        if (files.size() != 2) {
-            String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
+        if (files.size() != 2 || files.stream().anyMatch(file -> file.toString().isEmpty())) {
+            String got = files.stream().map(file -> file.toString().isEmpty() ? "\"\"" : file.toString())
+                    .collect(Collectors.joining(" "));
             throw Failure.commandLine("files", "expected a LightWave scene and a scene file to write, got "
                     + (got.isEmpty() ? "none" : got));
         }

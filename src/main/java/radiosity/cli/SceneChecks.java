@@ -2,6 +2,7 @@ package radiosity.cli;
 
 import java.util.Locale;
 import java.util.function.Consumer;
+import radiosity.output.SceneFile;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.world.RadiositySettings;
@@ -25,6 +26,26 @@ final class SceneChecks {
     void light() {
         if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
             warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
+        }
+    }
+
+    /**
+     * Fails where the texture of a single triangle would be too large.
+     *
+     * @param samples per scene unit
+     */
+    void textures(double samples) {
+        for (int t = 0; t < scene.triangles(); t++) {
+            double longest = 0;
+            for (int k = 0; k < 3; k++) {
+                longest = Math.max(longest, scene.corner(t, k).minus(scene.corner(t, (k + 1) % 3)).length());
+            }
+            if (longest * samples / Math.sqrt(2) > SceneFile.LARGEST_TEXTURE) {
+                throw Failure.commandLine("-ut", String.format(Locale.ROOT,
+                        "expected at most %.4g samples per unit for %s, whose texture may have %d texels, got %s",
+                        SceneFile.LARGEST_TEXTURE * Math.sqrt(2) / longest, scene.surface(t).name(),
+                        SceneFile.LARGEST_TEXTURE, samples));
+            }
         }
     }
 

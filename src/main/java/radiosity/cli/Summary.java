@@ -36,8 +36,9 @@ final class Summary {
     }
 
     void print(PrintStream out) {
-        out.printf(Locale.ROOT, "%,d elements of patches up to %.4g, %,d shots in %,d rounds, %s unsent, %s%n",
-                progress.elements(), patchArea, progress.shots(), progress.rounds(),
+        out.printf(Locale.ROOT, "%,d elements of patches up to %.4g, %s in %s, %s unsent, %s%n",
+                progress.elements(), patchArea, ProgressText.count(progress.shots(), "shot"),
+                ProgressText.count(progress.rounds(), "round"),
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
         out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + unshot %.6g + not received %.6g%n",
                 sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());

@@ -44,7 +44,11 @@ final class PointList {
         } catch (MalformedInputException e) {
             throw new SceneFormatException(file.toString(), "", "text", "something else");
         }
-        return points.values.build().toArray();
+        double[] values = points.values.build().toArray();
+        if (values.length == 0) {
+            throw new SceneFormatException(file.toString(), "", "points, as x, y, z, nx, ny, nz per line", "none");
+        }
+        return values;
     }
 
     private void add(String text) throws SceneFormatException {

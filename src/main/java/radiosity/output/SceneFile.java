@@ -30,6 +30,8 @@ public final class SceneFile implements Closeable {
 
     /** Written into every file; one with a higher number is refused. */
     public static final int FORMAT_VERSION = 1;
+    /** Texels of a texture along an axis: what OpenGL of any age can show. */
+    public static final int LARGEST_TEXTURE = 8192;
     /** Positions count from the middle of the scene where it lies more than this times its size from the origin. */
     private static final double FAR = 4;
     /** The camera's near plane, of the scene's size. */

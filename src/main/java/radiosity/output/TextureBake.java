@@ -14,9 +14,6 @@ import radiosity.world.Solution;
 /** Calculates one texture for each side of a surface from all of its elements (section 4.6 of the paper). */
 final class TextureBake {
 
-    /** What OpenGL of any age can show. */
-    private static final int LARGEST = 8192;
-
     /** Images are kept at their full size where a part does not take more texels along an axis. */
     private static final int LARGEST_FOR_IMAGES = 2048;
 
@@ -68,8 +65,8 @@ final class TextureBake {
         List<List<Integer>> partElements = List.copyOf(byPart.values());
         List<Chart> charts = partElements.stream().map(this::chart).toList();
         Shelves shelves = new Shelves(charts);
-        if (Math.max(shelves.width, shelves.height) > LARGEST) {
-            throw new IOException("-ut, surface " + surface.name() + ": expected a texture of at most " + LARGEST
+        if (Math.max(shelves.width, shelves.height) > SceneFile.LARGEST_TEXTURE) {
+            throw new IOException("-ut, surface " + surface.name() + ": expected a texture of at most " + SceneFile.LARGEST_TEXTURE
                     + " texels, got " + shelves.width + "x" + shelves.height + "; give fewer samples");
         }
         Texels texels = new Texels(shelves.width, shelves.height);

@@ -28,7 +28,8 @@ public final class WholeFile {
         if (Files.exists(target) && !Files.isRegularFile(target)) {
             throw new IOException(file + ": expected a file that can be replaced, got something else");
         }
-        Path fresh = target.resolveSibling("." + target.getFileName() + "." + ProcessHandle.current().pid() + "."
+        // not after the target, whose name may be as long as names can be
+        Path fresh = target.resolveSibling(".radiosity." + ProcessHandle.current().pid() + "."
                 + Long.toHexString(System.nanoTime()) + ".part");
         try {
             try (FileChannel channel = FileChannel.open(fresh, StandardOpenOption.CREATE_NEW,

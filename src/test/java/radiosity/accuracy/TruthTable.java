@@ -44,7 +44,12 @@ public final class TruthTable {
     public static void main(String[] arguments) throws IOException {
         Locale.setDefault(Locale.ROOT);
         TruthTable table = new TruthTable(Path.of(arguments[0]));
-        table.read(arguments);
+        try {
+            table.read(arguments);
+        } catch (IllegalArgumentException e) {
+            System.err.println("accuracy: expected options as in --help, got " + e.getMessage());
+            System.exit(2);
+        }
         table.print();
     }
 
@@ -53,6 +58,9 @@ public final class TruthTable {
             if (arguments[i].equals("--certificate")) {
                 certify = true;
             } else if (arguments[i].startsWith("--")) {
+                if (i + 1 == arguments.length) {
+                    throw new IllegalArgumentException(arguments[i] + " without a value");
+                }
                 option(arguments[i], arguments[++i]);
             } else {
                 scenes.add(arguments[i]);
@@ -79,7 +87,7 @@ public final class TruthTable {
             case "--unsent" -> unsent = number;
             case "--threads" -> threads = (int) number;
             case "--repeat" -> repeat = (int) number;
-            default -> throw new IllegalArgumentException("accuracy: expected a known option, got " + name);
+            default -> throw new IllegalArgumentException(name);
         }
     }
 

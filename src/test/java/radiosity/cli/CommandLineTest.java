@@ -117,6 +117,16 @@ class CommandLineTest {
     }
 
     @Test
+    void emptyName_isNoFile() {
+        RendererOptions options = new RendererOptions();
+        Failure failure = assertThrows(Failure.class, () -> {
+            new CommandLineParser(options).parse("", "b");
+            options.check();
+        });
+        assertEquals("files: expected a LightWave scene and a scene file to write, got \"\" b", failure.getMessage());
+    }
+
+    @Test
     void emptyValue_isNothing() {
         RendererOptions options = new RendererOptions();
         Failure failure = assertThrows(Failure.class, () -> new CommandLineParser(options).parse("-pa", "", "a", "b"));

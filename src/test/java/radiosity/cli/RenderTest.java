@@ -150,6 +150,25 @@ class RenderTest {
         assertFalse(Files.exists(directory.resolve("box.scene-35.jpg")));
     }
 
+    /** One triangle's texture has room, those of the whole surface do not: that is found out at the end. */
+    @Test
+    void texturesThatAreTooLarge_doNotCostTheSolution() throws IOException {
+        Run run = render("-q", "-it", 10, "-ut", 10);
+        assertEquals(ExitCode.FILE, run.exitCode(), run.err());
+        assertTrue(run.err().contains("expected a texture of at most 8192 texels"), run.err());
+        assertEquals(10, SavedCalculation.read(output).shots());
+    }
+
+    @Test
+    void longestName_isWrittenAndALongerOneRefusedBeforeAnyWork() throws IOException {
+        Path longest = directory.resolve("a".repeat(251) + ".png");
+        succeeds(render("-q", "-it", 10, "--size", "40x30", "--picture", longest));
+        assertTrue(Files.size(longest) > 0);
+        Run longer = render("--picture", directory.resolve("a".repeat(252) + ".png"));
+        assertEquals(ExitCode.FILE, longer.exitCode());
+        assertEquals(1, longer.err().lines().count(), longer.err());
+    }
+
     @Test
     void pictures_areWrittenInEveryFormat() throws IOException {
         succeeds(render("-q", "-it", 10, "--size", "40x30", "--picture", directory.resolve("a.png"), "--picture",

@@ -119,6 +119,13 @@ class PointsTest {
     }
 
     @Test
+    void fileWithoutPoints_isRefused() throws IOException {
+        SceneFormatException wrong = assertThrows(SceneFormatException.class, () -> run("# A heading", "", "Some text."));
+        assertTrue(wrong.getMessage().endsWith(": expected points, as x, y, z, nx, ny, nz per line, got none"),
+                wrong.getMessage());
+    }
+
+    @Test
     void headerWithNames_choosesTheColumns() throws IOException {
         run("\ufeff# a comment", "", "idx,NX,ny,nz,\"x\",y,z,w", "7, 0,1,0, 0.25,0,0.5, 9");
         assertEquals(linear(new Vec3(.25, 0, .5)).r(), row(1)[6], 1e-12);
