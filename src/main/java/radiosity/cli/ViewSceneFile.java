@@ -6,6 +6,7 @@ import java.io.PrintStream;
 import java.net.BindException;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.LitScene;
+import radiosity.output.SurfaceMaps;
 import radiosity.viewer.DisplayException;
 import radiosity.viewer.Walkthrough;
 import radiosity.viewer.WebPage;
@@ -75,8 +76,8 @@ public final class ViewSceneFile {
     }
 
     private LitScene scene() throws IOException {
-        return options.window.lightWave ? LitScene.unlit(
-                LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print))
+        return options.window.lightWave ? LitScene.unlit(SurfaceMaps.read(
+                LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print), options.scene.srgb, warnings::accept))
                 : LitScene.read(options.file());
     }
 }

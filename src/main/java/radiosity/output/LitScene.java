@@ -81,13 +81,14 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     }
 
     /**
-     * A scene before any light is calculated: surfaces in the colour of their reflectance, lamps white. So that edges
+     * A scene before any light is calculated: surfaces in the colour of their reflectance (the mean
+     * of their images on each triangle), lamps white. So that edges
      * can be seen, what faces up and to the right is shown brighter. Meant for an exposure of 1, without a curve.
      */
     public static LitScene unlit(Scene scene) {
         List<Surface> surfaces = scene.surfaces().stream().map(LitScene::unlit).toList();
         Scene painted = new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(), surfaces,
-                List.of(), scene.camera());
+                List.of(), scene.camera(), scene.textureCoordinates());
         Solution solution = shaded(painted);
         Box box = Box.of(solution.positions());
         return new LitScene(Mesh.of(solution, box.centre()), box.centre(), Viewpoint.of(solution),
@@ -96,7 +97,8 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
 
     private static Surface unlit(Surface surface) {
         Rgb exitance = surface.emits() ? Rgb.grey(1) : Rgb.BLACK;
-        return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided());
+        return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided(), surface.textures(),
+                new Surface.Maps(Optional.empty(), surface.maps().reflectance()));
     }
 
     /** Each side of each triangle is an element with vertices of its own. */

@@ -2,11 +2,7 @@ package radiosity.patch;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.Function;
 import radiosity.scene.Lamp;
-import radiosity.scene.Raster;
-import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -24,18 +20,15 @@ public final class Faces {
     /** Importance of irradiance on a black face. */
     public static final double LEAST_IMPORTANCE = 0.05;
 
+    /** What normals of faces in one plane differ by at most. */
+    private static final float SAME_PLANE = 1e-5f;
+
     private final Scene scene;
     /** Middle of the scene's box, scene units. */
     private final Vec3 centre;
     /** Largest extent of the scene's box, scene units: the unit of every length here. */
     private final double size;
-    /** 1 where everything in the scene is grey, else 3. */
-    private final int colours;
-    /** What has a layer of its own; empty where all light is kept as one. */
-    private final List<Lamp> lamps;
-    /** What normals of faces in one plane differ by at most. */
-    private static final float SAME_PLANE = 1e-5f;
-
+    private final Channels kinds;
     private final int channels;
     private int count;
     private int dropped;
@@ -55,9 +48,8 @@ public final class Faces {
     final byte[] border;
     private final double[] exitance;
     private final double[] reflectance;
-    /** 1 per face: its picture of exitance and of reflectance, or null; null where no face has any. */
-    private final FaceMap[] exitanceMap;
-    private final FaceMap[] reflectanceMap;
+    private final FaceMaps exitanceMaps;
+    private final FaceMaps reflectanceMaps;
 
     /** All light of a scene as one. */
     public Faces(Scene scene) {
@@ -67,13 +59,12 @@ public final class Faces {
     /** @param layered whether the light of each lamp is kept apart: in channels of its own */
     public Faces(Scene scene, boolean layered) {
         this.scene = scene;
-        lamps = layered ? scene.lamps() : List.of();
         double[] box = box(scene);
         centre = new Vec3((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
         double extent = Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
         size = extent > 0 ? extent : 1;
-        colours = isGrey(scene) ? 1 : 3;
-        channels = colours * layers();
+        kinds = new Channels(scene, layered);
+        channels = kinds.colours * kinds.layers();
         int most = mostFaces(scene);
         side = new int[most];
         corner = new float[9 * most];
@@ -89,53 +80,17 @@ public final class Faces {
         new Parts(this).join();
         exitance = new double[channels * count];
         reflectance = new double[channels * count];
-        exitanceMap = maps(Surface.Maps::exitance);
-        reflectanceMap = maps(Surface.Maps::reflectance);
+        exitanceMaps = new FaceMaps(this, Surface.Maps::exitance);
+        reflectanceMaps = new FaceMaps(this, Surface.Maps::reflectance);
         for (int f = 0; f < count; f++) {
             int s = scene.surfaceOf()[triangle(f)];
             Surface surface = scene.surfaces().get(s);
             for (int c = 0; c < channels; c++) {
-                exitance[channels * f + c] = isOf(true, s, c) 
-                        ? mean(exitanceMap, f, c % colours, surface.exitance()) : 0;
-                reflectance[channels * f + c] = mean(reflectanceMap, f, c % colours, surface.reflectance());
+                exitance[channels * f + c] = kinds.isOf(true, s, c)
+                        ? exitanceMaps.mean(f, c % kinds.colours, surface.exitance()) : 0;
+                reflectance[channels * f + c] = reflectanceMaps.mean(f, c % kinds.colours, surface.reflectance());
             }
         }
-    }
-
-    private static double mean(FaceMap[] maps, int face, int colour, Rgb everywhere) {
-        return maps == null || maps[face] == null ? everywhere.channel(colour) : maps[face].at(Path.FACE, colour);
-    }
-
-    private FaceMap[] maps(Function<Surface.Maps, Optional<Raster>> kind) {
-        if (scene.surfaces().stream().allMatch(surface -> kind.apply(surface.maps()).isEmpty())) {
-            return null;
-        }
-        FaceMap[] maps = new FaceMap[count];
-        for (int f = 0; f < count; f++) {
-            Optional<Raster> raster = kind.apply(scene.surface(triangle(f)).maps());
-            if (raster.isPresent() && scene.isMapped(triangle(f))) {
-                maps[f] = new FaceMap(raster.get(), textureCoordinates(f, 0), textureCoordinates(f, 1));
-            }
-        }
-        return maps;
-    }
-
-    /** u (0) or v (1) of a face's corners. */
-    private double[] textureCoordinates(int face, int which) {
-        double[] of = new double[3];
-        for (int k = 0; k < 3; k++) {
-            of[k] = scene.textureCoordinates()[6 * triangle(face) + 2 * originalCorner(face, k) + which];
-        }
-        return of;
-    }
-
-    /** Whether the light of this surface, or of this light, is in a channel. */
-    private boolean isOf(boolean surface, int index, int channel) {
-        if (lamps.isEmpty()) {
-            return true;
-        }
-        Lamp lamp = lamps.get(channel / colours);
-        return lamp.surface() == surface && lamp.index() == index;
     }
 
     private static double[] box(Scene scene) {
@@ -150,12 +105,6 @@ public final class Faces {
             }
         }
         return scene.triangles() == 0 ? new double[6] : box;
-    }
-
-    private static boolean isGrey(Scene scene) {
-        return scene.surfaces().stream().allMatch(s -> s.exitance().isGrey() && s.reflectance().isGrey()
-                && s.maps().isEmpty())
-                && scene.lights().stream().allMatch(l -> l.power().isGrey());
     }
 
     private static int mostFaces(Scene scene) {
@@ -236,22 +185,22 @@ public final class Faces {
 
     /** 1 where everything in the scene is grey, else 3. */
     public int colours() {
-        return colours;
+        return kinds.colours;
     }
 
     /** As many as there are lamps where their light is kept apart, else 1. */
     public int layers() {
-        return Math.max(1, lamps.size());
+        return kinds.layers();
     }
 
     /** What has a layer of its own; empty where all light is kept as one. */
     public List<Lamp> lamps() {
-        return lamps;
+        return kinds.lamps;
     }
 
     /** What a light's {@link radiosity.scene.Light#power()} is in a channel. */
     public double power(int light, int channel) {
-        return isOf(false, light, channel) ? scene.lights().get(light).power().channel(channel % colours) : 0;
+        return kinds.isOf(false, light, channel) ? scene.lights().get(light).power().channel(channel % kinds.colours) : 0;
     }
 
     /** 3 per original triangle: normal of its visible side, 0 where both are visible. */
@@ -318,7 +267,7 @@ public final class Faces {
     }
 
     /** Which corner of its original triangle corner k of a face is. */
-    private int originalCorner(int face, int k) {
+    int originalCorner(int face, int k) {
         return side[face] % 2 == 0 || k == 0 ? k : 3 - k;
     }
 
@@ -335,14 +284,12 @@ public final class Faces {
     /** E in W/m², in the mean over a node. */
     public double exitance(int face, long path, int channel) {
         double whole = exitance[channels * face + channel];
-        return exitanceMap == null || exitanceMap[face] == null || whole == 0 ? whole
-                : exitanceMap[face].at(path, channel % colours);
+        return whole == 0 ? 0 : exitanceMaps.at(face, path, channel % kinds.colours, whole);
     }
 
     /** rho in [0, 1), in the mean over a node. */
     public double reflectance(int face, long path, int channel) {
-        return reflectanceMap == null || reflectanceMap[face] == null ? reflectance[channels * face + channel]
-                : reflectanceMap[face].at(path, channel % colours);
+        return reflectanceMaps.at(face, path, channel % kinds.colours, reflectance[channels * face + channel]);
     }
 
     /** How much irradiance on a face matters: its reflectance; a little where it is black, for it is a result too. */

@@ -100,6 +100,13 @@ class SurfaceMapsTest {
     }
 
     @Test
+    void unlitScene_hasTheMeanOfTheImageOnEachTriangle() throws IOException {
+        Mesh mesh = LitScene.unlit(square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.REFLECTANCE, .8, 1))).meshes().get(0);
+        assertEquals(3, mesh.reflectance(0, 0).b() / mesh.reflectance(0, 0).r(), .3, "the lower triangle is mostly blue");
+        assertEquals(3, mesh.reflectance(1, 0).r() / mesh.reflectance(1, 0).b(), .3, "the upper one red");
+    }
+
+    @Test
     void grey_isWhatTheFileSays() throws IOException {
         BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
         image.getRaster().setSample(0, 0, 0, 51);
