@@ -81,7 +81,10 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
 
     /** What there is to see of an element in the mean. */
     public Look look(int element) {
-        return scene.meanLook(faceOf[element] >> 1, corner(element, 0), corner(element, 1), corner(element, 2));
+        int triangle = faceOf[element] >> 1;
+        return scene.isMapped(triangle)
+                ? scene.meanLook(triangle, corner(element, 0), corner(element, 1), corner(element, 2))
+                : new Look(surface(element).exitance(), surface(element).reflectance());
     }
 
     private Vec3 corner(int element, int k) {
