@@ -2,5 +2,5 @@
 rem Renders a LightWave scene (appendix C.1 of the paper): scripts\RadiosityRenderer --help
 setlocal
 set "MAIN=radiosity.cli.RadiosityRenderer"
-call "%~dp0start.cmd" %*
-exit /b %ERRORLEVEL%
+rem without call, which would take per cent signs among the arguments for names; start.cmd ends the program
+"%~dp0start.cmd" %*

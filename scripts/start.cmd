@@ -1,5 +1,5 @@
 @echo off
-rem Called by the programs beside it with MAIN set to a class. The jar is built where it is missing or older than the
+rem The programs beside it go on here with MAIN set to a class. The jar is built where it is missing or older than the
 rem sources; a host without Maven needs only the program, this file and radiosity.jar in one directory.
 set "JAR=%~dp0radiosity.jar"
 if exist "%JAR%" goto run
@@ -15,5 +15,5 @@ if errorlevel 1 exit /b 1
 :run
 set "JAVA=java"
 if defined JAVA_HOME set "JAVA=%JAVA_HOME%\bin\java"
-"%JAVA%" -XX:+UseParallelGC -XX:MaxRAMPercentage=75 %FLAGS% %JAVA_OPTS% -cp "%JAR%" %MAIN% %*
+"%JAVA%" -XX:+UseParallelGC -XX:MaxRAMPercentage=75 %JAVA_OPTS% -cp "%JAR%" %MAIN% %*
 exit /b %ERRORLEVEL%

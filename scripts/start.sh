@@ -1,5 +1,5 @@
 # Sourced by the programs beside it, which set here to this directory: start <main class> <arguments> ends in java,
-# which takes the process over. What a program wants to give to java besides stands in flags.
+# which takes the process over.
 #
 # The jar is built where it is missing or older than the sources. A host without Maven needs only the program's script,
 # this file and radiosity.jar in one directory. JAVA_OPTS goes to java, say JAVA_OPTS=-Xmx8g; without it three quarters
@@ -43,7 +43,7 @@ start() {
         classes=$project/target/radiosity.jsa
         if is_stale; then build; fi
     fi
-    # flags and JAVA_OPTS are split into words on purpose
+    # JAVA_OPTS is split into words on purpose
     exec "$java" -XX:SharedArchiveFile="${jar%.jar}.jsa" -Xlog:cds=off -Xlog:cds+dynamic=off -XX:+UseParallelGC \
-        -XX:MaxRAMPercentage=75 $flags $JAVA_OPTS -cp "$jar" "$@"
+        -XX:MaxRAMPercentage=75 $JAVA_OPTS -cp "$jar" "$@"
 }

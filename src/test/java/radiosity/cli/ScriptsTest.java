@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
@@ -49,6 +50,15 @@ class ScriptsTest {
         Path tool = Files.createDirectories(directory.resolve(folder)).resolve(name);
         Files.writeString(tool, "#!/bin/sh\n" + does + "\n");
         assertTrue(tool.toFile().setExecutable(true));
+    }
+
+    /** A call would read per cent signs among the arguments again: "-pa 1%" would become "-pa 1". */
+    @Test
+    void windowsTwins_passArgumentsOnWithoutACall() throws IOException {
+        for (String name : new String[] {"RadiosityRenderer", "PartitionServer", "ViewSceneFile"}) {
+            List<String> lines = Files.readAllLines(Path.of("scripts", name + ".cmd"));
+            assertEquals("\"%~dp0start.cmd\" %*", lines.get(lines.size() - 1), name);
+        }
     }
 
     private String run(Path script, String... arguments) throws Exception {
