@@ -82,7 +82,7 @@ final class Balance {
 
     /** Whether moving blocks may pay before this order: for what was waited so far, or for what lies ahead. */
     boolean isDue(Order order, List<Host> hosts) {
-        if (order.number() != looked && order.gathers()) {
+        if (order.number() != looked && order.gathers() && forecast.isMeasured()) {
             looked = order.number();
             int shooters = order.more() ? Math.max(order.shots().size(), forecast.blocks()) : order.shots().size();
             return waiting.isDue(shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER));

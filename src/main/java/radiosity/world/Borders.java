@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.DoubleStream;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
@@ -17,8 +18,9 @@ final class Borders {
 
     static final int DIRECTIONS = 6;
 
-    /** Per block: points that it has in common with which other block. */
-    private final List<Map<Integer, Integer>> shared = new ArrayList<>();
+    /** Per block: blocks beside it, and how many points it has in common with each. */
+    private final int[][] beside;
+    private final int[][] shared;
     /** 1 per block: receiving points, by Euler's formula for a disc. */
     private final double[] points;
     /** Per block: how much of its area looks in which of {@value #DIRECTIONS} directions. */
@@ -29,14 +31,18 @@ final class Borders {
         facing = new double[points.length][DIRECTIONS];
         RadiosityNodes nodes = new RadiosityNodes(mesh.coarse, mesh.blocks);
         Map<Long, Integer> edges = new HashMap<>();
+        List<Map<Integer, Integer>> common = new ArrayList<>();
         for (Block block : mesh.blocks) {
-            shared.add(new HashMap<>());
+            common.add(new TreeMap<>());
             points[block.id()]++;
+            double area = IntStream.of(nodes.tops(block)).mapToDouble(nodes::area).sum();
             for (int top : nodes.tops(block)) {
-                facing[block.id()][direction(mesh.faces, nodes.face(top))] += nodes.area(top);
-                add(mesh, nodes, block.id(), top, edges);
+                facing[block.id()][direction(mesh.faces, nodes.face(top))] += nodes.area(top) / area;
+                add(mesh, nodes, block.id(), top, edges, common);
             }
         }
+        beside = common.stream().map(c -> c.keySet().stream().mapToInt(Integer::intValue).toArray()).toArray(int[][]::new);
+        shared = common.stream().map(c -> c.values().stream().mapToInt(Integer::intValue).toArray()).toArray(int[][]::new);
     }
 
     /** Of the six sides of a cube that one of which the normal points most. */
@@ -48,10 +54,11 @@ final class Borders {
         return faces.normal(face, axis) < 0 ? axis : 3 + axis;
     }
 
-    private void add(InitialMesh mesh, RadiosityNodes nodes, int block, int node, Map<Long, Integer> edges) {
+    private void add(InitialMesh mesh, RadiosityNodes nodes, int block, int node, Map<Long, Integer> edges,
+                     List<Map<Integer, Integer>> common) {
         if (!nodes.isElement(node)) {
             for (int k = 0; k < 4; k++) {
-                add(mesh, nodes, block, nodes.child(node) + k, edges);
+                add(mesh, nodes, block, nodes.child(node) + k, edges, common);
             }
             return;
         }
@@ -61,16 +68,16 @@ final class Borders {
             long p = nodes.corner(node, k);
             long q = nodes.corner(node, (k + 1) % 3);
             Integer other = edges.putIfAbsent(Math.min(p, q) << Integer.SIZE | Math.max(p, q), block);
-            border(block, other == null ? -1 : other, 1 << depth);
+            border(block, other == null ? -1 : other, 1 << depth, common);
         }
     }
 
     /** @param other on the other side of an edge, or -1 where none is known yet */
-    private void border(int block, int other, int length) {
+    private void border(int block, int other, int length, List<Map<Integer, Integer>> common) {
         points[block] += other == block ? -0.5 * length : 0.5 * length;
         if (other >= 0 && other != block) {
-            shared.get(block).merge(other, length, Integer::sum);
-            shared.get(other).merge(block, length, Integer::sum);
+            common.get(block).merge(other, length, Integer::sum);
+            common.get(other).merge(block, length, Integer::sum);
         }
     }
 
@@ -85,17 +92,16 @@ final class Borders {
 
     /** Shares of a block that look in each direction; 1 together. */
     double[] facing(int block) {
-        double area = DoubleStream.of(facing[block]).sum();
-        return DoubleStream.of(facing[block]).map(part -> part / area).toArray();
+        return facing[block];
     }
 
-    /** Blocks beside this one. */
+    /** Blocks beside this one; not to be modified. */
     int[] beside(int block) {
-        return shared.get(block).keySet().stream().mapToInt(Integer::intValue).sorted().toArray();
+        return beside[block];
     }
 
-    /** Points that two blocks have in common in the initial mesh. */
-    int shared(int block, int beside) {
-        return shared.get(block).get(beside);
+    /** Points in common with each of them in the initial mesh; not to be modified. */
+    int[] shared(int block) {
+        return shared[block];
     }
 }

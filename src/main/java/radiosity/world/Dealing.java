@@ -16,10 +16,12 @@ final class Dealing {
     /** 1 per block; null where the owner is lost. */
     private final Host[] owner;
     private final Forecast forecast;
+    private final Borders borders;
 
-    Dealing(Forecast forecast, int blocks) {
+    Dealing(Forecast forecast, Borders borders) {
         this.forecast = forecast;
-        owner = new Host[blocks];
+        this.borders = borders;
+        owner = new Host[borders.blocks()];
     }
 
     /** A block that shall go from one host to another. */
@@ -64,7 +66,7 @@ final class Dealing {
     private Shares shares(List<Host> hosts, boolean gather) {
         double[] speed = hosts.stream().mapToDouble(host -> host.speed).toArray();
         int[] number = Arrays.stream(owner).mapToInt(hosts::indexOf).toArray();
-        return new Shares(forecast.next(gather), speed, number);
+        return new Shares(forecast.next(gather), borders, speed, number);
     }
 
     /**

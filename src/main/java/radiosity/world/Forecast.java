@@ -2,7 +2,6 @@ package radiosity.world;
 
 import java.util.List;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 
 /** How long each block will take in the next round, on a host of speed 1: from what it took in the last ones. */
 final class Forecast {
@@ -56,11 +55,9 @@ final class Forecast {
      * What lies ahead for each shooter.
      *
      * @param seconds 1 per block: time on a host of speed 1; only relative where nothing was measured yet
-     * @param facing  per block: shares of it that look in each direction
-     * @param beside  per block: its neighbours
-     * @param saved   per neighbour: by how much both take less where they have one owner, s
+     * @param saved   per block and neighbour: by how much both take less where they have one owner, s
      */
-    record Work(double[] seconds, double[][] facing, int[][] beside, double[][] saved) { }
+    record Work(double[] seconds, double[][] saved) { }
 
     /** @param gather whether only those points gather that the last split made */
     Work next(boolean gather) {
@@ -70,21 +67,25 @@ final class Forecast {
         for (int b = 0; b < seconds.length; b++) {
             seconds[b] = (pairs[b] > 0 ? time[b] / pairs[b] : mean) * (gather ? fresh[b] : points[b]);
         }
-        double[][] facing = new double[seconds.length][];
-        int[][] beside = new int[seconds.length][];
         double[][] saved = new double[seconds.length][];
         for (int b = 0; b < seconds.length; b++) {
-            int block = b;
-            facing[b] = borders.facing(b);
-            beside[b] = borders.beside(b);
-            saved[b] = IntStream.of(beside[b]).mapToDouble(c -> saved(block, c, seconds)).toArray();
+            int[] beside = borders.beside(b);
+            saved[b] = new double[beside.length];
+            for (int i = 0; i < beside.length; i++) {
+                saved[b][i] = borders.shared(b)[i] * saved(b, beside[i], seconds);
+            }
         }
-        return new Work(seconds, facing, beside, saved);
+        return new Work(seconds, saved);
     }
 
-    /** A mesh that was divided has more points on a border. */
+    /** Per point that two blocks have in common in the initial mesh; a mesh that was divided has more on a border. */
     private double saved(int b, int c, double[] seconds) {
         double finer = Math.max(1, Math.min(points[b] / borders.points(b), points[c] / borders.points(c)));
-        return borders.shared(b, c) * Math.sqrt(finer) * (seconds[b] / points[b] + seconds[c] / points[c]) / 2;
+        return Math.sqrt(finer) * (seconds[b] / points[b] + seconds[c] / points[c]) / 2;
+    }
+
+    /** Whether times were measured, and are not only relative. */
+    boolean isMeasured() {
+        return DoubleStream.of(pairs).sum() > 0;
     }
 }

@@ -68,8 +68,9 @@ public final class RemoteWorld extends World {
         this.threads = threads;
         task = SceneBytes.write(scene, settings);
         finder = new HostFinder(task, mesh.fingerprint(), notices);
-        Forecast forecast = new Forecast(new Borders(mesh));
-        dealing = new Dealing(forecast, mesh.blocks.size());
+        Borders borders = new Borders(mesh);
+        Forecast forecast = new Forecast(borders);
+        dealing = new Dealing(forecast, borders);
         balance = new Balance(forecast, dealing);
         hosts.addAll(finder.open(links));
         if (hosts.isEmpty()) {

@@ -20,6 +20,7 @@ final class Shares {
     private static final double SPREAD = 0.5;
 
     private final Forecast.Work work;
+    private final Borders borders;
     /** 1 per host. */
     private final double[] speed;
     /** Per host and direction: until it is done, s. */
@@ -31,7 +32,8 @@ final class Shares {
     private final double[] meanFacing = new double[Borders.DIRECTIONS];
 
     /** @param owner 1 per block: number of a host, or -1; not modified */
-    Shares(Forecast.Work work, double[] speed, int[] owner) {
+    Shares(Forecast.Work work, Borders borders, double[] speed, int[] owner) {
+        this.borders = borders;
         this.work = work;
         this.speed = speed;
         time = new double[speed.length][Borders.DIRECTIONS];
@@ -40,7 +42,7 @@ final class Shares {
         double all = DoubleStream.of(speed).sum();
         for (int b = 0; b < owner.length; b++) {
             for (int d = 0; d < meanFacing.length; d++) {
-                meanFacing[d] += work.facing()[b][d] * work.seconds()[b] / all;
+                meanFacing[d] += borders.facing(b)[d] * work.seconds()[b] / all;
             }
             if (owner[b] >= 0) {
                 give(b, owner[b]);
@@ -77,7 +79,7 @@ final class Shares {
     /** A block's time on a host that has not got it, beside what the host has, s. */
     private double added(int block, int host) {
         double seconds = work.seconds()[block];
-        int[] beside = work.beside()[block];
+        int[] beside = borders.beside(block);
         for (int i = 0; i < beside.length; i++) {
             seconds -= owner[beside[i]] == host ? work.saved()[block][i] : 0;
         }
@@ -97,7 +99,7 @@ final class Shares {
 
     private void add(int block, int host, double seconds) {
         for (int d = 0; d < meanFacing.length; d++) {
-            time[host][d] += work.facing()[block][d] * seconds;
+            time[host][d] += borders.facing(block)[d] * seconds;
         }
     }
 

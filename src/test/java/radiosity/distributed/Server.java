@@ -9,11 +9,17 @@ import java.util.List;
 /** PartitionServer as a process of its own, which can be killed and stopped. */
 final class Server implements AutoCloseable {
 
-    private final int port = Small.freePort();
+    private final int port;
     private final Process process;
 
     Server() throws IOException {
-        process = start("radiosity.cli.PartitionServer", "-port", "" + port, "-t", "1");
+        this(List.of(), Small.freePort());
+    }
+
+    /** @param before what stands before the command */
+    Server(List<String> before, int port) throws IOException {
+        this.port = port;
+        process = start(before, "radiosity.cli.PartitionServer", "-port", "" + port, "-t", "1");
         BufferedReader out = process.inputReader();
         String line = out.readLine();
         if (line == null || !line.contains("listening on port " + port)) {
@@ -22,7 +28,11 @@ final class Server implements AutoCloseable {
     }
 
     static Process start(String program, String... arguments) throws IOException {
-        List<String> command = new ArrayList<>();
+        return start(List.of(), program, arguments);
+    }
+
+    private static Process start(List<String> before, String program, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(before);
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.add("-Xmx512m");
         command.add("-cp");

@@ -24,7 +24,7 @@ final class LogicalClock {
     /** A gigabit per second, through the master's one port. */
     private static final double BYTES_PER_SECOND = 117e6;
 
-    private final Map<Integer, Double> phase = new HashMap<>();
+    private final Map<String, Double> phase = new HashMap<>();
     private String phaseName = "";
     private long phaseBytes;
     private double slowest;
@@ -35,18 +35,22 @@ final class LogicalClock {
     /** So many hosts on this clock. */
     List<Link> links(int hosts) {
         List<Link> links = TestLink.sound(hosts, 1);
-        for (int h = 0; h < hosts; h++) {
-            TestLink link = (TestLink) links.get(h);
-            int number = h;
-            RemotePartition behind = link.behind;
-            InvocationHandler handler = (proxy, method, arguments) -> call(number, behind, method, arguments);
-            link.behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
-                    new Class<?>[] {RemotePartition.class}, handler);
+        for (Link link : links) {
+            put((TestLink) link, 1);
         }
         return links;
     }
 
-    private Object call(int host, RemotePartition behind, Method method, Object[] arguments) throws Throwable {
+    /** @param times how many times as slow the host is as this machine */
+    TestLink put(TestLink link, double times) {
+        RemotePartition behind = link.behind;
+        InvocationHandler handler = (proxy, method, arguments) -> call(link.name(), times, behind, method, arguments);
+        link.behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
+                new Class<?>[] {RemotePartition.class}, handler);
+        return link;
+    }
+
+    private Object call(String host, double times, RemotePartition behind, Method method, Object[] arguments) throws Throwable {
         if (method.getName().equals("ping")) {
             return method.invoke(behind, arguments);
         }
@@ -58,9 +62,9 @@ final class LogicalClock {
             } catch (InvocationTargetException e) {
                 throw e.getCause();
             }
-            double seconds = (BlockCosts.now() - begin) * 1e-9;
+            double seconds = times * (BlockCosts.now() - begin) * 1e-9;
             count(host, name(method, arguments), seconds, bytes(arguments) + bytes(new Object[] {result}));
-            return method.getName().equals("round") ? onIdleMachine((byte[]) result) : result;
+            return method.getName().equals("round") ? onIdleMachine((byte[]) result, times) : result;
         }
     }
 
@@ -81,7 +85,7 @@ final class LogicalClock {
         return bytes;
     }
 
-    private void count(int host, String name, double seconds, long bytes) {
+    private void count(String host, String name, double seconds, long bytes) {
         if (!name.equals(phaseName)) {
             end();
             phaseName = name;
@@ -104,9 +108,9 @@ final class LogicalClock {
     }
 
     /** Wall time as it would be if nobody else were at work there. */
-    private static byte[] onIdleMachine(byte[] bytes) throws IOException {
+    private static byte[] onIdleMachine(byte[] bytes, double times) throws IOException {
         Reply reply = Reply.decode(bytes);
-        return new Reply(reply.answer(), reply.cpu(), reply.cpu(), reply.work()).encode();
+        return new Reply(reply.answer(), reply.cpu(), times * reply.cpu(), reply.work()).encode();
     }
 
     /** Begins to count. */

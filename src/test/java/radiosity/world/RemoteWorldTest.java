@@ -143,4 +143,16 @@ class RemoteWorldTest {
         dead.behind = null;
         assertThrows(NoWorkerException.class, () -> world(Schedule.PAPER, List.of()));
     }
+
+    @Test
+    void otherVersion_isRefused_withOneLine() {
+        TestLink other = new TestLink("igge", 1, r -> false);
+        byte[] greeting = new Greeting("0.9", "another", 1, 1, "").encode();
+        RemotePartition real = other.behind;
+        other.behind = (RemotePartition) java.lang.reflect.Proxy.newProxyInstance(Link.class.getClassLoader(),
+                new Class<?>[] {RemotePartition.class},
+                (proxy, method, arguments) -> method.getName().equals("greet") ? greeting : method.invoke(real, arguments));
+        assertThrows(NoWorkerException.class, () -> world(Schedule.PAPER, List.of(other)));
+        assertEquals(List.of("host igge runs 0.9, this is " + Build.version() + ": copy the jar there"), notices);
+    }
 }

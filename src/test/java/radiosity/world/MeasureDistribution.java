@@ -1,0 +1,202 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import radiosity.lightwave.LightWaveOptions;
+import radiosity.lightwave.LightWaveReader;
+import radiosity.scene.Scene;
+
+/** What distribution costs, as scripts/measure-distribution prints it. */
+public final class MeasureDistribution {
+
+    private static final String SERVER = "radiosity.cli.PartitionServer";
+    private static final int REPETITIONS = 3;
+
+    private final Scene scene;
+
+    private MeasureDistribution(Scene scene) {
+        this.scene = scene;
+    }
+
+    /** @param arguments what to measure, and a scene */
+    public static void main(String[] arguments) throws IOException {
+        MeasureDistribution measure = new MeasureDistribution(LightWaveReader.read(Path.of(arguments[1]),
+                LightWaveOptions.defaults(), line -> { }));
+        switch (arguments[0]) {
+            case "lost" -> measure.lost();
+            case "slow" -> measure.slow();
+            case "ideal" -> measure.ideal();
+            case "real" -> measure.real();
+            case "start" -> measure.start();
+            default -> throw new IllegalArgumentException("expected lost, slow, ideal, real or start, got " + arguments[0]);
+        }
+        System.exit(0);
+    }
+
+    private static RadiositySettings paper(double patchArea, int rays) {
+        return new RadiositySettings(patchArea, rays, Double.POSITIVE_INFINITY, Schedule.PAPER);
+    }
+
+    private static double solve(World world, StopRule stop, int hosts) throws IOException {
+        long begin = BlockCosts.now();
+        new ProgressiveRadiosity(world, stop, hosts * Pace.STEP_SECONDS).run(progress -> true);
+        return (BlockCosts.now() - begin) * 1e-9;
+    }
+
+    private static void print(String format, Object... values) {
+        System.out.printf(Locale.ROOT, format + "%n", values);
+    }
+
+    /*---- Hosts in this process, on a logical clock ----*/
+
+    /** What all hosts compute more where one of four is killed half way. */
+    private void lost() throws IOException {
+        RadiositySettings settings = paper(1000, 10);
+        StopRule stop = new StopRule(4000, 0);
+        four(settings, stop, Integer.MAX_VALUE);
+        double without = 0;
+        double with = 0;
+        for (int i = 0; i < REPETITIONS; i++) {
+            LogicalClock sound = four(settings, stop, Integer.MAX_VALUE);
+            LogicalClock killed = four(settings, stop, sound.calls() / 2);
+            without += sound.cpu();
+            with += killed.cpu();
+        }
+        print("processor time of all hosts: %.2f s; one of four killed half way: %.2f s, %.1f %% more",
+                without / REPETITIONS, with / REPETITIONS, 100 * (with / without - 1));
+    }
+
+    private LogicalClock four(RadiositySettings settings, StopRule stop, int death) throws IOException {
+        LogicalClock clock = new LogicalClock();
+        List<Link> links = new ArrayList<>(clock.links(3));
+        links.add(clock.put(new TestLink("igge", 1, round -> round == death), 1));
+        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, line -> print("  %s", line), links)) {
+            solve(world, stop, 4);
+        }
+        return clock;
+    }
+
+    /** Three hosts like this machine, and one that is four times slower. */
+    private void slow() throws IOException {
+        RadiositySettings settings = paper(200, 10);
+        StopRule stop = new StopRule(5000, 0);
+        four(settings, new StopRule(2000, 0), Integer.MAX_VALUE);
+        double local = solve(new LocalWorld(scene, settings, 1), stop, 1);
+        LogicalClock clock = new LogicalClock();
+        List<Link> links = new ArrayList<>(clock.links(3));
+        links.add(clock.put(new TestLink("slow", 1, round -> false), 4));
+        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, line -> print("  %s", line), links)) {
+            clock.reset();
+            double wall = solve(world, stop, 4) + clock.slowest() + clock.network();
+            print("one process %.2f s; four hosts of speeds 1, 1, 1, 0.25 %.2f s: %.3f of the summed speed; slowest alone %.3f",
+                    local, wall, local / wall / 3.25, local / clock.slowest() / 3.25);
+        }
+    }
+
+    /*---- Processes ----*/
+
+    /** Hosts that sleep: what a round takes beyond that. */
+    private void ideal() throws IOException {
+        int rounds = 100;
+        for (int n : new int[] {1, 2, 4, 8, 16}) {
+            List<HostProcess> hosts = HostProcess.start(n, IdealHost.class.getName(), "-Xmx64m", "-XX:+UseSerialGC",
+                    "-XX:TieredStopAtLevel=1");
+            try (RemoteWorld world = world(hosts, paper(1000, 1))) {
+                int[] done = {0};
+                long[] begin = {0};
+                new ProgressiveRadiosity(world, new StopRule(Integer.MAX_VALUE, 0)).run(progress -> {
+                    if (done[0]++ == rounds) {
+                        begin[0] = System.nanoTime();
+                    }
+                    return done[0] <= 2 * rounds;
+                });
+                double seconds = (System.nanoTime() - begin[0]) * 1e-9 / rounds;
+                print("%2d hosts that sleep %.0f ms a round: %.2f ms, efficiency %.3f", n, 1e3 * IdealHost.SECONDS,
+                        1e3 * seconds, IdealHost.SECONDS / seconds);
+            } finally {
+                HostProcess.end(hosts);
+            }
+        }
+    }
+
+    private RemoteWorld world(List<HostProcess> hosts, RadiositySettings settings) throws IOException {
+        return new RemoteWorld(scene, settings, hosts.stream().map(HostProcess::address).toList(), null, 1,
+                line -> print("  %s", line));
+    }
+
+    /** One thread here, one host, two hosts: the second run of each, as the first warms up the JVMs. */
+    private void real() throws IOException {
+        RadiositySettings settings = paper(300, 10);
+        StopRule stop = new StopRule(3000, 0);
+        double[] local = {0, 0, 0};
+        for (int i = 0; i < 2; i++) {
+            local = timed(new LocalWorld(scene, settings, 1), stop, List.of());
+        }
+        print("this process, one thread: wall %.2f s, CPU %.2f s", local[0], local[1]);
+        double[] one = {0, 0, 0};
+        for (int n = 1; n <= 2; n++) {
+            List<HostProcess> hosts = HostProcess.start(n, SERVER, "-Xmx512m");
+            double[] got = {0, 0, 0};
+            for (int i = 0; i < 2; i++) {
+                try (RemoteWorld world = world(hosts, settings)) {
+                    got = timed(world, stop, hosts);
+                }
+            }
+            HostProcess.end(hosts);
+            one = n == 1 ? got : one;
+            print("%d host(s): wall %.2f s, CPU %.2f s (of it the master %.2f): CPU %+.1f %% over local; speedup over one host %.2f",
+                    n, got[0], got[1], got[2], 100 * (got[1] / local[1] - 1), one[0] / got[0]);
+        }
+    }
+
+    /** Wall time, processor time of all, and of it the master's; s. */
+    private static double[] timed(World world, StopRule stop, List<HostProcess> hosts) throws IOException {
+        long begin = System.nanoTime();
+        double mine = cpu();
+        double there = hosts.stream().mapToDouble(HostProcess::cpu).sum();
+        new ProgressiveRadiosity(world, stop).run(progress -> true);
+        double master = cpu() - mine;
+        return new double[] {(System.nanoTime() - begin) * 1e-9,
+            master + hosts.stream().mapToDouble(HostProcess::cpu).sum() - there, master};
+    }
+
+    /** Of this process, s. */
+    private static double cpu() {
+        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
+                .getProcessCpuTime() * 1e-9;
+    }
+
+    /** A million elements: until the first round may begin, and what a host keeps. */
+    private void start() throws IOException {
+        RadiositySettings settings = new RadiositySettings(scene.area() / 1.3e6, 1, Double.POSITIVE_INFINITY, Schedule.PAPER);
+        for (int n : new int[] {1, 2, 4}) {
+            List<HostProcess> hosts = HostProcess.start(n, SERVER, "-Xmx2g");
+            long begin = System.nanoTime();
+            try (RemoteWorld world = world(hosts, settings)) {
+                Answer answer = world.answer(Order.plain(Order.Kind.ASK, 1));
+                double seconds = (System.nanoTime() - begin) * 1e-9;
+                List<String> memory = new ArrayList<>();
+                for (HostProcess host : hosts) {
+                    memory.add(live(host) + " MiB");
+                }
+                print("%,d elements, %d host(s): ready after %.1f s; live memory %s", answer.elements, n, seconds, memory);
+            } finally {
+                HostProcess.end(hosts);
+            }
+        }
+    }
+
+    /** What a collection leaves in a host's heap, MiB. */
+    private static long live(HostProcess host) throws IOException {
+        Process histogram = new ProcessBuilder("jcmd", "" + host.id(), "GC.class_histogram").start();
+        String text = new String(histogram.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String total = Stream.of(text.split("\n")).filter(line -> line.startsWith("Total")).findFirst().orElseThrow();
+        return Long.parseLong(total.trim().split("\\s+")[2]) >> 20;
+    }
+}
