@@ -1,6 +1,5 @@
 package radiosity.output;
 
-import java.util.List;
 import radiosity.scene.Vec3;
 
 /**
@@ -23,8 +22,11 @@ record Chart(Vec3 u, Vec3 v, double left, double top, double samples, int width,
      * @param along  an edge, so that rectangles lie straight
      * @param normal unit
      * @param points all of the part
+     * @param least  samples per scene unit
+     * @param wanted more of them, as long as the chart is not wider or higher than that
+     * @param most   texels
      */
-    static Chart of(Vec3 along, Vec3 normal, Iterable<Vec3> points, double samples) {
+    static Chart of(Vec3 along, Vec3 normal, Iterable<Vec3> points, double least, double wanted, int most) {
         Vec3 u = along.unit();
         Vec3 v = u.cross(normal);
         double left = Double.MAX_VALUE;
@@ -37,16 +39,9 @@ record Chart(Vec3 u, Vec3 v, double left, double top, double samples, int width,
             top = Math.min(top, p.dot(v));
             bottom = Math.max(bottom, p.dot(v));
         }
+        double room = (most - 2 * PAD) / Math.max(right - left, bottom - top);
+        double samples = Math.max(least, Math.min(wanted, room));
         return new Chart(u, v, left, top, samples, texels(right - left, samples), texels(bottom - top, samples));
-    }
-
-    /** Samples per scene unit with which points that are so far apart take so many texels. */
-    static double most(List<Vec3> points, int texels) {
-        double widest = 0;
-        for (Vec3 p : points) {
-            widest = Math.max(widest, p.minus(points.get(0)).length());
-        }
-        return texels / (2 * widest);
     }
 
     private static int texels(double length, double samples) {

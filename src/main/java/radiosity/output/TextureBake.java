@@ -63,7 +63,7 @@ final class TextureBake {
             byPart.computeIfAbsent(parts.of(solution.corners()[3 * e]), p -> new ArrayList<>()).add(e);
         }
         List<List<Integer>> partElements = List.copyOf(byPart.values());
-        List<Chart> charts = partElements.stream().map(this::chart).toList();
+        List<Chart> charts = charts(partElements);
         Shelves shelves = new Shelves(charts);
         if (Math.max(shelves.width, shelves.height) > SceneFile.LARGEST_TEXTURE) {
             throw new IOException("-ut, surface " + surface.name() + ": expected a texture of at most " + SceneFile.LARGEST_TEXTURE
@@ -82,7 +82,22 @@ final class TextureBake {
         return baked(surface, back, triangles, texels.padded(Chart.PAD));
     }
 
-    private Chart chart(List<Integer> elements) {
+    /** With as many texels as images have pixels, or as many as there is room for. */
+    private List<Chart> charts(List<List<Integer>> parts) {
+        List<Chart> charts = List.of();
+        for (int most = LARGEST_FOR_IMAGES; most > 0; most /= 2) {
+            int texels = most;
+            charts = parts.stream().map(part -> chart(part, texels)).toList();
+            Shelves shelves = new Shelves(charts);
+            if (Math.max(shelves.width, shelves.height) <= SceneFile.LARGEST_TEXTURE) {
+                return charts;
+            }
+        }
+        return charts;
+    }
+
+    /** @param most texels along an axis for an image's sake */
+    private Chart chart(List<Integer> elements, int most) {
         int face = solution.faceOf()[elements.get(0)];
         Vec3 along = corner(face, 1).minus(corner(face, 0));
         List<Vec3> points = elements.stream().map(e -> solution.faceOf()[e]).distinct()
@@ -90,7 +105,7 @@ final class TextureBake {
         Vec3 normal = Elements.normal(solution, elements.get(0));
         double finest = elements.stream().map(e -> solution.faceOf()[e] >> 1).distinct()
                 .filter(solution.scene()::isMapped).mapToDouble(solution.scene()::pixelsPerUnit).max().orElse(0);
-        return Chart.of(along, normal, points, Math.max(samples, Math.min(finest, Chart.most(points, LARGEST_FOR_IMAGES))));
+        return Chart.of(along, normal, points, samples, finest, most);
     }
 
     /** Corner k of an original triangle, counter-clockwise seen from the face's visible side. */

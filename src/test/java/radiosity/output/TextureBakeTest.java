@@ -15,7 +15,11 @@ import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 
@@ -114,5 +118,36 @@ class TextureBakeTest {
     void tooManySamples_areRefused() {
         IOException error = assertThrows(IOException.class, () -> new TextureBake(room(), Vec3.ZERO, 1e4).bake());
         assertTrue(error.getMessage().startsWith("-ut, surface floor: expected"), error.getMessage());
+    }
+
+    /** One surface in so many squares that lie apart, each with the whole of a large image. */
+    private static Solution painted(int squares) {
+        Handmade made = new Handmade();
+        int surface = made.surface("painted", 0.5);
+        for (int i = 0; i < squares; i++) {
+            made.grid(surface, new Vec3(2 * i, 0, 0), new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 1, p -> Rgb.grey(1));
+        }
+        Solution plain = made.solution();
+        Scene scene = plain.scene();
+        float[] places = new float[6 * scene.triangles()];
+        for (int i = 0; i < 3 * scene.triangles(); i++) {
+            Vec3 p = scene.corner(i / 3, i % 3);
+            places[2 * i] = (float) (p.x() % 2);
+            places[2 * i + 1] = (float) p.y();
+        }
+        Raster large = new Raster(1000, 1000, new float[3_000_000], ImageMap.Wrap.EDGE, ImageMap.Wrap.EDGE, Rgb.BLACK);
+        Surface.Maps maps = new Surface.Maps(Optional.empty(), Optional.of(large));
+        Scene mapped = new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(),
+                List.of(scene.surfaces().get(0).with(maps)), List.of(), Optional.empty(), places);
+        return new Solution(mapped, 3, plain.positions(), plain.irradiance(), plain.corners(), plain.faceOf(), 0, 0, 0,
+                plain.ledger(), new byte[0]);
+    }
+
+    @Test
+    void image_isKeptAtFullSizeWhereThereIsRoom() throws IOException {
+        Picture one = new TextureBake(painted(1), Vec3.ZERO, SAMPLES).bake().get(0).radiosity();
+        assertTrue(one.width() >= 1000 && one.width() < 1100, one.width() + " texels");
+        Picture many = new TextureBake(painted(150), Vec3.ZERO, SAMPLES).bake().get(0).radiosity();
+        assertTrue(Math.max(many.width(), many.height()) <= 8192, many.width() + "x" + many.height());
     }
 }
