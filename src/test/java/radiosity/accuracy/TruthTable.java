@@ -137,7 +137,7 @@ public final class TruthTable {
     }
 
     /** User and system time of all threads of this process so far. */
-    private static double cpuSeconds() {
+    static double cpuSeconds() {
         var bean = (com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         return bean.getProcessCpuTime() * 1e-9;
     }
