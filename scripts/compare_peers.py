@@ -66,7 +66,8 @@ def warm(scene):
 def compare(scene):
     peer_scenes.write(WORK, OURS, scene)
     subprocess.run(["scripts/RadiosityRenderer", "--version"], check=True, stdout=subprocess.DEVNULL)
-    rmse, cpu = mitsuba(scene, SAMPLES)
+    look, _ = mitsuba(scene, SAMPLES)
+    rmse, cpu = mitsuba(scene, round(SAMPLES * (look / max(TARGETS)) ** 2))
     reached, solve = ours(scene)
     for target in sorted({*TARGETS, reached}, reverse=True):
         needed = cpu * (rmse / target) ** 2
