@@ -9,6 +9,8 @@ import radiosity.world.StopRule;
 final class ProgressText {
 
     private static final double NANOSECONDS = 1e9;
+    /** Below this, per cent, is rounding only. */
+    private static final double LEAST = 1e-8;
 
     private final StopRule stop;
     private final LongSupplier clock;
@@ -52,10 +54,10 @@ final class ProgressText {
         return String.format(Locale.ROOT, "%,d %s%s", number, thing, number == 1 ? "" : "s");
     }
 
-    /** Two digits that count. */
+    /** Two digits that count; rounding errors are 0. */
     static String perCent(double part) {
         double value = 100 * part;
-        int decimals = value > 0 ? (int) Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(value)))) : 0;
+        int decimals = value >= LEAST ? (int) Math.max(0, 1 - Math.floor(Math.log10(value))) : 0;
         return String.format(Locale.ROOT, "%." + decimals + "f %%", value);
     }
 

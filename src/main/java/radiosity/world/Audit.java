@@ -100,7 +100,7 @@ final class Audit {
         crew.run(points.size(), i -> points.get(i).light(lights));
         mesh.blocks.forEach(this::gather);
         double reciprocity = reciprocity();
-        points.removeIf(point -> point.factors == 0);
+        points.removeIf(AuditPoint::isDark);
         return new AuditResult(faces, points, ledger).certificate(unshotFlux, reciprocity);
     }
 

@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
@@ -59,6 +60,12 @@ final class AuditPoint {
     /** Whether nobody sees it, as it lies inside a solid. */
     boolean isBuried(Burial burial) {
         return burial.isBuried(place, 0, face);
+    }
+
+    /** Whether it sees nothing, and has no light: the outside of a room. */
+    boolean isDark() {
+        return factors == 0 && Arrays.stream(interpolated).allMatch(h -> h == 0)
+                && Arrays.stream(anew.value).allMatch(h -> h == 0);
     }
 
     /** Takes what the solution has, if it lies below one of a block's tops. */

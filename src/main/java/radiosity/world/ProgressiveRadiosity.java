@@ -217,7 +217,7 @@ public final class ProgressiveRadiosity {
      * How far the solution so far can be trusted; takes a small part of the time that the solution took.
      *
      * @param threads at least 1
-     * @return nothing where some vertices have not gathered yet, or nobody has shot
+     * @return nothing where some vertices have not gathered yet, nobody has shot, or all is dark
      */
     public Optional<Certificate> certificate(int threads) throws IOException {
         if (dark != 0 || shots == 0) {
@@ -228,7 +228,7 @@ public final class ProgressiveRadiosity {
             unshotFlux += layer.value();
         }
         return Optional.of(new Audit(world.mesh, world.blocks(), byChannel(), answer.elements, threads)
-                .certificate(unshotFlux));
+                .certificate(unshotFlux)).filter(certificate -> certificate.points() > 0);
     }
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */

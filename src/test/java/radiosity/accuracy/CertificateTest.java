@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -74,6 +76,19 @@ class CertificateTest {
         Certificate found = Solve.byDefault().certified(open, true).certificate();
         // seen from five walls of a cube, the sixth takes 1/5 of what is seen
         assertEquals(0.8, found.factors(), 0.03);
+    }
+
+    /** A lone triangle that a lamp shines on sees nothing but that lamp: what it has can be told all the same. */
+    @Test
+    void convexObject_isLookedAtToo() {
+        Scene scene = new SceneBuilder().polygon(new Surface("sheet", Rgb.BLACK, Rgb.grey(0.5), false), new Vec3(0, 0, 0),
+                new Vec3(1, 0, 0), new Vec3(0, 1, 0)).scene("sheet");
+        Light light = new Light("lamp", Light.Kind.POINT, Rgb.grey(1), new Vec3(0.3, 0.3, 0.3), new Vec3(0, 0, -1),
+                new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 0, 0);
+        Scene lit = new Scene("lit", scene.points(), scene.corners(), scene.surfaceOf(), scene.surfaces(), List.of(light),
+                scene.camera());
+        Certificate found = Solve.byDefault().paper().patches(lit, 10).certified(lit, true).certificate();
+        assertTrue(found.points() >= 64 && found.meshing() > 0.01, found.toString());
     }
 
     /** Of nine scenes it was between 0.7 and 1.45 times the error: docs/CERTIFICATE.md. */

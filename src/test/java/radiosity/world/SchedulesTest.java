@@ -54,4 +54,13 @@ class SchedulesTest {
         double found = solve(Schedule.PAPER, factors, 1e-3).ledger().received()[0];
         assertEquals(expected, found, (factors == FormFactors.PLAIN ? 0.1 : 0.02) * expected);
     }
+
+    @ParameterizedTest
+    @EnumSource(FormFactors.class)
+    void everyKindOfFormFactor_givesTheSameBitsHoweverDealt(FormFactors factors) throws IOException {
+        RadiositySettings settings = SameBitsTest.settings(Schedule.PAPER).factors(factors);
+        StopRule stop = SameBitsTest.shots(30);
+        Solution local = SameBitsTest.solve(new LocalWorld(SCENE, settings, 1), stop);
+        SameBitsTest.assertSame(local, SameBitsTest.solve(new LocalWorld(SCENE, settings, 2, 3), stop));
+    }
 }
