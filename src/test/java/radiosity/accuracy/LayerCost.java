@@ -1,7 +1,7 @@
 package radiosity.accuracy;
 
-import java.lang.management.ManagementFactory;
 import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
 import radiosity.scene.Rgb;
 import radiosity.world.Solution;
 
