@@ -85,7 +85,7 @@ public final class RadiosityRenderer {
                 radiosity.resume(saved.state());
             }
             ending.begin();
-            calculate(radiosity, settings, journal);
+            calculate(world, radiosity, settings, journal);
             save(world, radiosity);
             journal.delete();
         }
@@ -151,12 +151,14 @@ public final class RadiosityRenderer {
         return options.file.disableRendering ? new StopRule(0, 1) : options.calculation.stopRule();
     }
 
-    private void calculate(ProgressiveRadiosity radiosity, RadiositySettings settings, Journal journal)
+    private void calculate(World world, ProgressiveRadiosity radiosity, RadiositySettings settings, Journal journal)
             throws IOException {
         try (ProgressDisplay display = display(); KeyListener keys = new KeyListener(stop::make)) {
             stop.tell(display::message);
             keys.listen();
-            radiosity.run(new Rounds(radiosity, settings, options, files, journal, display, stop));
+            Rounds rounds = new Rounds(radiosity, settings, options, files, journal, display, stop);
+            radiosity.run(options.statistics && world instanceof RemoteWorld remote
+                    ? new HostLines(remote::statistics, display, rounds, System::nanoTime) : rounds);
         }
     }
 

@@ -45,7 +45,8 @@ final class RendererOptions {
     @Option(names = {"-q", "--quiet"}, description = "Quiet mode: no iteration numbers and per cent left.")
     boolean quiet;
 
-    @Option(names = "--statistics", description = "With -h: print a table of what was calculated where at the end.")
+    @Option(names = "--statistics", description = "With -h: print what is calculated where, a line per host now and "
+            + "then and a table at the end.")
     boolean statistics;
 
     @Option(names = "--debug", description = "Print where in the program an error came from.")

@@ -2,12 +2,10 @@ package radiosity.world;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.Consumer;
@@ -43,7 +41,8 @@ public final class RemoteWorld extends World {
     private final Balance balance;
     private final List<Host> hosts = new ArrayList<>();
     private final List<HostStatistics> gone = new ArrayList<>();
-    private final Map<Host, HostLostException> lost = new LinkedHashMap<>();
+    private final HostCalls calls = new HostCalls();
+    private final BlockTransfer transfer;
     /** This process as a host, while there is no other. */
     private Host alone;
     private int failures;
@@ -72,6 +71,7 @@ public final class RemoteWorld extends World {
         Forecast forecast = new Forecast(borders);
         dealing = new Dealing(forecast, borders);
         balance = new Balance(forecast, dealing);
+        transfer = new BlockTransfer(dealing, log, calls);
         hosts.addAll(finder.open(links));
         if (hosts.isEmpty()) {
             finder.close();
@@ -95,8 +95,8 @@ public final class RemoteWorld extends World {
             long now = ++number;
             long begin = System.nanoTime();
             byte[] ask = bytes;
-            Map<Host, Reply> replies = onAll(hosts, host -> host.round(now, ask));
-            if (lost.isEmpty()) {
+            Map<Host, Reply> replies = calls.onAll(hosts, host -> host.round(now, ask));
+            if (!calls.isAnyLost()) {
                 times.add(replies.values(), (System.nanoTime() - begin) * 1e-9);
                 return answers(replies, order);
             }
@@ -115,33 +115,12 @@ public final class RemoteWorld extends World {
         return replies.values().stream().map(Reply::answer).toList();
     }
 
-    /** A call on one host. */
-    private interface Call<T> {
-        T on(Host host) throws IOException;
-    }
-
-    /** Calls several hosts at once; who does not answer is lost. */
-    private <T> Map<Host, T> onAll(Collection<Host> called, Call<T> call) {
-        Map<Host, FutureTask<T>> running = new LinkedHashMap<>();
-        called.forEach(host -> running.put(host, Host.start(() -> call.on(host))));
-        Map<Host, T> results = new LinkedHashMap<>();
-        running.forEach((host, task) -> {
-            try {
-                results.put(host, host.await(task));
-            } catch (HostLostException e) {
-                lost.put(host, e);
-            }
-        });
-        return results;
-    }
-
     /*---- Losing hosts, and finding them again ----*/
 
     /** Gives the blocks of lost hosts to others, until all of them have an owner that is alive. */
     private void recover() throws IOException {
-        while (!lost.isEmpty()) {
-            Map<Host, HostLostException> now = new LinkedHashMap<>(lost);
-            lost.clear();
+        while (calls.isAnyLost()) {
+            Map<Host, HostLostException> now = calls.takeLost();
             Map<Host, Integer> blocks = new LinkedHashMap<>();
             for (Map.Entry<Host, HostLostException> one : now.entrySet()) {
                 blocks.put(one.getKey(), dealing.blocks(one.getKey()).size());
@@ -172,23 +151,11 @@ public final class RemoteWorld extends World {
         }
     }
 
-    /** Deals all blocks without an owner, and brings them up to date; returns to how many hosts. */
     private int adopt() throws IOException {
         if (hosts.isEmpty()) {
             goOnAlone();
         }
-        List<Integer> orphans = dealing.orphans();
-        dealing.deal(hosts);
-        Map<Host, List<Integer>> heirs = new LinkedHashMap<>();
-        for (Host host : hosts) {
-            List<Integer> blocks = new ArrayList<>(dealing.blocks(host));
-            blocks.retainAll(orphans);
-            if (!blocks.isEmpty()) {
-                heirs.put(host, blocks);
-            }
-        }
-        onAll(heirs.keySet(), host -> host.take(log.adoption(heirs.get(host))));
-        return heirs.size();
+        return transfer.adopt(hosts);
     }
 
     private void goOnAlone() throws IOException {
@@ -230,19 +197,7 @@ public final class RemoteWorld extends World {
 
     private void move(List<Dealing.Move> moves) {
         long begin = System.nanoTime();
-        Map<Host, List<Integer>> from = new LinkedHashMap<>();
-        Map<Host, Map<Integer, byte[]>> to = new LinkedHashMap<>();
-        moves.forEach(move -> from.computeIfAbsent(move.from(), h -> new ArrayList<>()).add(move.block()));
-        Map<Host, List<byte[]>> states = onAll(from.keySet(), host -> host.blocks(from.get(host)));
-        for (Dealing.Move move : moves) {
-            if (states.containsKey(move.from())) {
-                byte[] state = states.get(move.from()).get(from.get(move.from()).indexOf(move.block()));
-                to.computeIfAbsent(move.to(), h -> new TreeMap<>()).put(move.block(), state);
-                dealing.give(move.block(), move.to());
-            }
-        }
-        onAll(to.keySet(), host -> host.take(new Adoption(to.get(host), List.of())));
-        onAll(states.keySet(), host -> host.drop(from.get(host)));
+        transfer.move(moves);
         balance.moved((System.nanoTime() - begin) * 1e-9);
     }
 
@@ -253,9 +208,8 @@ public final class RemoteWorld extends World {
         long begin = System.nanoTime();
         while (true) {
             recover();
-            Map<Host, List<byte[]>> states = onAll(hosts, host -> host.blocks(dealing.blocks(host)));
-            if (lost.isEmpty()) {
-                List<byte[]> all = inOrder(states);
+            List<byte[]> all = transfer.states(hosts);
+            if (!calls.isAnyLost()) {
                 log.checkpoint(all);
                 checkpoints.done((System.nanoTime() - begin) * 1e-9);
                 return all;
@@ -263,21 +217,10 @@ public final class RemoteWorld extends World {
         }
     }
 
-    private List<byte[]> inOrder(Map<Host, List<byte[]>> states) {
-        Map<Integer, byte[]> all = new TreeMap<>();
-        states.forEach((host, some) -> {
-            List<Integer> ids = dealing.blocks(host);
-            for (int i = 0; i < ids.size(); i++) {
-                all.put(ids.get(i), some.get(i));
-            }
-        });
-        return List.copyOf(all.values());
-    }
-
     @Override
     void restore(List<byte[]> states) throws IOException {
         log.checkpoint(states);
-        onAll(hosts, host -> host.take(log.adoption(dealing.blocks(host))));
+        transfer.restore(hosts);
         recover();
     }
 

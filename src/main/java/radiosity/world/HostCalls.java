@@ -1,0 +1,44 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.FutureTask;
+
+/** Calls on several hosts at once, and who did not answer. */
+final class HostCalls {
+
+    private final Map<Host, HostLostException> lost = new LinkedHashMap<>();
+
+    /** A call on one host. */
+    interface Call<T> {
+        T on(Host host) throws IOException;
+    }
+
+    /** What each answers; who does not is lost. */
+    <T> Map<Host, T> onAll(Collection<Host> called, Call<T> call) {
+        Map<Host, FutureTask<T>> running = new LinkedHashMap<>();
+        called.forEach(host -> running.put(host, Host.start(() -> call.on(host))));
+        Map<Host, T> results = new LinkedHashMap<>();
+        running.forEach((host, task) -> {
+            try {
+                results.put(host, host.await(task));
+            } catch (HostLostException e) {
+                lost.put(host, e);
+            }
+        });
+        return results;
+    }
+
+    boolean isAnyLost() {
+        return !lost.isEmpty();
+    }
+
+    /** Who was lost since this was asked last, and why. */
+    Map<Host, HostLostException> takeLost() {
+        Map<Host, HostLostException> taken = new LinkedHashMap<>(lost);
+        lost.clear();
+        return taken;
+    }
+}
