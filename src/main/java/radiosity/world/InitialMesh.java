@@ -79,6 +79,11 @@ final class InitialMesh {
         return settings.schedule() == Schedule.MATRIX;
     }
 
+    /** Whether what shoots together are the patches of a block; a projection would take long for so many at a time. */
+    boolean shootsBlocks() {
+        return predicts() && settings.factors() == FormFactors.RAYCAST;
+    }
+
     boolean predicts() {
         return settings.schedule() == Schedule.PREDICT;
     }

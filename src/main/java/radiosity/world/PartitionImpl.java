@@ -64,7 +64,7 @@ final class PartitionImpl implements Partition {
         lights = new LightSources(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
         costs = new BlockCosts(nodes, mine);
-        shooters = mesh.predicts() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
+        shooters = mesh.shootsBlocks() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         flux = new double[shooters.length];
         bury(nodes, 0);
         light(0);
