@@ -25,10 +25,10 @@ import radiosity.world.StopRule;
 public final class TradeOff {
 
     /** How finely, relative to the default: rays and elements follow. */
-    private static final double[] FINENESS = {8, 4, 2, 1, 0.5, 0.25};
+    private static final double[] FINENESS = {8, 4, 2, 1, 0.5};
     private static final double TOLERANCE = 0.05;
     private static final double MESH_ERROR = 4e-4;
-    private static final double[] PATCHES = {100, 300, 1000};
+    private static final double[] PATCHES = {75, 150, 300};
 
     /** Ways to solve a scene, each with a knob. */
     private static final List<Way> WAYS = List.of(
