@@ -7,12 +7,12 @@ import java.util.Map;
 /** What rounds tell about blocks and hosts, and whether moving blocks pays. */
 final class Balance {
 
-    /** Weight of the last round in the moving average of a host's pace. */
-    private static final double NEW = 0.3;
-    /** Rounds with fewer seconds say nothing about speed. */
-    private static final double LEAST_SECONDS = 0.005;
+    /** What a host did in a round counts for when the next one is over. */
+    private static final double KEPT = 0.95;
+    /** Less time says nothing about a host's speed: who shoots in a few rounds may not be seen from its blocks. */
+    private static final double LEAST_SECONDS = 0.2;
     /** A host is as fast as was thought within this factor: blocks differ too, and theirs is measured on its own. */
-    private static final double FACTOR = 1.5;
+    private static final double FACTOR = 2;
     /** Blocks move when hosts have waited for each other so many times as long as a move takes, or will. */
     private static final double PATIENCE = 1;
     private static final double FIRST_COST = 0.005;
@@ -54,20 +54,20 @@ final class Balance {
                 forecast.learn(blocks.get(i), work.seconds() / cpu * reply.seconds() * host.speed, pairsOfBlock);
             }
         }
-        if (pairs > 0 && reply.seconds() > LEAST_SECONDS) {
-            double pace = pairs / reply.seconds();
-            host.pace = host.pace == 0 ? pace : (1 - NEW) * host.pace + NEW * pace;
+        if (pairs > 0) {
+            host.pairs = KEPT * host.pairs + pairs;
+            host.seconds = KEPT * host.seconds + reply.seconds();
         }
     }
 
     /** Speeds are relative: those of all together stay what they are. */
     private void judge(Collection<Host> hosts) {
-        if (hosts.stream().anyMatch(host -> host.pace == 0)) {
+        if (hosts.stream().anyMatch(host -> host.seconds < LEAST_SECONDS)) {
             return;
         }
-        double unit = hosts.stream().mapToDouble(host -> host.pace).sum() / hosts.stream().mapToDouble(host -> host.speed).sum();
+        double unit = hosts.stream().mapToDouble(Host::pace).sum() / hosts.stream().mapToDouble(host -> host.speed).sum();
         for (Host host : hosts) {
-            double factor = host.pace / unit / host.speed;
+            double factor = host.pace() / unit / host.speed;
             if (factor > FACTOR || factor < 1 / FACTOR) {
                 host.speed *= factor;
                 forecast.rescale(dealing.blocks(host), factor);

@@ -47,8 +47,9 @@ final class Host implements AutoCloseable {
     private boolean noticed;
     /** Relative to other hosts; threads, until it turns out to be another one. */
     double speed;
-    /** Pairs of receiving point and shooter per second, of the last rounds; 0 before it was measured. */
-    double pace;
+    /** Pairs of receiving point and shooter in the last rounds, and the seconds they took. */
+    double pairs;
+    double seconds;
     final Workload load = new Workload();
 
     /** @param threads that the host computes with */
@@ -79,6 +80,11 @@ final class Host implements AutoCloseable {
             throw new IllegalStateException("expected the mesh of " + expected + ", got that of " + got);
         }
         return null;
+    }
+
+    /** Pairs per second. */
+    double pace() {
+        return pairs / seconds;
     }
 
     String name() {

@@ -31,12 +31,13 @@ final class Pace {
      * @param receive elements that there are
      */
     int size(Order.Kind now, int receive, int left) {
-        if (now != kind || receive != elements) {
+        if (now != kind) {
             kind = now;
-            elements = receive;
             last = 0;
             secondsPerShot = 0;
         }
+        secondsPerShot *= (double) receive / Math.max(1, elements);
+        elements = receive;
         double most = secondsPerShot == 0 ? 1 : Math.min(GROWTH * (double) last, stepSeconds / secondsPerShot);
         return (int) Math.max(1, Math.min(left, most));
     }

@@ -47,7 +47,7 @@ class PaceTest {
     }
 
     @Test
-    void moreElements_beginAnew() {
+    void moreElements_takeLonger() {
         Pace pace = new Pace(Pace.STEP_SECONDS);
         round(pace, 1, i -> 1e-6);
         assertTrue(round(pace, 1000, i -> 1e-3)[0] <= Pace.STEP_SECONDS);
