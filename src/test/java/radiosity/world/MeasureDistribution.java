@@ -172,7 +172,7 @@ public final class MeasureDistribution {
                 .getProcessCpuTime() * 1e-9;
     }
 
-    /** A million elements: until the first round may begin, and what a host keeps. */
+    /** Three million elements: until the first round may begin, and what a host keeps. */
     private void start() throws IOException {
         RadiositySettings settings = new RadiositySettings(scene.area() / 1.3e6, 1, Double.POSITIVE_INFINITY, Schedule.PAPER);
         for (int n : new int[] {1, 2, 4}) {
