@@ -1,6 +1,7 @@
 package radiosity.formfactor;
 
 import java.util.List;
+import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
 import radiosity.patch.Hash;
 import radiosity.patch.PatchTree;
@@ -44,9 +45,16 @@ public final class Shooter {
     private final Faces faces;
     private final List<PatchTree> trees;
     private final double[] weight;
+    private final Ambient ambient;
 
     /** @param weight one per channel: what its radiosity counts for when it is decided where to look closer */
     public Shooter(Faces faces, List<PatchTree> trees, double[] weight) {
+        this(faces, trees, weight, new Ambient(null, faces.channels(), new double[0]));
+    }
+
+    /** @param ambient what is taken off the radiosity: by how much surfaces differ from it is shot */
+    public Shooter(Faces faces, List<PatchTree> trees, double[] weight, Ambient ambient) {
+        this.ambient = ambient;
         this.faces = faces;
         this.trees = trees;
         this.weight = weight;
@@ -137,6 +145,9 @@ public final class Shooter {
         child[node] = -1;
         if (tree.child()[i] < 0) {
             System.arraycopy(tree.radiosity(), 3 * channels * i, radiosity, 3 * channels * node, 3 * channels);
+            for (int j = 0; j < 3 * channels; j++) {
+                radiosity[3 * channels * node + j] -= ambient.at(tree.face(), j % channels);
+            }
             return;
         }
         child[node] = nodes;

@@ -13,6 +13,7 @@ import radiosity.patch.Faces;
 import radiosity.patch.LongIndex;
 import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Rooms;
 import radiosity.patch.Subdivision;
 
 /**
@@ -29,6 +30,7 @@ final class CoarseSystem {
 
     private final InitialMesh mesh;
     private final Faces faces;
+    private final Rooms rooms;
     private final List<Block> blocks;
     private final RadiosityNodes nodes;
     private final boolean single;
@@ -45,12 +47,11 @@ final class CoarseSystem {
     private final int[] parts;
     /** Of irradiance by reflected irradiance; null until it is needed. */
     private GaussSeidel equations;
-    /** Channels per vertex: irradiance that comes of all exitance, W/m²; null until it is needed. */
-    private double[] mode;
 
     CoarseSystem(InitialMesh mesh) {
         this.mesh = mesh;
         faces = mesh.faces;
+        rooms = mesh.rooms;
         channels = faces.channels();
         blocks = mesh.blocks;
         single = mesh.solvesAtOnce();
@@ -153,12 +154,24 @@ final class CoarseSystem {
      */
     double[] irradiance(double[] unshot, BooleanSupplier goOn) {
         if (equations == null) {
+            close();
             equations = equations();
         }
-        if (mode == null) {
-            mode = equations.solve(direct(exitance()), null, goOn);
+        return equations.solve(direct(unshot), goOn);
+    }
+
+    /** In a closed room all that a vertex sees adds up to 1. */
+    private void close() {
+        for (int v = 0; v < entry.length; v++) {
+            double seen = 0;
+            for (float part : entry[v]) {
+                seen += part;
+            }
+            boolean closed = rooms.room(nodes.vertexFace(v)) >= 0 && seen > 0;
+            for (int i = 0; i < entry[v].length && closed; i++) {
+                entry[v][i] /= (float) seen;
+            }
         }
-        return mode == null ? null : equations.solve(direct(unshot), mode, goOn);
     }
 
     /** What arrives at each vertex from unshot radiosity. */
@@ -218,15 +231,6 @@ final class CoarseSystem {
             seen += hidden ? 0 : 1;
         }
         return entry[v][3 * i + k] + buried / seen;
-    }
-
-    /** E, channels per node. */
-    private double[] exitance() {
-        double[] e = noUnshot();
-        for (int i = 0; i < e.length; i++) {
-            e[i] = nodes.exitance(i / channels, i % channels);
-        }
-        return e;
     }
 
     /** A buried corner takes the mean of the others. */

@@ -8,6 +8,7 @@ import radiosity.patch.Faces;
 import radiosity.patch.Hash;
 import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
+import radiosity.patch.Rooms;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -32,6 +33,8 @@ final class InitialMesh {
     final Scene scene;
     final RadiositySettings settings;
     final Faces faces;
+    /** Closed rooms. */
+    final Rooms rooms;
     final Patcher patcher;
     final List<Block> blocks;
     /** A mesh that goes no deeper than is needed to foresee what light will become. */
@@ -46,6 +49,7 @@ final class InitialMesh {
         this.scene = scene;
         this.settings = settings;
         faces = new Faces(scene, settings.layers());
+        rooms = new Rooms(faces);
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, patches());

@@ -40,7 +40,7 @@ final class MatrixSolution implements Planner {
     }
 
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, Double.POSITIVE_INFINITY, weight, 0, Integer.MAX_VALUE);
+        return Order.of(kind, shots, Double.POSITIVE_INFINITY, weight, 0, Integer.MAX_VALUE);
     }
 
     @Override

@@ -15,10 +15,14 @@ import java.util.List;
  * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
  * @param weight    one per channel: what a W/m² counts for in that
  * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
+ * @param ambient   channels per closed room, see {@link radiosity.patch.Ambient}; empty: none. W/m²
+ * @param begun     whether a part of the round is done: the ambient light has been received
  * @param most      how many candidates for the next round to name; -1: nobody reads the answer
  */
 record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
-             double meshError, int most) {
+             double meshError, double[] ambient, boolean begun, int most) {
+
+    private static final double[] NONE = {};
 
     /** The kinds of round. */
     enum Kind {
@@ -38,22 +42,29 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** An order without shots. */
     static Order plain(Kind kind, int most) {
-        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, most);
+        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, NONE, false, most);
+    }
+
+    /** An order without ambient light. */
+    static Order of(Kind kind, List<Shot> shots, double tolerance, double[] weight, double meshError, int most) {
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, NONE, false, most);
     }
 
     Order numbered(int round) {
-        return new Order(kind, round, more, shots, tolerance, weight, meshError, most);
+        return new Order(kind, round, more, shots, tolerance, weight, meshError, ambient, begun, most);
     }
 
     /** The first shots of this round; candidates are named when it ends. */
     Order first(int size) {
         boolean all = size == shots.size();
-        return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, all ? most : 0);
+        return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, ambient, begun,
+                all ? most : 0);
     }
 
     /** What is left of this round without its first shots. */
     Order after(int size) {
-        return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, most);
+        return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, ambient,
+                true, most);
     }
 
     /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
@@ -68,7 +79,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** The same, naming other numbers of candidates. */
     Order naming(int candidates) {
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, candidates);
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, begun, candidates);
     }
 
     boolean isAnswered() {
@@ -85,11 +96,10 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         out.writeBoolean(more);
         Wire.write(shots, weight.length, out);
         out.writeDouble(tolerance);
-        out.writeInt(weight.length);
-        for (double w : weight) {
-            out.writeDouble(w);
-        }
+        write(weight, out);
         out.writeDouble(meshError);
+        write(ambient, out);
+        out.writeBoolean(begun);
         out.writeInt(most);
     }
 
@@ -100,11 +110,20 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         boolean more = in.readBoolean();
         List<Shot> shots = Wire.shots(in);
         double tolerance = in.readDouble();
-        double[] weight = new double[Wire.count(in, Double.BYTES)];
-        for (int c = 0; c < weight.length; c++) {
-            weight[c] = in.readDouble();
-        }
-        return new Order(kind, number, more, shots, tolerance, weight, in.readDouble(), in.readInt());
+        double[] weight = doubles(in);
+        double meshError = in.readDouble();
+        double[] ambient = doubles(in);
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, in.readBoolean(),
+                in.readInt());
+    }
+
+    private static void write(double[] numbers, DataOutputStream out) throws IOException {
+        out.writeInt(numbers.length);
+        Wire.write(out, numbers);
+    }
+
+    private static double[] doubles(DataInputStream in) throws IOException {
+        return Wire.doubles(in, Wire.count(in, Double.BYTES));
     }
 
     private static Kind kind(int number) throws IOException {

@@ -12,6 +12,7 @@ import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.AdaptiveMeshing;
+import radiosity.patch.Ambient;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
@@ -144,6 +145,7 @@ final class PartitionImpl implements Partition {
 
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Order order, int[] vertices) {
+        receiveAmbient(order, vertices);
         Shooter[] source = shooters(order);
         FormFactorCalculator calculator = calculator(order);
         costs.begin(vertices);
@@ -157,12 +159,31 @@ final class PartitionImpl implements Partition {
         });
     }
 
+    /** Even light of closed rooms, at the beginning of a round. */
+    private void receiveAmbient(Order order, int[] vertices) {
+        Ambient ambient = ambient(order);
+        if (order.begun() || ambient.isDark()) {
+            return;
+        }
+        for (int v : vertices) {
+            for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
+                nodes.irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c);
+            }
+        }
+    }
+
+    private Ambient ambient(Order order) {
+        return new Ambient(mesh.rooms, channels, order.ambient());
+    }
+
     private FormFactorCalculator calculator(Order order) {
         return mesh.settings.factors().calculator(bounds, rays, order.tolerance());
     }
 
     private Shooter[] shooters(Order order) {
-        return order.shots().stream().map(shot -> shot.shooter(faces, order.weight())).toArray(Shooter[]::new);
+        Ambient ambient = ambient(order);
+        return order.shots().stream().map(shot -> shot.shooter(faces, order.weight(), ambient))
+                .toArray(Shooter[]::new);
     }
 
     private void gather(FormFactorCalculator calculator, Shooter shooter, int[] run) {
@@ -294,9 +315,10 @@ final class PartitionImpl implements Partition {
     }
 
     private int[] largest(int most) {
+        boolean all = mesh.predicts() && mesh.rooms.count() > 0;
         PriorityQueue<Integer> best = new PriorityQueue<>((p, q) -> -order(p, q));
         for (int p = 0; p < flux.length && most > 0; p++) {
-            if (flux[p] > 0 && (best.size() < most || order(p, best.peek()) < 0)) {
+            if ((flux[p] > 0 || all) && (best.size() < most || order(p, best.peek()) < 0)) {
                 best.add(p);
                 if (best.size() > most) {
                     best.poll();

@@ -7,6 +7,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import radiosity.patch.Faces;
+import radiosity.patch.PatchTree;
+import radiosity.patch.Path;
+import radiosity.patch.Rooms;
 
 /**
  * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
@@ -41,6 +44,8 @@ final class Prediction implements Planner {
     private int splits;
     private int elements;
     private boolean refined;
+    /** Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. */
+    private double left = Double.POSITIVE_INFINITY;
 
     Prediction(World world) {
         this.world = world;
@@ -57,7 +62,7 @@ final class Prediction implements Planner {
     private Order rows() {
         double[] equal = new double[weight.length];
         Arrays.fill(equal, 1);
-        return new Order(Order.Kind.ROWS, 0, false, coarse.importance(), ROW_TOLERANCE, equal, 0, 0);
+        return Order.of(Order.Kind.ROWS, coarse.importance(), ROW_TOLERANCE, equal, 0, 0);
     }
 
     @Override
@@ -77,6 +82,10 @@ final class Prediction implements Planner {
                 return gather();
             }
         }
+        if (stage == Stage.SHOOT && refined && unsent >= left) {
+            return null;
+        }
+        left = unsent;
         return shoot(last, goOn);
     }
 
@@ -125,7 +134,43 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, 0);
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, ambient(shots), false, 0);
+    }
+
+    /**
+     * Mean radiosity of each closed room's surfaces, lamps left out where there are others. Any level is right, as long
+     * as all of the room shoots; this one leaves little to rays.
+     */
+    private double[] ambient(List<Shot> shots) {
+        Rooms rooms = world.mesh.rooms;
+        if (shots.size() < world.mesh.blocks.size() || rooms.count() == 0) {
+            return new double[0];
+        }
+        int channels = world.channels();
+        double[] flux = new double[2 * channels * rooms.count()];
+        double[] lit = new double[flux.length];
+        shots.stream().flatMap(shot -> shot.trees().stream()).forEach(tree -> add(tree, flux, lit));
+        double[] level = new double[channels * rooms.count()];
+        for (int i = 0; i < level.length; i++) {
+            level[i] = lit[i] > 0 ? flux[i] / lit[i] : flux[level.length + i] / lit[level.length + i];
+        }
+        return level;
+    }
+
+    /** @param flux modified: channels per room, of what does not emit, then of what does; likewise the area */
+    private void add(PatchTree tree, double[] flux, double[] lit) {
+        Faces faces = world.mesh.faces;
+        int room = world.mesh.rooms.room(tree.face());
+        if (room < 0) {
+            return;
+        }
+        double[] sum = new double[world.channels()];
+        tree.addFlux(faces, sum);
+        for (int c = 0; c < sum.length; c++) {
+            int at = sum.length * room + c + (faces.exitance(tree.face(), c) > 0 ? flux.length / 2 : 0);
+            flux[at] += sum[c];
+            lit[at] += faces.area(tree.face()) / (1L << 2 * Path.level(tree.path()));
+        }
     }
 
     @Override
@@ -142,6 +187,7 @@ final class Prediction implements Planner {
         out.writeInt(splits);
         out.writeInt(elements);
         out.writeBoolean(refined);
+        out.writeDouble(left);
         for (double w : weight) {
             out.writeDouble(w);
         }
@@ -153,6 +199,7 @@ final class Prediction implements Planner {
         splits = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();
+        left = in.readDouble();
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }

@@ -28,7 +28,7 @@ final class ShootAndSort implements Planner {
     @Override
     public Order next(Answer last, double unsent, BooleanSupplier goOn) {
         int size = Math.min(last.candidates.size(), batch(shots));
-        return size == 0 ? null : new Order(Order.Kind.SHOOT, 0, false, last.candidates.subList(0, size),
+        return size == 0 ? null : Order.of(Order.Kind.SHOOT, last.candidates.subList(0, size),
                 Double.POSITIVE_INFINITY, weight, 0, batch(shots + size));
     }
 

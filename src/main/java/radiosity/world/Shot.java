@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import radiosity.formfactor.Shooter;
+import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
 import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
@@ -48,6 +49,11 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
     /** @param weight one per channel, see {@link Shooter} */
     Shooter shooter(Faces faces, double[] weight) {
         return new Shooter(faces, trees, weight);
+    }
+
+    /** @param weight one per channel, see {@link Shooter} */
+    Shooter shooter(Faces faces, double[] weight, Ambient ambient) {
+        return new Shooter(faces, trees, weight, ambient);
     }
 
     /** U A summed over the elements, one per channel, of the scene's squared size; signed. */

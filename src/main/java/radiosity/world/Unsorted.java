@@ -45,7 +45,7 @@ final class Unsorted implements Planner {
         if (turns.isEmpty()) {
             return null;
         }
-        return new Order(Order.Kind.SHOOT, 0, false, gathers ? turns : List.of(turn(turns)), Double.POSITIVE_INFINITY,
+        return Order.of(Order.Kind.SHOOT, gathers ? turns : List.of(turn(turns)), Double.POSITIVE_INFINITY,
                 weight, 0, Integer.MAX_VALUE);
     }
 
