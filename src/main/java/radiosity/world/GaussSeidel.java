@@ -13,7 +13,7 @@ import java.util.function.BooleanSupplier;
 final class GaussSeidel {
 
     private static final int MOST_SWEEPS = 500;
-    private static final double ENOUGH = 1e-7;
+    private static final double ENOUGH = 1e-9;
     /** Sweeps that are remembered. */
     private static final int MEMORY = 6;
     /** A change that is this much of another in its own right tells nothing new. */

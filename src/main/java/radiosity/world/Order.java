@@ -119,11 +119,17 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     private static void write(double[] numbers, DataOutputStream out) throws IOException {
         out.writeInt(numbers.length);
-        Wire.write(out, numbers);
+        for (double number : numbers) {
+            out.writeDouble(number);
+        }
     }
 
     private static double[] doubles(DataInputStream in) throws IOException {
-        return Wire.doubles(in, Wire.count(in, Double.BYTES));
+        double[] numbers = new double[Wire.count(in, Double.BYTES)];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = in.readDouble();
+        }
+        return numbers;
     }
 
     private static Kind kind(int number) throws IOException {
