@@ -32,6 +32,7 @@ public final class Rooms {
     private final float[] box;
     private final int[] room;
     private int count;
+    private final boolean plain;
 
     public Rooms(Faces faces) {
         this.faces = faces;
@@ -49,11 +50,31 @@ public final class Rooms {
                 furnish(f);
             }
         }
+        plain = findPlain();
     }
 
     /** The number of the closed room in which a face stands, or -1. */
     public int room(int face) {
         return room[face];
+    }
+
+    /** Whether all faces stand in one closed room, and no two shells touch: nothing is covered. */
+    public boolean isPlain() {
+        return plain;
+    }
+
+    private boolean findPlain() {
+        for (int f = 0; f < shell.length; f++) {
+            if (room[f] != 0) {
+                return false;
+            }
+            for (int g = 0; g < f && shell[f] == f && volume[f] >= 0; g++) {
+                if (shell[g] == g && volume[g] >= 0 && overlap(f, g, -TOUCH)) {
+                    return false;
+                }
+            }
+        }
+        return count == 1;
     }
 
     /** Number of closed rooms. */
@@ -140,16 +161,16 @@ public final class Rooms {
     /** Whether all that reaches into a shell's box is solid. */
     private boolean isClosed(int wall) {
         for (int s = 0; s < shell.length; s++) {
-            if (s != wall && shell[s] == s && overlap(wall, s) && (open[s] || volume[s] < 0)) {
+            if (s != wall && shell[s] == s && overlap(wall, s, TOUCH) && (open[s] || volume[s] < 0)) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean overlap(int s, int t) {
+    private boolean overlap(int s, int t, double by) {
         for (int a = 0; a < 3; a++) {
-            if (box[6 * s + a] > box[6 * t + 3 + a] - TOUCH || box[6 * t + a] > box[6 * s + 3 + a] - TOUCH) {
+            if (box[6 * s + a] > box[6 * t + 3 + a] - by || box[6 * t + a] > box[6 * s + 3 + a] - by) {
                 return false;
             }
         }
@@ -159,7 +180,7 @@ public final class Rooms {
     /** Gives a wall and the solids in it the number of a room, unless a face is neither in it nor out of it. */
     private void furnish(int wall) {
         int[] walls = IntStream.range(0, shell.length).filter(f -> shell[f] == wall).toArray();
-        int[] others = IntStream.range(0, shell.length).filter(f -> shell[f] != wall && overlap(wall, shell[f])).toArray();
+        int[] others = IntStream.range(0, shell.length).filter(f -> shell[f] != wall && overlap(wall, shell[f], TOUCH)).toArray();
         int[] inside = new int[shell.length];
         boolean clear = (long) walls.length * others.length <= MOST_PAIRS;
         for (int i = 0; i < others.length && clear; i++) {

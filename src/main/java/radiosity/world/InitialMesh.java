@@ -88,6 +88,11 @@ final class InitialMesh {
         return predicts() && settings.factors() == FormFactors.RAYCAST;
     }
 
+    /** Whether all flux that is shot must be received. */
+    boolean conserves() {
+        return predicts() && rooms.isPlain();
+    }
+
     boolean predicts() {
         return settings.schedule() == Schedule.PREDICT;
     }

@@ -16,11 +16,12 @@ import java.util.List;
  * @param weight    one per channel: what a W/m² counts for in that
  * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
  * @param ambient   channels per closed room, see {@link radiosity.patch.Ambient}; empty: none. W/m²
+ * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
  * @param begun     whether a part of the round is done: the ambient light has been received
  * @param most      how many candidates for the next round to name; -1: nobody reads the answer
  */
 record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
-             double meshError, double[] ambient, boolean begun, int most) {
+             double meshError, double[] ambient, double[] givenBack, boolean begun, int most) {
 
     private static final double[] NONE = {};
 
@@ -42,29 +43,30 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** An order without shots. */
     static Order plain(Kind kind, int most) {
-        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, NONE, false, most);
+        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, NONE, NONE, false, most);
     }
 
     /** An order without ambient light. */
     static Order of(Kind kind, List<Shot> shots, double tolerance, double[] weight, double meshError, int most) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, NONE, false, most);
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, NONE, NONE, false, most);
     }
 
     Order numbered(int round) {
-        return new Order(kind, round, more, shots, tolerance, weight, meshError, ambient, begun, most);
+        return new Order(kind, round, more, shots, tolerance, weight, meshError, ambient, givenBack, begun,
+                most);
     }
 
     /** The first shots of this round; candidates are named when it ends. */
     Order first(int size) {
         boolean all = size == shots.size();
-        return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, ambient, begun,
-                all ? most : 0);
+        return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, ambient, givenBack,
+                begun, all ? most : 0);
     }
 
     /** What is left of this round without its first shots. */
     Order after(int size) {
         return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, ambient,
-                true, most);
+                givenBack, true, most);
     }
 
     /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
@@ -79,7 +81,13 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** The same, naming other numbers of candidates. */
     Order naming(int candidates) {
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, begun, candidates);
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack, begun,
+                candidates);
+    }
+
+    /** The same, and all receive this besides. */
+    Order givingBack(double[] even) {
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, even, begun, most);
     }
 
     boolean isAnswered() {
@@ -99,6 +107,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         write(weight, out);
         out.writeDouble(meshError);
         write(ambient, out);
+        write(givenBack, out);
         out.writeBoolean(begun);
         out.writeInt(most);
     }
@@ -113,8 +122,9 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         double[] weight = doubles(in);
         double meshError = in.readDouble();
         double[] ambient = doubles(in);
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, in.readBoolean(),
-                in.readInt());
+        double[] givenBack = doubles(in);
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack,
+                in.readBoolean(), in.readInt());
     }
 
     private static void write(double[] numbers, DataOutputStream out) throws IOException {

@@ -162,12 +162,14 @@ final class PartitionImpl implements Partition {
     /** Even light of closed rooms, at the beginning of a round. */
     private void receiveAmbient(Order order, int[] vertices) {
         Ambient ambient = ambient(order);
-        if (order.begun() || ambient.isDark()) {
+        double[] back = order.givenBack();
+        if (order.begun() || ambient.isDark() && back.length == 0) {
             return;
         }
         for (int v : vertices) {
             for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
-                nodes.irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c);
+                nodes.irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
+                        + (back.length == 0 ? 0 : back[c]);
             }
         }
     }

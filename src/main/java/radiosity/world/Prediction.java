@@ -134,7 +134,7 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, ambient(shots), false, 0);
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, ambient(shots), new double[0], false, 0);
     }
 
     /**
@@ -143,7 +143,8 @@ final class Prediction implements Planner {
      */
     private double[] ambient(List<Shot> shots) {
         Rooms rooms = world.mesh.rooms;
-        if (shots.size() < world.mesh.blocks.size() || rooms.count() == 0) {
+        double shooting = shots.stream().flatMap(shot -> shot.trees().stream()).mapToDouble(this::area).sum();
+        if (rooms.count() == 0 || shooting < world.mesh.faces.area() * (1 - 1e-6)) {
             return new double[0];
         }
         int channels = world.channels();
@@ -169,8 +170,12 @@ final class Prediction implements Planner {
         for (int c = 0; c < sum.length; c++) {
             int at = sum.length * room + c + (faces.exitance(tree.face(), c) > 0 ? flux.length / 2 : 0);
             flux[at] += sum[c];
-            lit[at] += faces.area(tree.face()) / (1L << 2 * Path.level(tree.path()));
+            lit[at] += area(tree);
         }
+    }
+
+    private double area(PatchTree tree) {
+        return world.mesh.faces.area(tree.face()) / (1L << 2 * Path.level(tree.path()));
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import radiosity.patch.Faces;
 import radiosity.scene.SceneFormatException;
 
 /**
@@ -68,6 +69,7 @@ public final class ProgressiveRadiosity {
                     return;
                 }
                 pending = pending.changes() ? pending.numbered(++rounds) : pending;
+                pending = pending.kind() == Order.Kind.SHOOT ? pending.givingBack(missing()) : pending;
             }
             step();
             goOn = listener.afterRound(progress());
@@ -145,6 +147,23 @@ public final class ProgressiveRadiosity {
             world.round(now);
         }
         dark = now.kind() == Order.Kind.SPLIT ? now.number() : now.more() ? dark : 0;
+    }
+
+    /**
+     * In a closed room in which nothing is covered, what was shot and not received, or received twice: as even light it
+     * is given back, so that flux is conserved. Empty elsewhere. W/m², one per channel.
+     */
+    private double[] missing() {
+        if (!world.mesh.conserves() || shots == 0) {
+            return new double[0];
+        }
+        Faces faces = world.mesh.faces;
+        double area = faces.area() * faces.size() * faces.size();
+        double[] missing = shotFlux.clone();
+        for (int c = 0; c < missing.length; c++) {
+            missing[c] = (missing[c] - answer.received[c].value()) / area;
+        }
+        return missing;
     }
 
     private void count(Shot shot) {

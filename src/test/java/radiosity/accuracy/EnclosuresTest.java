@@ -57,7 +57,6 @@ class EnclosuresTest {
         }
     }
 
-    @Disabled("reached +0.141 %: the visible share is sampled")
     @ParameterizedTest
     @MethodSource("whiteFurnaces")
     void whiteFurnace_isExactOnAverage(String id) {
