@@ -1,6 +1,10 @@
 package radiosity.patch;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
@@ -8,8 +12,8 @@ import java.util.stream.IntStream;
  * their radiating sides.
  *
  * <p>A shell is what is connected by edges; it is whole where every edge is run through as often in one direction as in
- * the other, so that as a chain it has no boundary. A whole shell seen from inside is the wall of a room; the room is
- * closed if whatever else reaches into its box is whole, seen from outside, and with each face either in it or out of it.
+ * the other, so that as a chain it has no boundary; corners of others may stand on an edge. A whole shell seen from inside is the wall of a room; the room is
+ * closed if whatever else reaches into its box is whole or stands on a wall, is seen from outside, and with each face either in it or out of it.
  * A hairline opening leaves a boundary.
  */
 public final class Rooms {
@@ -26,6 +30,8 @@ public final class Rooms {
     /** 1 per face: the lowest face of its shell. */
     private final int[] shell;
     private final boolean[] open;
+    /** Per lowest face of an open shell: the ends of its boundary's edges. */
+    private final Map<Integer, List<int[]>> rims = new HashMap<>();
     /** 1 per lowest face: volume, of the scene's cubed size; negative where it is seen from inside. */
     private final double[] volume;
     /** 6 per lowest face: low x, y, z, high x, y, z. */
@@ -68,6 +74,9 @@ public final class Rooms {
             if (room[f] != 0) {
                 return false;
             }
+            if (open[shell[f]]) {
+                return false;
+            }
             for (int g = 0; g < f && shell[f] == f && volume[f] >= 0; g++) {
                 if (shell[g] == g && volume[g] >= 0 && overlap(f, g, -TOUCH)) {
                     return false;
@@ -86,25 +95,34 @@ public final class Rooms {
         int n = faces.count();
         int[] net = new int[3 * n];
         int[] owner = new int[3 * n];
+        int[] ends = new int[6 * n];
         LongIndex edges = new LongIndex(3 * n);
         Arrays.setAll(shell, f -> f);
         for (int e = 0; e < 3 * n; e++) {
             int p = faces.point[e];
             int q = faces.point[3 * (e / 3) + (e + 1) % 3];
             int known = edges.size();
-            int edge = edges.findOrAdd((long) Math.min(p, q) << 32 | Math.max(p, q), known);
+            int edge = edges.findOrAdd(EdgePieces.key(p, q), known);
             if (edge == known) {
                 owner[edge] = e / 3;
+                ends[2 * edge] = Math.min(p, q);
+                ends[2 * edge + 1] = Math.max(p, q);
             } else {
                 union(owner[edge], e / 3);
             }
             net[edge] += p < q ? 1 : -1;
         }
+        int[] loose = IntStream.range(0, edges.size()).filter(edge -> net[edge] != 0).toArray();
+        new EdgePieces(faces, ends, loose).balance(net, (e, other) -> union(owner[e], owner[other]));
         for (int f = 0; f < n; f++) {
             shell[f] = root(f);
         }
-        for (int edge = 0; edge < edges.size(); edge++) {
-            open[shell[owner[edge]]] |= net[edge] != 0;
+        for (int edge : loose) {
+            int s = shell[owner[edge]];
+            open[s] |= net[edge] != 0;
+            if (net[edge] != 0) {
+                rims.computeIfAbsent(s, none -> new ArrayList<>()).add(new int[] {ends[2 * edge], ends[2 * edge + 1]});
+            }
         }
     }
 
@@ -161,11 +179,16 @@ public final class Rooms {
     /** Whether all that reaches into a shell's box is solid. */
     private boolean isClosed(int wall) {
         for (int s = 0; s < shell.length; s++) {
-            if (s != wall && shell[s] == s && overlap(wall, s, TOUCH) && (open[s] || volume[s] < 0)) {
+            if (s != wall && shell[s] == s && overlap(wall, s, TOUCH) && !isSolid(s, wall)) {
                 return false;
             }
         }
         return true;
+    }
+
+    /** Seen from outside, and whole or standing on a wall with what it lacks. */
+    private boolean isSolid(int s, int wall) {
+        return open[s] ? new Footprint(faces, shell, s, rims.get(s)).isOn(wall) : volume[s] >= 0;
     }
 
     private boolean overlap(int s, int t, double by) {

@@ -85,8 +85,7 @@ final class Prediction implements Planner {
         if (stage == Stage.SHOOT && refined && unsent >= left) {
             return null;
         }
-        left = unsent;
-        return shoot(last, goOn);
+        return shoot(last, unsent, goOn);
     }
 
     private Order split(Answer last) {
@@ -101,7 +100,7 @@ final class Prediction implements Planner {
         return order(Order.Kind.GATHER, world.totals());
     }
 
-    private Order shoot(Answer last, BooleanSupplier goOn) throws IOException {
+    private Order shoot(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         if (!coarse.isMade()) {
             return rows();
         }
@@ -119,6 +118,7 @@ final class Prediction implements Planner {
             weigh(last, h);
         }
         stage = Stage.SHOOT;
+        left = unsent;
         return order(Order.Kind.SHOOT, candidates.stream().map(shot -> coarse.with(shot, h)).toList());
     }
 
