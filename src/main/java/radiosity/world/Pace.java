@@ -42,11 +42,6 @@ final class Pace {
         return (int) Math.max(1, Math.min(left, most));
     }
 
-    /** Whether so many shots are done long before a user would want to see something of it. */
-    boolean isShort(int shots) {
-        return shots * secondsPerShot < STEP_SECONDS / 2;
-    }
-
     /** Told what the step took that was asked for last. */
     void took(int shots, double seconds) {
         last = Math.max(1, shots);

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntToDoubleFunction;
 import radiosity.patch.Faces;
 import radiosity.patch.PatchTree;
 import radiosity.patch.Path;
@@ -29,12 +30,16 @@ final class Prediction implements Planner {
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.02;
 
+    /** Patches of the coarse mesh up to which there is foresight: its system grows with their square. */
+    private static final int MOST_FORESEEN = 20_000;
+
     /** What the last round was. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER }
 
     private final World world;
     /** Of the scene, scene units squared. */
     private final double area;
+    /** Null where the scene is too large for it. */
     private final CoarseSystem coarse;
     private final double tolerance;
     private final double meshError;
@@ -55,7 +60,7 @@ final class Prediction implements Planner {
         meshError = settings.meshError() > 0 ? settings.meshError() : MESH_ERROR;
         weight = new double[world.channels()];
         Arrays.fill(weight, 1);
-        coarse = new CoarseSystem(world.mesh);
+        coarse = world.mesh.coarse.patches() <= MOST_FORESEEN ? new CoarseSystem(world.mesh) : null;
     }
 
     /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
@@ -101,13 +106,24 @@ final class Prediction implements Planner {
     }
 
     private Order shoot(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        if (!coarse.isMade()) {
+        if (coarse != null && !coarse.isMade()) {
             return rows();
         }
         List<Shot> candidates = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE)).candidates;
         if (candidates.isEmpty()) {
             return null;
         }
+        List<Shot> shots = coarse == null ? unforeseen(last, candidates) : foreseen(last, candidates, goOn);
+        if (shots == null) {
+            return null;
+        }
+        stage = Stage.SHOOT;
+        left = unsent;
+        return order(Order.Kind.SHOOT, shots);
+    }
+
+    /** With what will become of them; null where it was not to go on. */
+    private List<Shot> foreseen(Answer last, List<Shot> candidates, BooleanSupplier goOn) {
         double[] unshot = coarse.noUnshot();
         candidates.forEach(shot -> coarse.restrict(shot, unshot));
         double[] h = coarse.irradiance(unshot, goOn);
@@ -115,19 +131,37 @@ final class Prediction implements Planner {
             return null;
         }
         if (stage == Stage.NOTHING) {
-            weigh(last, h);
+            weigh(last, c -> coarse.weighted(h, c));
         }
-        stage = Stage.SHOOT;
-        left = unsent;
-        return order(Order.Kind.SHOOT, candidates.stream().map(shot -> coarse.with(shot, h)).toList());
+        return candidates.stream().map(shot -> coarse.with(shot, h)).toList();
+    }
+
+    /** In a scene of too many patches every block shoots what it has. */
+    private List<Shot> unforeseen(Answer last, List<Shot> candidates) {
+        if (stage == Stage.NOTHING) {
+            weigh(last, this::interreflected);
+        }
+        return candidates;
+    }
+
+    /** Flux that would be reflected, as counted by {@link Faces#importance}, if every surface saw every other alike. */
+    private double interreflected(int c) {
+        Faces faces = world.mesh.faces;
+        double reflected = 0;
+        double counted = 0;
+        for (int f = 0; f < faces.count(); f++) {
+            reflected += faces.area(f) * faces.reflectance(f, c) / faces.area();
+            counted += faces.area(f) * faces.importance(f, c) / faces.area();
+        }
+        return world.mesh.emitted[c] * counted / (1 - reflected);
     }
 
     /** By the radiosity that is there and is foreseen, over all area; a channel without light does not count. */
-    private void weigh(Answer last, double[] h) {
+    private void weigh(Answer last, IntToDoubleFunction foreseen) {
         for (int c = 0; c < weight.length; c++) {
             double received = last.received[c].value();
             double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - last.absorbed[c].value());
-            double lit = coarse.weighted(h, c) + reflected;
+            double lit = foreseen.applyAsDouble(c) + reflected;
             weight[c] = lit > 0 ? area / lit : 0;
         }
     }

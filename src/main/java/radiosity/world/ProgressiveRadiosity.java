@@ -19,6 +19,9 @@ import radiosity.scene.SceneFormatException;
  */
 public final class ProgressiveRadiosity {
 
+    /** So often at least it is asked within a round how things stand, for whoever watches; it costs time. */
+    private static final double ANSWER_SECONDS = 4;
+
     private final World world;
     private final StopRule stop;
     private int shots;
@@ -33,6 +36,8 @@ public final class ProgressiveRadiosity {
     private Answer answer;
     /** Whether that is the answer to the last order. */
     private boolean isKnown = true;
+    /** When the last answer came, ns. */
+    private long known = System.nanoTime();
     /** The round whose new vertices have not gathered yet; 0 where there is none. */
     private int dark;
     private final Pace pace;
@@ -123,7 +128,8 @@ public final class ProgressiveRadiosity {
             size = Math.min(size, stop.shots() - shots);
         }
         Order now = pending.first(size);
-        now = now.more() && pace.isShort(size) ? now.naming(-1) : now;
+        boolean answered = !now.more() || System.nanoTime() - known > ANSWER_SECONDS * 1e9;
+        now = answered ? now : now.naming(-1);
         long begin = System.nanoTime();
         carryOut(now);
         pace.took(size, (System.nanoTime() - begin) * 1e-9);
@@ -143,6 +149,7 @@ public final class ProgressiveRadiosity {
         isKnown = now.isAnswered();
         if (isKnown) {
             answer = world.answer(now);
+            known = System.nanoTime();
         } else {
             world.round(now);
         }
