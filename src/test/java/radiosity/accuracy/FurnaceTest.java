@@ -21,8 +21,6 @@ class FurnaceTest {
     private static final Surface WALL = Rooms.grey("wall", 1, 0.5);
     private static final double EXACT = 2;
     private static final Solve SOLVE = Solve.byDefault().unsent(1e-5);
-    /** Rays that carry an eighth of what they do by default. */
-    private static final Solve FINE = SOLVE.tolerance(0.006);
 
     @ParameterizedTest
     @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
@@ -38,12 +36,12 @@ class FurnaceTest {
     @ParameterizedTest
     @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
     void furnace_isUniformInEveryRoom(String name) {
-        isUniform(spread(Rooms.watertight().get(name).apply(WALL), FINE, p -> true));
+        isUniform(spread(Rooms.watertight().get(name).apply(WALL), SOLVE, p -> true));
     }
 
     @Test
     void furnace_isUniformInTheClosedCornellBox() {
-        isUniform(spread(Rooms.closedCornell(WALL), FINE, Rooms::isOpenInCornell));
+        isUniform(spread(Rooms.closedCornell(WALL), SOLVE, Rooms::isOpenInCornell));
     }
 
     @ParameterizedTest

@@ -1,0 +1,115 @@
+package radiosity.patch;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.accuracy.Box;
+import radiosity.accuracy.Prism;
+import radiosity.accuracy.SceneBuilder;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** A room is closed only where that is proven. */
+class ClosedRoomsTest {
+
+    private static final Surface WALL = radiosity.accuracy.Rooms.grey("wall", 1, 0.5);
+    private static final Box SMALL = new Box(new Vec3(0.4, 0.4, 0.4), new Vec3(0.6, 0.6, 0.6));
+
+    private static SceneBuilder inside(Box box, int sides) {
+        SceneBuilder builder = new SceneBuilder();
+        for (int side = 0; side < sides; side++) {
+            builder.polygon(WALL, box.inside(side));
+        }
+        return builder;
+    }
+
+    private static SceneBuilder withCube(SceneBuilder builder, Box box, boolean fromInside) {
+        for (int side = 0; side < 6; side++) {
+            Vec3[] p = box.inside(side);
+            builder.polygon(WALL, fromInside ? p : new Vec3[] {p[3], p[2], p[1], p[0]});
+        }
+        return builder;
+    }
+
+    private static Rooms rooms(SceneBuilder builder) {
+        return rooms(builder.scene("room"));
+    }
+
+    private static Rooms rooms(Scene scene) {
+        return new Rooms(new Faces(scene));
+    }
+
+    @Test
+    void watertightRooms_areClosedAndPlain() {
+        radiosity.accuracy.Rooms.watertight().forEach((name, room) -> {
+            Rooms found = rooms(room.apply(WALL));
+            assertEquals(1, found.count(), name);
+            assertTrue(found.isPlain(), name);
+        });
+    }
+
+    @Test
+    void missingWall_isOpen() {
+        assertEquals(0, rooms(inside(Box.UNIT, 5)).count());
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-2, 1e-4, 1e-6})
+    void hairline_isOpen(double gap) {
+        SceneBuilder builder = inside(Box.UNIT, 5);
+        builder.polygon(WALL, new Vec3(0, 1, 1), new Vec3(1, 1, 1), new Vec3(1, gap, 1), new Vec3(0, gap, 1));
+        assertEquals(0, rooms(builder).count());
+    }
+
+    @Test
+    void cornersOnEdges_close() {
+        SceneBuilder builder = inside(Box.UNIT, 5);
+        for (double x = 0; x < 1; x += 0.25) {
+            builder.polygon(WALL, new Vec3(x, 1, 1), new Vec3(x + 0.25, 1, 1), new Vec3(x + 0.25, 0, 1), new Vec3(x, 0, 1));
+        }
+        assertEquals(1, rooms(builder).count());
+    }
+
+    @Test
+    void blockWithoutBottomOnTheFloor_leavesTheRoomClosedButNotPlain() {
+        Rooms found = rooms(radiosity.accuracy.Rooms.closedCornell(WALL));
+        assertEquals(1, found.count());
+        assertFalse(found.isPlain());
+    }
+
+    @Test
+    void blockWithoutBottomAboveTheFloor_isOpen() {
+        SceneBuilder builder = inside(new Box(new Vec3(0, -0.1, 0), new Vec3(1, 1, 1)), 6);
+        new Prism(0.5, new double[] {.2, .2, .2, .6, .6, .6, .6, .2}).addTo(builder, WALL);
+        assertEquals(0, rooms(builder).count());
+    }
+
+    @Test
+    void solidsSeenFromOutside_areInTheRoom() {
+        Rooms found = rooms(withCube(inside(Box.UNIT, 6), SMALL, false));
+        assertEquals(1, found.count());
+        assertTrue(found.isPlain());
+    }
+
+    @Test
+    void shellSeenFromInsideWithinARoom_isNotTrusted() {
+        Rooms found = rooms(withCube(inside(Box.UNIT, 6), SMALL, true));
+        assertEquals(-1, found.room(0));
+    }
+
+    @Test
+    void solidThroughAWall_isNotTrusted() {
+        Box through = new Box(new Vec3(0.8, 0.4, 0.4), new Vec3(1.3, 0.6, 0.6));
+        assertEquals(0, rooms(withCube(inside(Box.UNIT, 6), through, false)).count());
+    }
+
+    @Test
+    void aCubeSeenFromOutside_isNoRoom() {
+        assertEquals(0, rooms(withCube(new SceneBuilder(), Box.UNIT, false)).count());
+    }
+}
