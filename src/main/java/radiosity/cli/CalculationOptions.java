@@ -1,5 +1,6 @@
 package radiosity.cli;
 
+import java.util.Locale;
 import picocli.CommandLine.Option;
 import radiosity.formfactor.FormFactors;
 import radiosity.scene.Scene;
@@ -37,6 +38,10 @@ final class CalculationOptions {
                     + " shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
     Schedule schedule;
 
+    @Option(names = "--accuracy", paramLabel = "<n>%%", converter = Values.PerCent.class,
+            description = "Expected error of the radiosity, of its mean. Default: 2%%. With --schedule predict.")
+    Double accuracy;
+
     @Option(names = "--form-factors", paramLabel = "<kind>", converter = FormFactorsParser.class,
             description = "How form factors are found: raycast, plain (the paper's rays), hemicube or nusselt. With the"
                     + " last two -nr is the number of cells along an edge.")
@@ -67,10 +72,15 @@ final class CalculationOptions {
 
     /** @param otherwise for what is not given */
     RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
-        return new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
+        RadiositySettings asked = new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
                 schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError(),
                 layers || otherwise.layers(), factors == null ? otherwise.factors() : factors);
+        if (accuracy != null && asked.schedule() != Schedule.PREDICT) {
+            throw Failure.commandLine("--accuracy", "expected --schedule predict, got "
+                    + asked.schedule().name().toLowerCase(Locale.ROOT));
+        }
+        return accuracy == null ? asked : asked.accurate(accuracy);
     }
 
     /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */

@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import radiosity.formfactor.FormFactors;
 import radiosity.output.SceneFile;
 import radiosity.scene.SceneFormatException;
+import radiosity.world.Accuracy;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Schedule;
 
@@ -94,6 +95,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         checkSetting("-pa", settings.patchArea(), asked.patchArea());
         checkSetting("-nr", settings.rays(), asked.rays());
         checkSetting("-mt", settings.meshing(), asked.meshing());
+        checkSetting("--accuracy", Accuracy.of(settings.tolerance()), Accuracy.of(asked.tolerance()));
         checkSetting("--layers", settings.layers(), asked.layers());
         checkSetting("--form-factors", settings.factors(), asked.factors());
         checkSetting("--schedule", settings.schedule(), asked.schedule());

@@ -67,6 +67,21 @@ final class Values {
         }
     }
 
+    /** {@code 2%} or {@code 0.02}, above 0 and at most 100 %; as a part of 1. */
+    static final class PerCent extends Value<Double> {
+        @Override
+        String expected() {
+            return "per cent above 0 and up to 100, like 2%";
+        }
+
+        @Override
+        Double parse(String text) {
+            boolean hundredths = text.endsWith("%");
+            double value = decimal(hundredths ? text.substring(0, text.length() - 1) : text) / (hundredths ? 100 : 1);
+            return value > 0 && value <= 1 ? value : null;
+        }
+    }
+
     /** A number above 0. */
     static final class Positive extends Value<Double> {
         @Override

@@ -25,8 +25,6 @@ final class Prediction implements Planner {
     /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
     private static final double SETTLED = 0.05;
     private static final int MOST_SPLITS = 12;
-    private static final double TOLERANCE = 0.05;
-    private static final double MESH_ERROR = 4e-4;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.02;
 
@@ -56,8 +54,8 @@ final class Prediction implements Planner {
         this.world = world;
         area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
         RadiositySettings settings = world.settings();
-        tolerance = settings.tolerance() > 0 ? settings.tolerance() : TOLERANCE;
-        meshError = settings.meshError() > 0 ? settings.meshError() : MESH_ERROR;
+        tolerance = settings.tolerance() > 0 ? settings.tolerance() : Accuracy.tolerance(Accuracy.DEFAULT);
+        meshError = settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
         weight = new double[world.channels()];
         Arrays.fill(weight, 1);
         coarse = world.mesh.coarse.patches() <= MOST_FORESEEN ? new CoarseSystem(world.mesh) : null;

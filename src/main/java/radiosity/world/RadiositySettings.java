@@ -40,6 +40,16 @@ public record RadiositySettings(double patchArea, int rays, double meshing, Sche
         return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, layers, found);
     }
 
+    /**
+     * The same with what an accuracy asks for.
+     *
+     * @param error that is expected, above 0; see {@link Accuracy}
+     */
+    public RadiositySettings accurate(double error) {
+        return new RadiositySettings(patchArea, rays, meshing, schedule, Accuracy.tolerance(error),
+                Accuracy.meshError(error), layers, factors);
+    }
+
     public static RadiositySettings defaults() {
         return new RadiositySettings(0, 0, Double.POSITIVE_INFINITY, Schedule.PREDICT);
     }

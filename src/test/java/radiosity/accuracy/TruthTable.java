@@ -20,7 +20,7 @@ import radiosity.world.StopRule;
  * Prints how far the scenes with path-traced truth are from it and what that cost.
  *
  * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--tolerance T]
- * [--mesh-error M] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N] [--certificate] [scene ...]}
+ * [--mesh-error M] [--accuracy PERCENT] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N] [--certificate] [scene ...]}
  */
 public final class TruthTable {
 
@@ -83,6 +83,7 @@ public final class TruthTable {
             case "--schedule" -> set(s.patchArea(), s.rays(), s.meshing(),
                     Schedule.valueOf(value.toUpperCase(Locale.ROOT)), s.tolerance(), s.meshError());
             case "--form-factors" -> settings = s.factors(FormFactors.valueOf(value.toUpperCase(Locale.ROOT)));
+            case "--accuracy" -> settings = s.accurate(number / 100);
             case "--patches" -> patches = (int) number;
             case "--unsent" -> unsent = number;
             case "--threads" -> threads = (int) number;

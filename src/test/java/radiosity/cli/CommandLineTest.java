@@ -59,6 +59,11 @@ class CommandLineTest {
             -se 1.1 a b            | -se: expected a number from 0 to 1, got 1.1
             -se NaN a b            | -se: expected a number from 0 to 1, got NaN
             -se                    | -se: expected a number from 0 to 1, got nothing
+            --accuracy 0 a b       | --accuracy: expected per cent above 0 and up to 100, like 2%, got 0
+            --accuracy -1% a b     | --accuracy: expected per cent above 0 and up to 100, like 2%, got -1%
+            --accuracy 101% a b    | --accuracy: expected per cent above 0 and up to 100, like 2%, got 101%
+            --accuracy NaN a b     | --accuracy: expected per cent above 0 and up to 100, like 2%, got NaN
+            --accuracy             | --accuracy: expected per cent above 0 and up to 100, like 2%, got nothing
             -si 0 a b              | -si: expected a whole number of at least 1, got 0
             -si                    | -si: expected a whole number of at least 1, got nothing
             -sn 0 a b              | -sn: expected a whole number of at least 1, got 0
@@ -163,6 +168,15 @@ class CommandLineTest {
     void schedule_isThePapersWhereItsStopRulesAreGiven(String options, Schedule expected) {
         CalculationOptions calculation = parse(options + " a b").calculation;
         assertEquals(expected, calculation.settings(null, calculation.defaults()).schedule());
+    }
+
+    @Test
+    void accuracy_setsRaysAndMesh_forPredictionOnly() {
+        CalculationOptions calculation = parse("--accuracy 1% a b").calculation;
+        assertEquals(RadiositySettings.defaults().accurate(0.01), calculation.settings(null, calculation.defaults()));
+        CalculationOptions paper = parse("--accuracy 1% --schedule paper a b").calculation;
+        assertEquals("--accuracy: expected --schedule predict, got paper",
+                assertThrows(Failure.class, () -> paper.settings(null, paper.defaults())).getMessage());
     }
 
     @Test
