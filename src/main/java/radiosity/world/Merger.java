@@ -85,16 +85,30 @@ final class Merger {
                 Arrays.copyOf(faceOf, elements), shots, rounds, unshotFlux, ledger, state);
     }
 
-    /** A buried vertex takes the mean of those that it shares elements with, so that no dark seam shows. */
+    /**
+     * A buried vertex takes the mean of those that it shares elements with, so that no dark seam shows; then those deeper
+     * inside from these, as one of them may stand on the edge of a larger element that is seen.
+     */
     private void fillBuried() {
-        int vertices = index.size();
-        double[] sum = new double[channels * vertices];
-        int[] terms = new int[vertices];
+        boolean[] known = new boolean[index.size()];
+        for (int v = 0; v < known.length; v++) {
+            known[v] = copies[v] > 0;
+        }
+        boolean more = true;
+        while (more) {
+            more = fillBeside(known);
+        }
+    }
+
+    /** @return whether any was filled; those are known then */
+    private boolean fillBeside(boolean[] known) {
+        double[] sum = new double[channels * known.length];
+        int[] terms = new int[known.length];
         for (int i = 0; i < 3 * elements; i++) {
             int v = corner[i];
-            for (int k = 0; k < 3 && copies[v] == 0; k++) {
+            for (int k = 0; k < 3 && !known[v]; k++) {
                 int other = corner[3 * (i / 3) + k];
-                if (copies[other] > 0) {
+                if (known[other]) {
                     terms[v]++;
                     for (int c = 0; c < channels; c++) {
                         sum[channels * v + c] += irradiance[channels * other + c];
@@ -102,10 +116,14 @@ final class Merger {
                 }
             }
         }
-        for (int i = 0; i < channels * vertices; i++) {
-            if (terms[i / channels] > 0) {
-                irradiance[i] = sum[i] / terms[i / channels];
+        boolean filled = false;
+        for (int v = 0; v < known.length; v++) {
+            for (int c = 0; c < channels && terms[v] > 0; c++) {
+                irradiance[channels * v + c] = sum[channels * v + c] / terms[v];
             }
+            filled |= terms[v] > 0;
+            known[v] |= terms[v] > 0;
         }
+        return filled;
     }
 }
