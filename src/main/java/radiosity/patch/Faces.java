@@ -19,7 +19,6 @@ public final class Faces {
     public static final double LEAST_AREA = 1e-12;
     /** Importance of irradiance on a black face. */
     public static final double LEAST_IMPORTANCE = 0.05;
-
     /** What normals of faces in one plane differ by at most. */
     private static final float SAME_PLANE = 1e-5f;
 

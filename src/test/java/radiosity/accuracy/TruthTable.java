@@ -20,7 +20,8 @@ import radiosity.world.StopRule;
  * Prints how far the scenes with path-traced truth are from it and what that cost.
  *
  * <p>{@code scripts/accuracy [--patch-area A | --patches N] [--rays N] [--meshing D] [--tolerance T]
- * [--mesh-error M] [--accuracy PERCENT] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N] [--certificate] [scene ...]}
+ * [--mesh-error M] [--accuracy PERCENT] [--schedule S] [--form-factors F] [--unsent P] [--threads N] [--repeat N]
+ * [--certificate] [scene ...]}
  */
 public final class TruthTable {
 
