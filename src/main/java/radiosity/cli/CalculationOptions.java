@@ -42,6 +42,11 @@ final class CalculationOptions {
             description = "Expected error of the radiosity, of its mean. Default: 2%%. With --schedule predict.")
     Double accuracy;
 
+    @Option(names = TimeLimit.OPTION, paramLabel = "<n>s", converter = TimeLimit.Parser.class,
+            description = "Wall time of the whole render, like 60s, 500ms or 2m: the best accuracy that can be had in it,"
+                    + " and at the end the --accuracy that gives the same. With --schedule predict.")
+    TimeLimit time;
+
     @Option(names = "--form-factors", paramLabel = "<kind>", converter = FormFactorsParser.class,
             description = "How form factors are found: raycast, plain (the paper's rays), hemicube or nusselt. With the"
                     + " last two -nr is the number of cells along an edge.")
@@ -76,9 +81,9 @@ final class CalculationOptions {
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
                 schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError(),
                 layers || otherwise.layers(), factors == null ? otherwise.factors() : factors);
-        if (accuracy != null && asked.schedule() != Schedule.PREDICT) {
-            throw Failure.commandLine("--accuracy", "expected --schedule predict, got "
-                    + asked.schedule().name().toLowerCase(Locale.ROOT));
+        if ((accuracy != null || time != null) && asked.schedule() != Schedule.PREDICT) {
+            throw Failure.commandLine(accuracy != null ? "--accuracy" : TimeLimit.OPTION,
+                    "expected --schedule predict, got " + asked.schedule().name().toLowerCase(Locale.ROOT));
         }
         return accuracy == null ? asked : asked.accurate(accuracy);
     }

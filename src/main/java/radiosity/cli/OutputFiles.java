@@ -32,6 +32,11 @@ final class OutputFiles {
         this.arguments = arguments;
     }
 
+    /** The same for what a time limit led to: the scene file tells how it is made again. */
+    OutputFiles accurate(String perCent) {
+        return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent));
+    }
+
     /** Fails where something cannot be read or written, before any work. */
     void check() throws IOException {
         FileChecks checks = new FileChecks();

@@ -3,25 +3,13 @@ package radiosity.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
-import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import radiosity.lightwave.LightWaveReader;
 import radiosity.output.SceneInfo;
 import radiosity.output.SurfaceMaps;
 import radiosity.scene.Scene;
-import radiosity.world.Certificate;
-import radiosity.world.HostKey;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
-import radiosity.world.RemoteWorld;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
-import radiosity.world.StopRule;
-import radiosity.world.World;
 
 /** Renders a LightWave scene and writes a scene file (appendix C.1 of the paper). */
 public final class RadiosityRenderer {
@@ -68,7 +56,7 @@ public final class RadiosityRenderer {
         SceneInfo.lines(scene).forEach(System.out::println);
     }
 
-    /** Figure 7 of the paper, from top to bottom. */
+    /** Figure 7 of the paper, from top to bottom; {@link Calculation} is the middle. */
     private void render(SaveBeforeExit ending) throws IOException {
         files.check();
         Scene scene = SurfaceMaps.read(
@@ -76,28 +64,49 @@ public final class RadiosityRenderer {
         SavedCalculation saved = saved();
         RadiositySettings settings = settings(scene, saved);
         check(scene, settings);
-        try (World world = world(scene, settings)) {
-            checkTriangles(scene, world);
-            checkPatches(world);
-            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule());
-            Journal journal = new Journal(options.output(), settings, err::println);
-            if (!journal.resume(radiosity) && saved != null) {
-                radiosity.resume(saved.state());
-            }
-            ending.begin();
-            calculate(world, radiosity, settings, journal);
-            save(world, radiosity);
-            journal.delete();
+        if (options.calculation.time == null) {
+            calculate(scene, settings, saved, ending);
+        } else {
+            calculate(scene, settings, options.calculation.time, ending);
         }
     }
 
-    private World world(Scene scene, RadiositySettings settings) throws IOException {
-        int threads = options.calculation.threads;
-        if (options.host.hosts == null) {
-            return new LocalWorld(scene, settings, threads);
+    /** To the end, or until it is stopped. */
+    private void calculate(Scene scene, RadiositySettings settings, SavedCalculation saved, SaveBeforeExit ending)
+            throws IOException {
+        Journal journal = new Journal(options.output(), settings, err::println);
+        Calculated result;
+        try (Conversation user = conversation(new StopRuleCourse(Calculation.stopRule(options), System::nanoTime))) {
+            result = new Calculation(options, scene, files, warnings, user).run(settings, radiosity -> {
+                if (!journal.resume(radiosity) && saved != null) {
+                    radiosity.resume(saved.state());
+                }
+                ending.begin();
+            }, Optional.of(journal), () -> !stop.made());
         }
-        HostKey key = options.host.key == null ? null : PartitionServer.key(options.host.key);
-        return new RemoteWorld(scene, settings, options.host.hosts, key, threads, err::println);
+        files.saveScene(result.solution(), settings, result.certificate());
+        finish(result, Optional.empty());
+        journal.delete();
+    }
+
+    /** As exactly as can be done in a time. */
+    private void calculate(Scene scene, RadiositySettings settings, TimeLimit limit, SaveBeforeExit ending)
+            throws IOException {
+        ending.begin();
+        TimeCourse course = new TimeCourse(limit, ProcessTime::seconds);
+        Calculated result;
+        String told;
+        try (Conversation user = conversation(course)) {
+            TimedCalculation timed = new TimedCalculation(new Calculation(options, scene, files, warnings, user),
+                    settings, limit, course, user, stop, files);
+            result = timed.run();
+            told = timed.told();
+        }
+        finish(result, Optional.of(told));
+    }
+
+    private Conversation conversation(Course course) {
+        return new Conversation(err, () -> display(course), stop);
     }
 
     /** What {@code -tf} names, or null. */
@@ -129,64 +138,21 @@ public final class RadiosityRenderer {
         checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
     }
 
-    private void checkTriangles(Scene scene, World world) {
-        if (world.droppedTriangles() > 0) {
-            warnings.accept(scene.name() + ": expected triangles large enough to radiate, got " + world.droppedTriangles()
-                    + " that are not; they only block light");
-        }
-    }
-
-    private static void checkPatches(World world) {
-        Schedule schedule = world.settings().schedule();
-        if (schedule.isForSmallScenes() && world.patches() > Schedule.MOST_PATCHES) {
-            throw Failure.commandLine("--schedule " + schedule.name().toLowerCase(Locale.ROOT), "expected at most "
-                    + Schedule.MOST_PATCHES + " patches, got " + world.patches() + "; give a larger -pa");
-        }
-        if (schedule == Schedule.MATRIX && Double.isFinite(world.settings().meshing())) {
-            throw Failure.commandLine("-mt", "expected without --schedule matrix, got it with");
-        }
-    }
-
-    private StopRule stopRule() {
-        return options.file.disableRendering ? new StopRule(0, 1) : options.calculation.stopRule();
-    }
-
-    private void calculate(World world, ProgressiveRadiosity radiosity, RadiositySettings settings, Journal journal)
-            throws IOException {
-        try (ProgressDisplay display = display(); KeyListener keys = new KeyListener(stop::make)) {
-            stop.tell(display::message);
-            keys.listen();
-            Rounds rounds = new Rounds(radiosity, settings, options, files, journal, display, stop);
-            radiosity.run(options.statistics && world instanceof RemoteWorld remote
-                    ? new HostLines(remote::statistics, display, rounds, System::nanoTime) : rounds);
-        }
-    }
-
-    private void save(World world, ProgressiveRadiosity radiosity) throws IOException {
-        Solution solution = radiosity.solution();
-        Optional<Certificate> certificate = stop.made() ? Optional.empty()
-                : radiosity.certificate(options.calculation.threads);
-        files.saveScene(solution, world.settings(), certificate);
-        Summary summary = new Summary(radiosity.progress(), solution.ledger(), certificate, world.patchArea(), seconds());
+    /** What the user gets beside the scene file. */
+    private void finish(Calculated result, Optional<String> inTime) throws IOException {
+        Summary summary = new Summary(result, inTime, ProcessTime.seconds());
         summary.print(System.out);
-        files.saveRest(solution, summary);
-        if (options.statistics && world instanceof RemoteWorld remote) {
-            new StatisticsTable(remote.statistics()).print(System.out);
+        files.saveRest(result.solution(), summary);
+        if (options.statistics) {
+            result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
         }
     }
 
-    /** Since the start of the process. */
-    private static double seconds() {
-        Instant now = Instant.now();
-        Instant start = ProcessHandle.current().info().startInstant().orElse(now);
-        return Duration.between(start, now).toMillis() / 1000.0;
-    }
-
-    private ProgressDisplay display() {
+    private ProgressDisplay display(Course course) {
         if (options.quiet) {
             return new NoProgress(err);
         }
-        ProgressText text = new ProgressText(stopRule(), System::nanoTime);
+        ProgressText text = new ProgressText(course);
         return TerminalStreams.seen() ? new ProgressBarDisplay(err, TerminalStreams.width(), text)
                 : new ProgressLines(err, text, System::nanoTime);
     }

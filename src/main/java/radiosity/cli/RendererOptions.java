@@ -1,7 +1,9 @@
 package radiosity.cli;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -66,6 +68,9 @@ final class RendererOptions {
         if (statistics && host.hosts == null) {
             throw Failure.commandLine("--statistics", "expected with -h, got it without");
         }
+        if (calculation.time != null) {
+            checkTime();
+        }
         picture.check();
         if (files.size() != 2 || files.stream().anyMatch(file -> file.toString().isEmpty())) {
             String got = files.stream().map(file -> file.toString().isEmpty() ? "\"\"" : file.toString())
@@ -73,6 +78,21 @@ final class RendererOptions {
             throw Failure.commandLine("files", "expected a LightWave scene and a scene file to write, got "
                     + (got.isEmpty() ? "none" : got));
         }
+    }
+
+    /** A time limit chooses the accuracy, and for that it calculates several times. */
+    private void checkTime() {
+        Map<String, Boolean> others = new LinkedHashMap<>();
+        others.put("--accuracy", calculation.accuracy != null);
+        others.put("-dr", file.disableRendering);
+        others.put("-si", file.saveInterval != null);
+        others.put("-sn", picture.snapshotInterval != null);
+        others.put("-tf", file.resume != null);
+        others.forEach((option, given) -> {
+            if (given) {
+                throw Failure.commandLine(TimeLimit.OPTION, "expected without " + option + ", got both");
+            }
+        });
     }
 
     /** The LightWave scene. */

@@ -2,6 +2,7 @@ package radiosity.cli;
 
 import java.io.IOException;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import radiosity.world.Progress;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
@@ -20,19 +21,20 @@ final class Rounds implements RoundListener {
     private final FileOptions when;
     private final Integer snapshots;
     private final OutputFiles files;
-    private final Journal journal;
+    private final Optional<Journal> journal;
     private final ProgressDisplay display;
-    private final StopRequest stop;
+    private final BooleanSupplier goOn;
     private int before;
+    private boolean cut;
 
     Rounds(ProgressiveRadiosity radiosity, RadiositySettings settings, RendererOptions options, OutputFiles files,
-           Journal journal, ProgressDisplay display, StopRequest stop) {
+           Optional<Journal> journal, ProgressDisplay display, BooleanSupplier goOn) {
         this.radiosity = radiosity;
         this.settings = settings;
         this.files = files;
         this.journal = journal;
         this.display = display;
-        this.stop = stop;
+        this.goOn = goOn;
         when = options.file;
         snapshots = options.picture.snapshotInterval;
         before = radiosity.shots();
@@ -42,13 +44,21 @@ final class Rounds implements RoundListener {
     public boolean afterRound(Progress progress) {
         display.show(progress);
         try {
-            journal.keep(radiosity);
+            if (journal.isPresent()) {
+                journal.get().keep(radiosity);
+            }
             save(passed(when.saveInterval, progress.shots()), passed(snapshots, progress.shots()));
         } catch (Failure | IOException e) {
             display.message(Outcome.line(e));
         }
         before = progress.shots();
-        return !stop.made();
+        cut = !goOn.getAsBoolean();
+        return !cut;
+    }
+
+    /** Whether the calculation was told not to go on. */
+    boolean isCut() {
+        return cut;
     }
 
     private void save(boolean scene, boolean snapshot) throws IOException {

@@ -16,33 +16,33 @@ final class Summary {
     /** From here on the estimates of errors are mostly about what is unsent. */
     private static final double MUCH_UNSENT = 0.01;
 
+    private final Calculated result;
     private final Progress progress;
     private final EnergyLedger ledger;
-    private final Optional<Certificate> certificate;
-    private final double patchArea;
+    private final Optional<String> inTime;
     private final double seconds;
 
     /**
-     * @param patchArea square scene units
-     * @param seconds   of wall time, of the whole program so far
+     * @param inTime  what a time limit led to, where there was one
+     * @param seconds of wall time, of the whole program so far
      */
-    Summary(Progress progress, EnergyLedger ledger, Optional<Certificate> certificate, double patchArea,
-            double seconds) {
-        this.progress = progress;
-        this.ledger = ledger;
-        this.certificate = certificate;
-        this.patchArea = patchArea;
+    Summary(Calculated result, Optional<String> inTime, double seconds) {
+        this.result = result;
+        this.inTime = inTime;
         this.seconds = seconds;
+        progress = result.progress();
+        ledger = result.solution().ledger();
     }
 
     void print(PrintStream out) {
         out.printf(Locale.ROOT, "%,d elements of patches up to %.4g, %s in %s, %s unsent, %s%n",
-                progress.elements(), patchArea, ProgressText.count(progress.shots(), "shot"),
+                progress.elements(), result.patchArea(), ProgressText.count(progress.shots(), "shot"),
                 ProgressText.count(progress.rounds(), "round"),
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
         out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + unshot %.6g + not received %.6g%n",
                 sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());
-        certificate.ifPresent(c -> print(c, out));
+        result.certificate().ifPresent(c -> print(c, out));
+        inTime.ifPresent(out::println);
     }
 
     private void print(Certificate c, PrintStream out) {
@@ -63,10 +63,12 @@ final class Summary {
         json.put("shots", progress.shots());
         json.put("rounds", progress.rounds());
         json.put("unsent", progress.unsent());
-        json.put("patchArea", patchArea);
+        json.put("patchArea", result.patchArea());
+        json.put("settings", SavedCalculation.asJson(result.settings()));
         json.put("seconds", seconds);
         json.put("ledger", ledger);
-        certificate.ifPresent(c -> json.put("certificate", c));
+        result.certificate().ifPresent(c -> json.put("certificate", c));
+        inTime.ifPresent(line -> json.put("inTime", line));
         return json;
     }
 

@@ -64,6 +64,18 @@ class CommandLineTest {
             --accuracy 101% a b    | --accuracy: expected per cent above 0 and up to 100, like 2%, got 101%
             --accuracy NaN a b     | --accuracy: expected per cent above 0 and up to 100, like 2%, got NaN
             --accuracy             | --accuracy: expected per cent above 0 and up to 100, like 2%, got nothing
+            --time 0s a b          | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got 0s
+            --time -1s a b         | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got -1s
+            --time 3 min a b       | files: expected a LightWave scene and a scene file to write, got min a b
+            --time 1d a b          | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got 1d
+            --time s a b           | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got s
+            --time 1e9s a b        | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got 1e9s
+            --time                 | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got nothing
+            --time 1 --accuracy 1% a b | --time: expected without --accuracy, got both
+            --time 1 -tf a 3 a b   | --time: expected without -tf, got both
+            --time 1 -si 3 a b     | --time: expected without -si, got both
+            --time 1 -sn 3 a b     | --time: expected without -sn, got both
+            --time 1 -dr a b       | --time: expected without -dr, got both
             -si 0 a b              | -si: expected a whole number of at least 1, got 0
             -si                    | -si: expected a whole number of at least 1, got nothing
             -sn 0 a b              | -sn: expected a whole number of at least 1, got 0
@@ -171,12 +183,17 @@ class CommandLineTest {
     }
 
     @Test
-    void accuracy_setsRaysAndMesh_forPredictionOnly() {
+    void accuracy_setsRaysAndMesh() {
         CalculationOptions calculation = parse("--accuracy 1% a b").calculation;
         assertEquals(RadiositySettings.defaults().accurate(0.01), calculation.settings(null, calculation.defaults()));
-        CalculationOptions paper = parse("--accuracy 1% --schedule paper a b").calculation;
-        assertEquals("--accuracy: expected --schedule predict, got paper",
-                assertThrows(Failure.class, () -> paper.settings(null, paper.defaults())).getMessage());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--accuracy 1% --schedule paper, --accuracy", "--time 1s --schedule paper, --time", "--time 1s -it 3, --time"})
+    void accuracyAndTime_areForPredictionOnly(String commandLine, String option) {
+        CalculationOptions calculation = parse(commandLine + " a b").calculation;
+        assertEquals(option + ": expected --schedule predict, got paper",
+                assertThrows(Failure.class, () -> calculation.settings(null, calculation.defaults())).getMessage());
     }
 
     @Test

@@ -1,0 +1,20 @@
+package radiosity.cli;
+
+import java.util.Optional;
+import radiosity.world.Certificate;
+import radiosity.world.Progress;
+import radiosity.world.RadiositySettings;
+import radiosity.world.Solution;
+import radiosity.world.WorldStatistics;
+
+/**
+ * What a calculation came to.
+ *
+ * @param settings    with which it was made
+ * @param patchArea   largest of the first mesh, square scene units
+ * @param certificate of a calculation that was not cut
+ * @param statistics  of its hosts, where there were any
+ * @param isCut       whether it was stopped before it was done
+ */
+record Calculated(Solution solution, RadiositySettings settings, Progress progress, double patchArea,
+                  Optional<Certificate> certificate, Optional<WorldStatistics> statistics, boolean isCut) { }

@@ -1,0 +1,50 @@
+package radiosity.cli;
+
+import java.io.PrintStream;
+import java.util.function.Supplier;
+import radiosity.world.Progress;
+
+/** What a render tells its user, and hears from them: progress, messages, any key. */
+final class Conversation implements ProgressDisplay {
+
+    private final PrintStream err;
+    private final Supplier<ProgressDisplay> opening;
+    private final KeyListener keys;
+    private volatile ProgressDisplay display;
+    private boolean begun;
+
+    /** @param opening of a display, when the first round begins */
+    Conversation(PrintStream err, Supplier<ProgressDisplay> opening, StopRequest stop) {
+        this.err = err;
+        this.opening = opening;
+        keys = new KeyListener(stop::make);
+        display = new NoProgress(err);
+        stop.tell(this::message);
+    }
+
+    /** Before the first round of a calculation; there may be several. */
+    void begin() {
+        if (!begun) {
+            begun = true;
+            display = opening.get();
+            keys.listen();
+        }
+    }
+
+    @Override
+    public void show(Progress progress) {
+        display.show(progress);
+    }
+
+    @Override
+    public void message(String line) {
+        display.message(line);
+    }
+
+    @Override
+    public void close() {
+        keys.close();
+        display.close();
+        display = new NoProgress(err);
+    }
+}

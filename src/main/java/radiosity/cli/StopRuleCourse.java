@@ -1,0 +1,50 @@
+package radiosity.cli;
+
+import java.util.function.LongSupplier;
+import radiosity.world.Progress;
+import radiosity.world.StopRule;
+
+/** From the first progress seen to the stop rule, to the nearer of its two ends. */
+final class StopRuleCourse implements Course {
+
+    private static final double NANOSECONDS = 1e9;
+
+    private final StopRule stop;
+    private final LongSupplier clock;
+    private final long start;
+    private Progress first;
+
+    /** @param clock nanoseconds, as {@link System#nanoTime} */
+    StopRuleCourse(StopRule stop, LongSupplier clock) {
+        this.stop = stop;
+        this.clock = clock;
+        start = clock.getAsLong();
+    }
+
+    @Override
+    public double done(Progress now) {
+        if (first == null) {
+            first = now;
+        }
+        double shots = part(now.shots() - first.shots(), (double) stop.shots() - first.shots());
+        double unsent = part(Math.log(first.unsent() / now.unsent()), Math.log(first.unsent() / stop.unsent()));
+        return Math.max(shots, unsent);
+    }
+
+    private static double part(double gone, double whole) {
+        return whole > 0 && gone > 0 ? Math.min(1, gone / whole) : 0;
+    }
+
+    /** If it goes on as so far. */
+    @Override
+    public double left(Progress now) {
+        double done = done(now);
+        double elapsed = (clock.getAsLong() - start) / NANOSECONDS;
+        return done > 0 ? elapsed * (1 - done) / done : 0;
+    }
+
+    @Override
+    public String label() {
+        return "";
+    }
+}

@@ -1,0 +1,108 @@
+package radiosity.cli;
+
+import java.io.IOException;
+import java.util.Locale;
+import java.util.Optional;
+import radiosity.world.NoWorkerException;
+import radiosity.world.RadiositySettings;
+
+/**
+ * Calculates ever more exactly until the time is up ({@code --time}); what counts is the last solution that is whole.
+ *
+ * <p>Time chooses the accuracies, never the bits: each solution is the one that {@code --accuracy} gives, and the
+ * scene file says which. Each is saved as soon as it is there.
+ */
+final class TimedCalculation {
+
+    /** Time that is kept for what follows, part of the limit. */
+    private static final double RESERVE = 0.03;
+
+    private final Calculation calculation;
+    private final RadiositySettings settings;
+    private final TimeLimit limit;
+    private final TimeCourse course;
+    private final AccuracyChoice choice = new AccuracyChoice(Runtime.getRuntime().maxMemory());
+    private final Conversation user;
+    private final StopRequest stop;
+    private final OutputFiles files;
+    private Calculated best;
+    /** Its accuracy, as the user would write it. */
+    private String reached;
+    /** When the first was there, seconds. */
+    private double first;
+
+    TimedCalculation(Calculation calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
+                     Conversation user, StopRequest stop, OutputFiles files) {
+        this.calculation = calculation;
+        this.settings = settings;
+        this.limit = limit;
+        this.course = course;
+        this.user = user;
+        this.stop = stop;
+        this.files = files;
+    }
+
+    /** The best that was done; at least the coarsest is, however long it takes. */
+    Calculated run() throws IOException {
+        double accuracy = AccuracyChoice.COARSEST;
+        while (accuracy > 0) {
+            accuracy = tried(TimeLimit.perCent(accuracy)) ? choice.next(left()) : 0;
+        }
+        return best;
+    }
+
+    private double left() {
+        return course.left() - RESERVE * limit.seconds();
+    }
+
+    /** Whether a calculation came to its end. */
+    private boolean tried(String perCent) throws IOException {
+        course.at(perCent);
+        double begin = course.left();
+        double accuracy = new Values.PerCent().convert(perCent);
+        Calculated result;
+        try {
+            result = calculation.run(settings.accurate(accuracy), radiosity -> { }, Optional.empty(), this::goesOn);
+        } catch (NoWorkerException | OutOfMemoryError e) {
+            if (best == null) {
+                throw e;
+            }
+            user.message(perCent + ": " + Outcome.line(e));
+            return false;
+        }
+        if (best == null) {
+            first = limit.seconds() - course.left();
+        }
+        if (best == null || !result.isCut()) {
+            best = result;
+            reached = perCent;
+            files.accurate(perCent).saveScene(result.solution(), result.settings(), result.certificate());
+        }
+        choice.took(accuracy, begin - course.left(), result.progress().elements());
+        return !result.isCut();
+    }
+
+    private boolean goesOn() {
+        return !stop.made() && (best == null || left() > 0);
+    }
+
+    /** For the user: in what time what was done, and how to do it again to the last bit. */
+    String told() {
+        String time = seconds(limit.seconds() - course.left());
+        return TimeLimit.OPTION + " " + limit.text() + ": "
+                + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of --accuracy "
+                : whole(time) + "; the same as with --accuracy ") + reached;
+    }
+
+    private String whole(String time) {
+        if (stop.made()) {
+            return "stopped after " + time;
+        }
+        return first > limit.seconds() ? "too short for this scene, the coarsest solution was there after " + seconds(first)
+                : "done in " + time;
+    }
+
+    private static String seconds(double seconds) {
+        return String.format(Locale.ROOT, "%.3g s", seconds);
+    }
+}

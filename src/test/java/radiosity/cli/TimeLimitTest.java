@@ -1,0 +1,110 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.world.Progress;
+
+/** {@code --time}: the clock chooses the accuracy and never the bits. */
+class TimeLimitTest {
+
+    private static final String FILES = " foobar.lws foobar.scene";
+
+    @TempDir
+    Path directory;
+
+    @ParameterizedTest
+    @CsvSource({"60s, 60", "1ms, .001", "2m, 120", "2min, 120", "1.5h, 5400", "90, 90"})
+    void units_areSeconds(String text, double seconds) {
+        assertEquals(seconds, new TimeLimit.Parser().parse(text).seconds(), 1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({".5, 50%", ".0137, 1.37%", ".01234567, 1.24%", ".0001, 0.01%", ".003, 0.3%"})
+    void accuracy_isWrittenWithThreeDigits_notFiner(double accuracy, String expected) {
+        assertEquals(expected, TimeLimit.perCent(accuracy));
+        assertTrue(new Values.PerCent().parse(expected) >= accuracy * (1 - 1e-15));
+    }
+
+    @Test
+    void commandLine_namesTheAccuracyInsteadOfTheTime() {
+        assertEquals(List.of("-q", "--accuracy", "2%", "a", "b"),
+                TimeLimit.reproducing(List.of("-q", "--time", "60s", "a", "b"), "2%"));
+        assertEquals(List.of("a", "b", "--accuracy=2%"), TimeLimit.reproducing(List.of("a", "b", "--time=60s"), "2%"));
+    }
+
+    @Test
+    void progress_showsTheTimeThatIsLeft() {
+        TimeCourse course = new TimeCourse(new TimeLimit("60s", 60), () -> 20);
+        course.at("3%");
+        assertEquals("at 3%: 5 shots, 50 % unsent, 1234 elements, 40 s left",
+                new ProgressText(course).of(new Progress(5, 3, 0.5, 1234)));
+        assertEquals(1 / 3.0, course.done(new Progress(5, 3, 0.5, 1234)), 1e-12);
+    }
+
+    /** In this process the time is over from the start. */
+    @Test
+    void tooShort_isTheCoarsestSolution() throws IOException {
+        Program program = new Program(directory);
+        Path scene = program.file("foobar.lws");
+        Path output = program.file("foobar.scene");
+        Run run = Run.of("-q", "--time", "1ms", scene, output);
+        assertEquals(ExitCode.DONE, run.exitCode(), run.err());
+        assertTrue(run.out().contains("--time 1ms: too short for this scene, "), run.out());
+        assertTrue(run.out().contains("; the same as with --accuracy 50%"), run.out());
+        byte[] timed = Files.readAllBytes(output);
+        assertEquals(ExitCode.DONE, Run.of("-q", "--accuracy", "50%", scene, output).exitCode());
+        assertArrayEquals(timed, Files.readAllBytes(output));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-q --time 5s", "--time=5s --srgb -q"})
+    void sceneFile_isTheSameAsWithTheAccuracyThatIsPrinted(String options) throws Exception {
+        Program program = new Program(directory);
+        String told = rendered(program, options + FILES);
+        Matcher accuracy = Pattern.compile("the same as with --accuracy (\\S+)").matcher(told);
+        assertTrue(accuracy.find(), told);
+        byte[] timed = Files.readAllBytes(program.file("foobar.scene"));
+        rendered(program, options.replace("--time", "--accuracy").replace("5s", accuracy.group(1)) + FILES);
+        assertArrayEquals(timed, Files.readAllBytes(program.file("foobar.scene")));
+    }
+
+    private static String rendered(Program program, String arguments) throws Exception {
+        Process render = program.start(arguments);
+        String told = Program.rest(render);
+        assertEquals(ExitCode.DONE, render.waitFor(), told);
+        return told;
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no signals")
+    void stoppedInALaterCalculation_theLastWholeSolutionStays() throws Exception {
+        Program program = new Program(directory);
+        Process render = program.start("--time 1000s" + FILES);
+        BufferedReader shown = render.inputReader();
+        for (String line = shown.readLine(); line.startsWith("at 50%"); line = shown.readLine()) {
+            assertTrue(line.endsWith(" left"), line);
+        }
+        new ProcessBuilder("kill", Long.toString(render.pid())).start().waitFor();
+        String rest = shown.lines().collect(Collectors.joining("\n"));
+        assertEquals(143, render.waitFor(), rest);
+        assertTrue(rest.contains("stopped after ") && rest.contains("; the same as with --accuracy "), rest);
+        assertTrue(rest.contains("radiosity +- "), "certified: " + rest);
+    }
+}
