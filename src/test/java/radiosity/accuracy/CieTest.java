@@ -3,9 +3,10 @@ package radiosity.accuracy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.accuracy.CieCase.Measured;
 import radiosity.output.Points;
 import radiosity.scene.Scene;
@@ -18,7 +19,7 @@ import radiosity.world.Solution;
  * <p>5.8: with Phi emitted in a closed room of uniform reflectance, mean E = Phi/S + rho mean E, so the indirect part is
  * rho Phi / (S (1 - rho)): received flux / area, without what is received where nothing reflects.
  */
-class CieTest {
+public class CieTest {
 
     private static final double FLUX = 10_000;
     private static final double AREA = 96;
@@ -37,14 +38,20 @@ class CieTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(doubles = {.05, .1, .2, .3, .4, .5, .6, .7, .8, .9, .95, .99, .9999})
-    void meanIndirectIrradiance_isExact(double reflectance) {
-        double exact = reflectance * FLUX / (AREA * (1 - reflectance));
-        assertEquals(exact, mean(reflectance) - mean(0), 1e-4 * exact);
+    /** Of 5.8. */
+    public static Stream<Claim> claims() {
+        return DoubleStream.of(.05, .1, .2, .3, .4, .5, .6, .7, .8, .9, .95, .99, .999, .9999)
+                .mapToObj(rho -> Claim.of("CIE 171 case 5.8", "CIE 5.8 " + rho, () -> Figure.relative("mean indirect irradiance",
+                        1e-4, rho * FLUX / (AREA * (1 - rho)), mean(rho) - mean(0))));
     }
 
-    static double mean(double reflectance) {
+    @ParameterizedTest
+    @MethodSource("claims")
+    void meanIndirectIrradiance_isExact(Claim claim) {
+        claim.check();
+    }
+
+    private static double mean(double reflectance) {
         Scene cube = Cie.cube(reflectance);
         Solution solution = Solve.byDefault().unsent(1e-5).solution(cube);
         return solution.ledger().received()[0] / AREA;

@@ -30,6 +30,11 @@ public record Solve(RadiositySettings settings, StopRule stop, int threads) {
         return new Solve(settings, new StopRule(stop.shots(), part), threads);
     }
 
+    /** With this expected error, see {@link RadiositySettings#accurate}. */
+    public Solve accurate(double error) {
+        return settings(settings.accurate(error));
+    }
+
     public Solve threads(int count) {
         return new Solve(settings, stop, count);
     }

@@ -1,9 +1,12 @@
 package radiosity.extremes;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import radiosity.accuracy.Claim;
+import radiosity.accuracy.Figure;
 import radiosity.accuracy.Rooms;
 import radiosity.accuracy.Solve;
 import radiosity.accuracy.Spread;
@@ -11,11 +14,20 @@ import radiosity.accuracy.Spread;
 /** Radiosity is in proportion to emission over sixty powers of ten. */
 class EmissionTest {
 
-    @ParameterizedTest
-    @ValueSource(doubles = {1e-30, 1e-9, 1, 1e9, 1e30})
-    void furnace_isExactAtAnyEmission(double emission) {
+    static Stream<Claim> claims() {
+        return DoubleStream.of(1e-30, 1e-9, 1, 1e9, 1e30).mapToObj(emission -> new Claim("emission 1e-30 to 1e30",
+                "emission " + emission, () -> figures(emission)));
+    }
+
+    private static List<Figure> figures(double emission) {
         Spread found = Spread.radiosity(Solve.byDefault().solution(Rooms.lShaped(Rooms.grey("wall", emission, 0.5))), 0);
-        assertEquals(2 * emission, found.low(), 1e-3 * emission);
-        assertEquals(2 * emission, found.high(), 1e-3 * emission);
+        return List.of(Figure.relative("every point", 1e-3, 2 * emission, found.low()),
+                Figure.relative("every point", 1e-3, 2 * emission, found.high()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("claims")
+    void furnace_isExactAtAnyEmission(Claim claim) {
+        claim.check();
     }
 }

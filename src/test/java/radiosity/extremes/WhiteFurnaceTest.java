@@ -1,13 +1,14 @@
 package radiosity.extremes;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
+import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.DoubleStream;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.accuracy.Claim;
+import radiosity.accuracy.Figure;
 import radiosity.accuracy.Polyhedra;
 import radiosity.accuracy.Rooms;
 import radiosity.accuracy.Solve;
@@ -20,34 +21,36 @@ import radiosity.scene.Scene;
  */
 class WhiteFurnaceTest {
 
-    private static Spread relative(Scene room, double reflectance) {
-        Spread found = Spread.radiosity(Solve.byDefault().unsent(2e-5).solution(room), 0);
-        double exact = 1 / (1 - reflectance);
-        return new Spread(found.mean() / exact, found.low() / exact, found.high() / exact);
+    private static final int POLYHEDRA = 50;
+
+    /** Rooms, then polyhedra. */
+    static Stream<Claim> claims() {
+        return DoubleStream.of(.5, .9, .99, .999, .9999).boxed().flatMap(rho -> Stream.concat(rooms(rho), polyhedra(rho)));
     }
 
-    private static void isExact(Spread found) {
-        assertEquals(1, found.mean(), 1e-4, "mean");
-        assertEquals(1, found.low(), 5e-3, "lowest point");
-        assertEquals(1, found.high(), 5e-3, "highest point");
+    private static Stream<Claim> rooms(double rho) {
+        return Rooms.watertight().keySet().stream().map(name -> claim("furnace: " + name, name + " " + rho, rho,
+                () -> Rooms.watertight().get(name).apply(Rooms.grey("wall", 1, rho))));
+    }
+
+    private static Stream<Claim> polyhedra(double rho) {
+        return LongStream.range(0, POLYHEDRA).mapToObj(seed -> claim("furnace: random polyhedra",
+                "polyhedron " + seed + " " + rho, rho, () -> Polyhedra.random(seed, Rooms.grey("wall", 1, rho))));
+    }
+
+    private static Claim claim(String group, String name, double rho, Supplier<Scene> room) {
+        return new Claim(group, name, () -> {
+            Spread found = Spread.radiosity(Solve.byDefault().unsent(2e-5).solution(room.get()), 0);
+            double exact = 1 / (1 - rho);
+            return List.of(Figure.relative("mean", 1e-4, exact, found.mean()),
+                    Figure.relative("every point", 5e-3, exact, found.low()),
+                    Figure.relative("every point", 5e-3, exact, found.high()));
+        });
     }
 
     @ParameterizedTest
-    @MethodSource("roomsAndReflectances")
-    void room_isExact(String name, double reflectance) {
-        isExact(relative(Rooms.watertight().get(name).apply(Rooms.grey("wall", 1, reflectance)), reflectance));
-    }
-
-    static Stream<Arguments> roomsAndReflectances() {
-        return Rooms.watertight().keySet().stream().flatMap(name -> DoubleStream.of(.5, .9, .99, .999, .9999)
-                .mapToObj(reflectance -> Arguments.of(name, reflectance)));
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {.5, .9, .99, .999, .9999})
-    void randomPolyhedra_areExact(double reflectance) {
-        for (long seed = 0; seed < 50; seed++) {
-            isExact(relative(Polyhedra.random(seed, Rooms.grey("wall", 1, reflectance)), reflectance));
-        }
+    @MethodSource("claims")
+    void closedRoom_isExact(Claim claim) {
+        claim.check();
     }
 }
