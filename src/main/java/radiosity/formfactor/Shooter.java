@@ -7,6 +7,7 @@ import radiosity.patch.Hash;
 import radiosity.patch.PatchTree;
 import radiosity.patch.Path;
 import radiosity.patch.Subdivision;
+import radiosity.patch.Weights;
 
 /**
  * A patch that shoots, or a cluster of patches: the tree of elements below each, the radiosity of each element
@@ -44,20 +45,20 @@ public final class Shooter {
 
     private final Faces faces;
     private final List<PatchTree> trees;
-    private final double[] weight;
+    private final Weights weights;
     private final Ambient ambient;
 
-    /** @param weight one per channel: what its radiosity counts for when it is decided where to look closer */
-    public Shooter(Faces faces, List<PatchTree> trees, double[] weight) {
-        this(faces, trees, weight, new Ambient(null, faces.channels(), new double[0]));
+    /** @param weights what its radiosity counts for when it is decided where to look closer */
+    public Shooter(Faces faces, List<PatchTree> trees, Weights weights) {
+        this(faces, trees, weights, new Ambient(null, faces.channels(), new double[0]));
     }
 
     /** @param ambient what is taken off the radiosity: by how much surfaces differ from it is shot */
-    public Shooter(Faces faces, List<PatchTree> trees, double[] weight, Ambient ambient) {
+    public Shooter(Faces faces, List<PatchTree> trees, Weights weights, Ambient ambient) {
         this.ambient = ambient;
         this.faces = faces;
         this.trees = trees;
-        this.weight = weight;
+        this.weights = weights;
         channels = faces.channels();
         int most = trees.size() - 1;
         for (PatchTree tree : trees) {
@@ -180,7 +181,7 @@ public final class Shooter {
             for (int k = 0; k < 3; k++) {
                 sum += Math.abs(radiosity[channels * (3 * i + k) + c]);
             }
-            strength[i] = Math.max(strength[i], weight[c] * sum / 3);
+            strength[i] = Math.max(strength[i], weights.at(face[i], c) * sum / 3);
         }
     }
 

@@ -17,6 +17,11 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         double at(int node, int k, int channel);
     }
 
+    /** Of its radiosity. */
+    public int channels() {
+        return radiosity.length / (3 * child.length);
+    }
+
     /** A copy of the elements below a node. */
     public static PatchTree of(RadiosityNodes nodes, int top, Quantity quantity) {
         int[] order = breadthFirst(nodes, top);

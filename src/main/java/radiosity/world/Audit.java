@@ -16,6 +16,7 @@ import radiosity.patch.Path;
 import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Subdivision;
+import radiosity.patch.Weights;
 import radiosity.scene.Surface;
 
 /** Looks at a solution anew, at some points of every surface, and writes its {@link Certificate}. */
@@ -118,8 +119,8 @@ final class Audit {
     private void gather(Block block) {
         RadiosityNodes nodes = nodes(block);
         Shooter light = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> nodes.shot(node, k, c) + nodes.unshot(node, k, c))
-                .shooter(faces, weight());
-        Shooter ones = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> 1).shooter(faces, ones());
+                .shooter(faces, Weights.of(weight()));
+        Shooter ones = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> 1).shooter(faces, Weights.of(ones()));
         FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, TOLERANCE);
         FormFactorCalculator few = few();
         crew.run(points.size(), i -> {
@@ -169,7 +170,7 @@ final class Audit {
     /** Area of a patch times its form factor to another, as a mean over three points within. */
     private double exchange(AuditPoint from, AuditPoint to) {
         PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, threeOnes());
-        Shooter shooter = new Shooter(faces, List.of(tree), ones());
+        Shooter shooter = new Shooter(faces, List.of(tree), Weights.of(ones()));
         float[] corner = corners(from);
         Gathering.Irradiance sum = new Gathering.Irradiance(faces.channels());
         for (int k = 0; k < 3; k++) {

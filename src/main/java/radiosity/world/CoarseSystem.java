@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.patch.Block;
@@ -15,6 +16,7 @@ import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Rooms;
 import radiosity.patch.Subdivision;
+import radiosity.patch.Weights;
 
 /**
  * The linear system of a coarse mesh (equation 2), by which is foreseen what light will become of unshot light.
@@ -111,12 +113,15 @@ final class CoarseSystem {
      * emits.
      */
     List<Shot> importance() {
-        double[] mean = new double[faces.layers()];
+        double[] mean = new double[Weights.count(rooms, faces.layers())];
+        double[] area = new double[mean.length];
         for (int f = 0; f < faces.count(); f++) {
-            for (int layer = 0; layer < mean.length; layer++) {
-                mean[layer] += faces.area(f) * brightest(f, layer) / faces.area();
+            for (int layer = 0; layer < faces.layers(); layer++) {
+                mean[of(f, layer, mean)] += faces.area(f) * brightest(f, layer);
+                area[of(f, layer, mean)] += faces.area(f);
             }
         }
+        Arrays.setAll(mean, i -> mean[i] == 0 ? 0 : mean[i] / area[i]);
         return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) ->
                 mesh.rounded(1 + brightness(nodes.face(node), mean))))
                 .toList();
@@ -128,11 +133,17 @@ final class CoarseSystem {
                 : blocks.stream().map(nodes::tops);
     }
 
-    /** Of the layer in which a face is brightest, relative to the layer's mean. */
+    /** Where a face's room has its values of a layer. */
+    private int of(int face, int layer, double[] values) {
+        return Weights.at(rooms, face, layer, faces.layers(), values.length);
+    }
+
+    /** Of the layer in which a face is brightest, relative to the layer's mean in its room. */
     private double brightness(int face, double[] mean) {
         double most = 0;
-        for (int layer = 0; layer < mean.length; layer++) {
-            most = Math.max(most, mean[layer] == 0 ? 0 : brightest(face, layer) / mean[layer]);
+        for (int layer = 0; layer < faces.layers(); layer++) {
+            double all = mean[of(face, layer, mean)];
+            most = Math.max(most, all == 0 ? 0 : brightest(face, layer) / all);
         }
         return most;
     }
@@ -250,11 +261,18 @@ final class CoarseSystem {
         return seen == 0 ? 0 : sum / seen;
     }
 
-    /** Flux that matters where this irradiance arrives: {@link Faces#importance} times what arrives, scene units. */
-    double weighted(double[] h, int c) {
+    /**
+     * Flux that matters where this irradiance arrives: {@link Faces#importance} times what arrives, scene units.
+     *
+     * @param counts which faces count
+     */
+    double weighted(double[] h, int c, IntPredicate counts) {
         double sum = 0;
         for (int p = 0; p < nodes.patches(); p++) {
             int patch = nodes.patch(p);
+            if (!counts.test(nodes.face(patch))) {
+                continue;
+            }
             double importance = faces.importance(nodes.face(patch), c);
             for (int k = 0; k < 3; k++) {
                 sum += nodes.area(patch) * importance * corner(patch, k, h, c) / 3;

@@ -2,6 +2,7 @@ package radiosity.world;
 
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Weights;
 
 /**
  * Where the mesh is too coarse for the light on it: where the middle of an edge has not what lies between its ends.
@@ -17,18 +18,18 @@ final class MeshRefinement {
 
     private final RadiosityNodes nodes;
     private final Faces faces;
-    private final double[] weight;
+    private final Weights weights;
     private final double meshError;
     private final double area;
 
     /**
-     * @param weight    one per channel: 1 / mean radiosity, m²/W
+     * @param weights   1 / mean radiosity, m²/W
      * @param meshError error times square root of area that an element may have, relative to mean and whole area
      */
-    MeshRefinement(RadiosityNodes nodes, double[] weight, double meshError) {
+    MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
         this.nodes = nodes;
         faces = nodes.faces();
-        this.weight = weight;
+        this.weights = weights;
         this.meshError = meshError;
         area = faces.area();
     }
@@ -117,7 +118,7 @@ final class MeshRefinement {
     }
 
     private double weigh(int node, int c, double irradiance) {
-        return irradiance * faces.importance(nodes.face(node), c) * weight[c];
+        return irradiance * faces.importance(nodes.face(node), c) * weights.at(nodes.face(node), c);
     }
 
     private double at(int vertex, int c) {

@@ -13,7 +13,7 @@ import java.util.List;
  * @param more      whether the rest of the round follows
  * @param shots     who shoots, in the order in which it is applied
  * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
- * @param weight    one per channel: what a W/m² counts for in that
+ * @param weight    what a W/m² counts for in that, see {@link radiosity.patch.Weights}
  * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
  * @param ambient   channels per closed room, see {@link radiosity.patch.Ambient}; empty: none. W/m²
  * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
@@ -102,7 +102,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         out.writeByte(kind.ordinal());
         out.writeInt(number);
         out.writeBoolean(more);
-        Wire.write(shots, weight.length, out);
+        Wire.write(shots, shots.isEmpty() ? 0 : shots.get(0).channels(), out);
         out.writeDouble(tolerance);
         write(weight, out);
         out.writeDouble(meshError);

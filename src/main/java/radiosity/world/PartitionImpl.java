@@ -16,6 +16,7 @@ import radiosity.patch.Ambient;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Weights;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -116,7 +117,7 @@ final class PartitionImpl implements Partition {
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
-        new MeshRefinement(nodes, order.weight(), order.meshError()).splitAll(order.number());
+        new MeshRefinement(nodes, weights(order), order.meshError()).splitAll(order.number());
         costs.split(order.number());
         bury(nodes, known);
         Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
@@ -178,13 +179,18 @@ final class PartitionImpl implements Partition {
         return new Ambient(mesh.rooms, channels, order.ambient());
     }
 
+    private Weights weights(Order order) {
+        return new Weights(mesh.rooms, channels, order.weight());
+    }
+
     private FormFactorCalculator calculator(Order order) {
         return mesh.settings.factors().calculator(bounds, rays, order.tolerance());
     }
 
     private Shooter[] shooters(Order order) {
         Ambient ambient = ambient(order);
-        return order.shots().stream().map(shot -> shot.shooter(faces, order.weight(), ambient))
+        Weights weights = weights(order);
+        return order.shots().stream().map(shot -> shot.shooter(faces, weights, ambient))
                 .toArray(Shooter[]::new);
     }
 

@@ -6,11 +6,12 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
-import java.util.function.IntToDoubleFunction;
+import java.util.function.IntPredicate;
 import radiosity.patch.Faces;
 import radiosity.patch.PatchTree;
 import radiosity.patch.Path;
 import radiosity.patch.Rooms;
+import radiosity.patch.Weights;
 
 /**
  * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
@@ -31,6 +32,11 @@ final class Prediction implements Planner {
     /** Patches of the coarse mesh up to which there is foresight: its system grows with their square. */
     private static final int MOST_FORESEEN = 20_000;
 
+    /** Flux that is foreseen to matter on some of the faces, W. */
+    private interface ForeseenFlux {
+        double of(IntPredicate counts, int channel);
+    }
+
     /** What the last round was. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER }
 
@@ -41,7 +47,7 @@ final class Prediction implements Planner {
     private final CoarseSystem coarse;
     private final double tolerance;
     private final double meshError;
-    /** One per channel: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
+    /** See {@link Weights}: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
     private int splits;
@@ -56,14 +62,14 @@ final class Prediction implements Planner {
         RadiositySettings settings = world.settings();
         tolerance = settings.tolerance() > 0 ? settings.tolerance() : Accuracy.tolerance(Accuracy.DEFAULT);
         meshError = settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
-        weight = new double[world.channels()];
+        weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
         coarse = world.mesh.coarse.patches() <= MOST_FORESEEN ? new CoarseSystem(world.mesh) : null;
     }
 
     /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
     private Order rows() {
-        double[] equal = new double[weight.length];
+        double[] equal = new double[world.channels()];
         Arrays.fill(equal, 1);
         return Order.of(Order.Kind.ROWS, coarse.importance(), ROW_TOLERANCE, equal, 0, 0);
     }
@@ -129,7 +135,7 @@ final class Prediction implements Planner {
             return null;
         }
         if (stage == Stage.NOTHING) {
-            weigh(last, c -> coarse.weighted(h, c));
+            weigh(last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
         }
         return candidates.stream().map(shot -> coarse.with(shot, h)).toList();
     }
@@ -137,31 +143,58 @@ final class Prediction implements Planner {
     /** In a scene of too many patches every block shoots what it has. */
     private List<Shot> unforeseen(Answer last, List<Shot> candidates) {
         if (stage == Stage.NOTHING) {
-            weigh(last, this::interreflected);
+            weigh(last, candidates, this::interreflected);
         }
         return candidates;
     }
 
     /** Flux that would be reflected, as counted by {@link Faces#importance}, if every surface saw every other alike. */
-    private double interreflected(int c) {
+    private double interreflected(IntPredicate counts, int c) {
         Faces faces = world.mesh.faces;
+        double whole = 0;
+        double emitted = 0;
         double reflected = 0;
         double counted = 0;
         for (int f = 0; f < faces.count(); f++) {
-            reflected += faces.area(f) * faces.reflectance(f, c) / faces.area();
-            counted += faces.area(f) * faces.importance(f, c) / faces.area();
+            double a = counts.test(f) ? faces.area(f) : 0;
+            whole += a;
+            emitted += a * faces.exitance(f, c);
+            reflected += a * faces.reflectance(f, c);
+            counted += a * faces.importance(f, c);
         }
-        return world.mesh.emitted[c] * counted / (1 - reflected);
+        return emitted == 0 ? 0 : emitted * counted / (whole - reflected) * area / faces.area();
     }
 
     /** By the radiosity that is there and is foreseen, over all area; a channel without light does not count. */
-    private void weigh(Answer last, IntToDoubleFunction foreseen) {
-        for (int c = 0; c < weight.length; c++) {
+    private void weigh(Answer last, List<Shot> unshot, ForeseenFlux foreseen) {
+        int channels = world.channels();
+        for (int c = 0; c < channels; c++) {
             double received = last.received[c].value();
             double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - last.absorbed[c].value());
-            double lit = foreseen.applyAsDouble(c) + reflected;
+            double lit = foreseen.of(f -> true, c) + reflected;
             weight[c] = lit > 0 ? area / lit : 0;
         }
+        for (int i = weight.length - 1; i >= 0 && weight.length > channels; i--) {
+            weight[i] = weightIn(i / channels - 1, i % channels, unshot, foreseen);
+        }
+    }
+
+    /** The same over the faces of a closed room, or of none; where no light was seen there, that of the whole. */
+    private double weightIn(int room, int c, List<Shot> unshot, ForeseenFlux foreseen) {
+        Faces faces = world.mesh.faces;
+        IntPredicate counts = f -> world.mesh.rooms.room(f) == room;
+        double emitted = 0;
+        double within = 0;
+        for (int f = 0; f < faces.count(); f++) {
+            within += counts.test(f) ? faces.area(f) : 0;
+            emitted += counts.test(f) ? faces.area(f) * faces.exitance(f, c) : 0;
+        }
+        double[] leaving = new double[world.channels()];
+        unshot.stream().flatMap(shot -> shot.trees().stream()).filter(tree -> counts.test(tree.face()))
+                .forEach(tree -> tree.addFlux(faces, leaving));
+        double unit = area / faces.area();
+        double lit = foreseen.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
+        return lit > 0 ? unit * within / lit : weight[c];
     }
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */

@@ -10,6 +10,7 @@ import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
 import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Weights;
 
 /**
  * One shooter's light: the trees of elements of a patch, or of all patches of a block, and the unshot radiosity at
@@ -36,6 +37,10 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return new Shot(trees, flux);
     }
 
+    int channels() {
+        return trees.get(0).channels();
+    }
+
     /** Adds what is shot to what was shot before, where these nodes own it. */
     void markShot(RadiosityNodes nodes) {
         for (PatchTree tree : trees) {
@@ -46,14 +51,12 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         }
     }
 
-    /** @param weight one per channel, see {@link Shooter} */
-    Shooter shooter(Faces faces, double[] weight) {
-        return new Shooter(faces, trees, weight);
+    Shooter shooter(Faces faces, Weights weights) {
+        return new Shooter(faces, trees, weights);
     }
 
-    /** @param weight one per channel, see {@link Shooter} */
-    Shooter shooter(Faces faces, double[] weight, Ambient ambient) {
-        return new Shooter(faces, trees, weight, ambient);
+    Shooter shooter(Faces faces, Weights weights, Ambient ambient) {
+        return new Shooter(faces, trees, weights, ambient);
     }
 
     /** U A summed over the elements, one per channel, of the scene's squared size; signed. */

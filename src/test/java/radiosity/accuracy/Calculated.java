@@ -11,6 +11,7 @@ import radiosity.formfactor.Shooter;
 import radiosity.patch.Faces;
 import radiosity.patch.PatchTree;
 import radiosity.patch.Path;
+import radiosity.patch.Weights;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -40,7 +41,7 @@ final class Calculated {
         for (int f = 0; f < faces.count(); f++) {
             if (faces.exitance(f, 0) > 0) {
                 PatchTree tree = new PatchTree(f, Path.FACE, new int[] {-1}, new double[] {1, 1, 1});
-                shooters.add(new Shooter(faces, List.of(tree), new double[] {1}));
+                shooters.add(new Shooter(faces, List.of(tree), Weights.of(new double[] {1})));
             }
         }
     }

@@ -40,9 +40,10 @@ public class CieTest {
 
     /** Of 5.8. */
     public static Stream<Claim> claims() {
+        double direct = mean(0);
         return DoubleStream.of(.05, .1, .2, .3, .4, .5, .6, .7, .8, .9, .95, .99, .999, .9999)
-                .mapToObj(rho -> Claim.of("CIE 171 case 5.8", "CIE 5.8 " + rho, () -> Figure.relative("mean indirect irradiance",
-                        1e-4, rho * FLUX / (AREA * (1 - rho)), mean(rho) - mean(0))));
+                .mapToObj(rho -> Claim.of("CIE 171 case 5.8", "reflectance " + rho, () -> Figure.relative(
+                        "mean indirect irradiance", 1e-4, rho * FLUX / (AREA * (1 - rho)), mean(rho) - direct)));
     }
 
     @ParameterizedTest

@@ -21,11 +21,17 @@ import radiosity.scene.Scene;
  */
 class WhiteFurnaceTest {
 
-    private static final int POLYHEDRA = 50;
+    /** The command has five times as many. */
+    private static final int POLYHEDRA = 10;
+
+    static Stream<Claim> claims() {
+        return claims(POLYHEDRA);
+    }
 
     /** Rooms, then polyhedra. */
-    static Stream<Claim> claims() {
-        return DoubleStream.of(.5, .9, .99, .999, .9999).boxed().flatMap(rho -> Stream.concat(rooms(rho), polyhedra(rho)));
+    static Stream<Claim> claims(int polyhedra) {
+        return DoubleStream.of(.5, .9, .99, .999, .9999).boxed()
+                .flatMap(rho -> Stream.concat(rooms(rho), polyhedra(rho, polyhedra)));
     }
 
     private static Stream<Claim> rooms(double rho) {
@@ -33,8 +39,8 @@ class WhiteFurnaceTest {
                 () -> Rooms.watertight().get(name).apply(Rooms.grey("wall", 1, rho))));
     }
 
-    private static Stream<Claim> polyhedra(double rho) {
-        return LongStream.range(0, POLYHEDRA).mapToObj(seed -> claim("furnace: random polyhedra",
+    private static Stream<Claim> polyhedra(double rho, int count) {
+        return LongStream.range(0, count).mapToObj(seed -> claim("furnace: random polyhedra",
                 "polyhedron " + seed + " " + rho, rho, () -> Polyhedra.random(seed, Rooms.grey("wall", 1, rho))));
     }
 
