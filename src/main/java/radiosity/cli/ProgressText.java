@@ -23,7 +23,8 @@ final class ProgressText {
     String of(Progress now) {
         double left = course.left(now);
         return course.label() + now.shots() + (now.shots() == 1 ? " shot, " : " shots, ") + perCent(now.unsent())
-                + " unsent, " + now.elements() + " elements" + (left > 0 ? ", " + time(left) + " left" : "");
+                + " unsent, " + now.elements() + (now.gathers() ? " elements, the new ones gather" : " elements")
+                + (left > 0 ? ", " + time(left) + " left" : "");
     }
 
     /** So many of a thing. */

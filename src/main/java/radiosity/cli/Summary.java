@@ -41,6 +41,10 @@ final class Summary {
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
         out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + unshot %.6g + not received %.6g%n",
                 sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());
+        if (progress.gathers()) {
+            out.println("stopped while new elements gathered what was shot before: they show, and these figures count,"
+                    + " the light of before they were made");
+        }
         result.certificate().ifPresent(c -> print(c, out));
         inTime.ifPresent(out::println);
     }

@@ -7,9 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.stream.DoubleStream;
-import java.util.stream.Stream;
-import radiosity.patch.Faces;
 import radiosity.scene.SceneFormatException;
 
 /**
@@ -26,10 +23,7 @@ public final class ProgressiveRadiosity {
     private final StopRule stop;
     private int shots;
     private int rounds;
-    /** One per channel: flux that left shooters, lights among them, W. */
-    private final double[] shotFlux;
-    /** One per channel: flux of surfaces and lights, W. A light emits what arrives of it. */
-    private final double[] emitted;
+    private final Flux flux;
     /** What is left of the present round; null where there is none. */
     private Order pending;
     private Planner planner;
@@ -40,6 +34,8 @@ public final class ProgressiveRadiosity {
     private long known = System.nanoTime();
     /** The round whose new vertices have not gathered yet; 0 where there is none. */
     private int dark;
+    /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
+    private Answer beforeDark;
     private final Pace pace;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
@@ -51,8 +47,7 @@ public final class ProgressiveRadiosity {
         this.world = world;
         this.stop = stop;
         pace = new Pace(stepSeconds);
-        shotFlux = new double[world.channels()];
-        emitted = world.mesh.emitted.clone();
+        flux = new Flux(world.mesh);
     }
 
     /**
@@ -64,12 +59,12 @@ public final class ProgressiveRadiosity {
         prepare();
         answer = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE));
         if (rounds == 0) {
-            countLights();
+            flux.countLights(answer);
         }
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (pending == null) {
-                pending = planner.next(answer, unsent(), nowAndThen(listener));
+                pending = planner.next(answer, flux.unsent(answer), nowAndThen(listener));
                 if (pending == null) {
                     return;
                 }
@@ -102,14 +97,6 @@ public final class ProgressiveRadiosity {
         };
     }
 
-    /** Before the first shot of a patch, what was received came from lights. */
-    private void countLights() {
-        for (int c = 0; c < shotFlux.length && !world.scene().lights().isEmpty(); c++) {
-            shotFlux[c] = answer.received[c].value();
-            emitted[c] = world.mesh.emitted[c] + shotFlux[c];
-        }
-    }
-
     private void prepare() {
         if (planner == null) {
             planner = world.settings().schedule().planner(world);
@@ -117,7 +104,7 @@ public final class ProgressiveRadiosity {
     }
 
     private boolean isDone() {
-        return shots >= stop.shots() || pending == null && planner.isEnough(unsent(), stop.unsent());
+        return shots >= stop.shots() || pending == null && planner.isEnough(flux.unsent(answer), stop.unsent());
     }
 
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
@@ -136,7 +123,7 @@ public final class ProgressiveRadiosity {
         pending = now.more() ? pending.after(size) : null;
         if (counts) {
             shots += size;
-            now.shots().forEach(this::count);
+            now.shots().forEach(flux::count);
             planner.shot(size);
         }
     }
@@ -146,6 +133,7 @@ public final class ProgressiveRadiosity {
             planner.take(now.shots().size(), world.round(now));
             return;
         }
+        Answer before = answer;
         isKnown = now.isAnswered();
         if (isKnown) {
             answer = world.answer(now);
@@ -153,47 +141,26 @@ public final class ProgressiveRadiosity {
         } else {
             world.round(now);
         }
-        dark = now.kind() == Order.Kind.SPLIT ? now.number() : now.more() ? dark : 0;
+        if (now.kind() == Order.Kind.SPLIT && answer.elements > before.elements) {
+            dark = now.number();
+            beforeDark = before;
+        } else if (!now.more()) {
+            dark = 0;
+        }
     }
 
-    /**
-     * In a closed room in which nothing is covered, what was shot and not received, or received twice: as even light it
-     * is given back, so that flux is conserved. Empty elsewhere. W/m², one per channel.
-     */
+    /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
     private double[] missing() {
-        if (!world.mesh.conserves() || shots == 0) {
-            return new double[0];
-        }
-        Faces faces = world.mesh.faces;
-        double area = faces.area() * faces.size() * faces.size();
-        double[] missing = shotFlux.clone();
-        for (int c = 0; c < missing.length; c++) {
-            missing[c] = (missing[c] - answer.received[c].value()) / area;
-        }
-        return missing;
+        return world.mesh.conserves() && shots > 0 ? flux.missing(answer) : new double[0];
     }
 
-    private void count(Shot shot) {
-        double area = world.mesh.faces.size() * world.mesh.faces.size();
-        double[] flux = shot.flux(world.mesh.faces);
-        for (int c = 0; c < shotFlux.length; c++) {
-            shotFlux[c] += flux[c] * area;
-        }
-    }
-
-    /** Unshot flux relative to the emitted; of several layers, of the one that has most left. */
-    private double unsent() {
-        double most = 0;
-        int colours = world.mesh.faces.colours();
-        for (int layer = 0; layer < answer.unshotFlux.length; layer++) {
-            double all = DoubleStream.of(emitted).skip((long) layer * colours).limit(colours).sum();
-            most = Math.max(most, all == 0 ? 0 : answer.unshotFlux[layer].value() / all);
-        }
-        return most;
+    /** What the light that is shown comes to. */
+    private Answer shown() {
+        return dark == 0 ? answer : beforeDark;
     }
 
     public Progress progress() {
-        return new Progress(shots, rounds, unsent(), answer.elements);
+        return new Progress(shots, rounds, flux.unsent(shown()), answer.elements, dark != 0);
     }
 
     /**
@@ -207,28 +174,7 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        EnergyLedger all = byChannel();
-        return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),
-                ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()));
-    }
-
-    /** One value per channel, layer by layer. */
-    private EnergyLedger byChannel() {
-        return new EnergyLedger(emitted.clone(), shotFlux.clone(), values(answer.received), values(answer.absorbed),
-                values(answer.unshot));
-    }
-
-    private static double[] values(ExactSum[] sums) {
-        return Stream.of(sums).mapToDouble(ExactSum::value).toArray();
-    }
-
-    /** One per colour. */
-    private double[] ofAllLayers(double[] flux) {
-        double[] sum = new double[world.mesh.faces.colours()];
-        for (int c = 0; c < flux.length; c++) {
-            sum[c % sum.length] += flux[c];
-        }
-        return sum;
+        return flux.ofAllLayers(shown());
     }
 
     /** Everything so far, merged from all partitions; may be asked for between rounds. */
@@ -236,7 +182,7 @@ public final class ProgressiveRadiosity {
         know();
         List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, dark).solution(shots, rounds,
-                DoubleStream.of(values(answer.unshotFlux)).sum(), ledger(), state(blocks));
+                Flux.sum(shown().unshotFlux), ledger(), state(blocks));
     }
 
     /**
@@ -249,12 +195,8 @@ public final class ProgressiveRadiosity {
         if (dark != 0 || shots == 0) {
             return Optional.empty();
         }
-        double unshotFlux = 0;
-        for (ExactSum layer : answer.unshotFlux) {
-            unshotFlux += layer.value();
-        }
-        return Optional.of(new Audit(world.mesh, world.blocks(), byChannel(), answer.elements, threads)
-                .certificate(unshotFlux)).filter(certificate -> certificate.points() > 0);
+        return Optional.of(new Audit(world.mesh, world.blocks(), flux.byChannel(answer), answer.elements, threads)
+                .certificate(Flux.sum(answer.unshotFlux))).filter(certificate -> certificate.points() > 0);
     }
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */
@@ -268,10 +210,10 @@ public final class ProgressiveRadiosity {
             out.writeInt(shots);
             out.writeInt(rounds);
             out.writeInt(dark);
-            for (int c = 0; c < shotFlux.length; c++) {
-                out.writeDouble(shotFlux[c]);
-                out.writeDouble(emitted[c]);
+            if (dark != 0) {
+                beforeDark.write(out);
             }
+            flux.write(out);
             planner.write(out);
             byte[] rest = pending == null || !pending.changes() ? new byte[0] : pending.encode();
             Wire.write(out, rest);
@@ -298,10 +240,11 @@ public final class ProgressiveRadiosity {
             shots = in.readInt();
             rounds = in.readInt();
             dark = in.readInt();
-            for (int c = 0; c < shotFlux.length; c++) {
-                shotFlux[c] = in.readDouble();
-                emitted[c] = in.readDouble();
+            if (dark != 0) {
+                beforeDark = new Answer(world.mesh.faces, world.mesh.fluxScale());
+                beforeDark.read(in);
             }
+            flux.read(in);
             prepare();
             planner.read(in);
             byte[] rest = Wire.bytes(in);

@@ -39,7 +39,7 @@ class HostLinesTest {
         boolean goOn = true;
         for (int second : new int[] {1, 5, 9, 12}) {
             now[0] = second * SECOND;
-            goOn = hosts.afterRound(new Progress(second, second, 0.5, 1464));
+            goOn = hosts.afterRound(new Progress(second, second, 0.5, 1464, false));
         }
         assertEquals(4, told[0]);
         assertEquals(false, goOn);

@@ -54,7 +54,7 @@ class StopTest {
         Process render = program.start(onTerminal("x", Program.command(LONG_RENDER)));
         String shown = Program.rest(render);
         assertEquals(ExitCode.DONE, render.waitFor(), shown);
-        assertTrue(shown.contains("% [") && shown.contains(" shots, "), shown);
+        assertTrue(shown.contains("% [") && shown.contains(" shot"), shown);
         goesOn(1);
     }
 

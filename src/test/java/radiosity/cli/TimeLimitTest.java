@@ -54,8 +54,8 @@ class TimeLimitTest {
         TimeCourse course = new TimeCourse(new TimeLimit("60s", 60), () -> 20);
         course.at("3%");
         assertEquals("at 3%: 5 shots, 50 % unsent, 1234 elements, 40 s left",
-                new ProgressText(course).of(new Progress(5, 3, 0.5, 1234)));
-        assertEquals(1 / 3.0, course.done(new Progress(5, 3, 0.5, 1234)), 1e-12);
+                new ProgressText(course).of(new Progress(5, 3, 0.5, 1234, false)));
+        assertEquals(1 / 3.0, course.done(new Progress(5, 3, 0.5, 1234, false)), 1e-12);
     }
 
     /** In this process the time is over from the start. */

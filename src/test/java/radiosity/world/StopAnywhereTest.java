@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.world.SameBitsTest.SCENE;
@@ -39,5 +40,27 @@ class StopAnywhereTest {
     void prediction_isAskedWhileItsRowsAreMade() throws IOException {
         assertEquals(0, stopped(Schedule.PREDICT, 1).shots());
         assertEquals(0, stopped(Schedule.PREDICT, 2).shots());
+    }
+
+    /** What was shot before has not reached them: their light and the ledger are those of before they were made. */
+    @Test
+    void stoppedWhileNewElementsGather_figuresAreThoseOfBefore() throws IOException {
+        ProgressiveRadiosity radiosity = new ProgressiveRadiosity(
+                new LocalWorld(SCENE, settings(Schedule.PREDICT), 2), new StopRule(Integer.MAX_VALUE, 1e-3));
+        EnergyLedger[] before = new EnergyLedger[1];
+        double[] unsent = new double[1];
+        radiosity.run(progress -> {
+            if (!progress.gathers()) {
+                before[0] = radiosity.ledger();
+                unsent[0] = progress.unsent();
+            }
+            return !progress.gathers();
+        });
+        assertTrue(radiosity.progress().gathers());
+        assertEquals(unsent[0], radiosity.progress().unsent());
+        EnergyLedger ledger = radiosity.solution().ledger();
+        assertArrayEquals(before[0].unshot(), ledger.unshot());
+        assertArrayEquals(before[0].received(), ledger.received());
+        assertTrue(radiosity.certificate(1).isEmpty());
     }
 }
