@@ -33,6 +33,7 @@ final class Journal {
     private final Consumer<String> notices;
     private long cost = LEAST_COST;
     private long last = System.nanoTime();
+    private boolean failed;
 
     /** @param output the scene file */
     Journal(Path output, RadiositySettings settings, Consumer<String> notices) {
@@ -81,13 +82,27 @@ final class Journal {
         return sum.getValue();
     }
 
-    /** Writes it where that is due. */
+    /** Writes it where that is due; that it cannot be is told once, and no reason to stop. */
     void keep(ProgressiveRadiosity radiosity) throws IOException {
         long begin = System.nanoTime();
         if (begin - last < PATIENCE * cost) {
             return;
         }
         byte[] state = radiosity.state();
+        try {
+            write(state);
+        } catch (IOException e) {
+            if (!failed) {
+                notices.accept("warning: " + file + ": expected to be written, got " + FileChecks.reason(e)
+                        + "; without it a render that is cut off begins anew");
+            }
+            failed = true;
+        }
+        last = System.nanoTime();
+        cost = Math.max(LEAST_COST, last - begin);
+    }
+
+    private void write(byte[] state) throws IOException {
         byte[] told = settings.getBytes(StandardCharsets.UTF_8);
         ByteBuffer bytes = ByteBuffer.allocate(Long.BYTES + Integer.BYTES + told.length + state.length);
         bytes.putLong(0).putInt(told.length).put(told).put(state);
@@ -97,8 +112,6 @@ final class Journal {
                 channel.write(bytes);
             }
         });
-        last = System.nanoTime();
-        cost = Math.max(LEAST_COST, last - begin);
     }
 
     /** The render is done, and saved. */

@@ -74,9 +74,10 @@ public final class RadiosityRenderer {
     /** To the end, or until it is stopped. */
     private void calculate(Scene scene, RadiositySettings settings, SavedCalculation saved, SaveBeforeExit ending)
             throws IOException {
-        Journal journal = new Journal(options.output(), settings, err::println);
+        Journal journal;
         Calculated result;
         try (Conversation user = conversation(new StopRuleCourse(Calculation.stopRule(options), System::nanoTime))) {
+            journal = new Journal(options.output(), settings, user::message);
             result = new Calculation(options, scene, files, warnings, user).run(settings, radiosity -> {
                 if (!journal.resume(radiosity) && saved != null) {
                     radiosity.resume(saved.state());
