@@ -48,8 +48,9 @@ final class BoundsLayout {
     /**
      * @param tree    of the triangles' boxes, of one or more
      * @param corners 9 per triangle; not modified
+     * @param sparing whether boxes that are not worth it are left out
      */
-    BoundsLayout(BoundsBuilder tree, float[] corners) {
+    BoundsLayout(BoundsBuilder tree, float[] corners, boolean sparing) {
         this.tree = tree;
         this.corners = corners;
         area = new float[tree.nodes];
@@ -57,7 +58,7 @@ final class BoundsLayout {
         open = new boolean[tree.nodes];
         int triangles = tree.order.length;
         measure();
-        int boxes = weigh();
+        int boxes = sparing ? weigh() : tree.nodes;
         long size = ROOT + (long) NODE * boxes + (long) FlatTriangle.SIZE * triangles;
         if (size > MOST_PLACES) {
             throw new IllegalArgumentException("scene: expected fewer triangles, got " + triangles);

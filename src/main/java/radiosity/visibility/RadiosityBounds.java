@@ -29,6 +29,11 @@ public final class RadiosityBounds {
 
     /** @param corners x, y, z of three corners, 9 per triangle; not to be modified any more */
     public RadiosityBounds(float[] corners) {
+        this(corners, true);
+    }
+
+    /** @param sparing false: with every box of the tree, to measure what is saved by leaving some out */
+    RadiosityBounds(float[] corners, boolean sparing) {
         this.corners = corners;
         int n = corners.length / 9;
         float[] low = new float[3 * n];
@@ -38,8 +43,13 @@ public final class RadiosityBounds {
             low[i] = Math.min(corners[k], Math.min(corners[k + 3], corners[k + 6])) - PAD;
             high[i] = Math.max(corners[k], Math.max(corners[k + 3], corners[k + 6])) + PAD;
         }
-        data = new BoundsLayout(new BoundsBuilder(low, high), corners).data;
+        data = new BoundsLayout(new BoundsBuilder(low, high), corners, sparing).data;
         root = n == 0 ? BoundsLayout.END : BoundsLayout.ROOT;
+    }
+
+    /** Memory of boxes and triangles. */
+    long bytes() {
+        return (long) Float.BYTES * data.length;
     }
 
     /** Number of triangles. */

@@ -6,9 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import radiosity.lightwave.LightWaveOptions;
 import radiosity.lightwave.LightWaveReader;
-import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
-import radiosity.scene.Surface;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
@@ -16,7 +14,7 @@ import radiosity.world.Schedule;
 import radiosity.world.StopRule;
 
 /**
- * Time and memory: growth, threads, adaptive meshing, and what scenes pay that do not need everything.
+ * Time and memory: growth, threads, adaptive meshing, and what is saved where a scene does not need everything.
  *
  * <p>{@code scripts/performance growth|threads|adaptive|savings}
  */
@@ -36,7 +34,7 @@ public final class Performance {
     }
 
     /** What a solve took: elements, CPU-seconds, wall seconds, bytes of heap that it holds at the end. */
-    private record Cost(int elements, double cpu, double wall, double bytes) {
+    record Cost(int elements, double cpu, double wall, double bytes) {
     }
 
     /** @param arguments what to measure, and the folder of the truth where that needs it */
@@ -46,7 +44,7 @@ public final class Performance {
             case "growth" -> growth();
             case "threads" -> threads();
             case "adaptive" -> adaptive(Path.of(arguments[1]));
-            case "savings" -> savings();
+            case "savings" -> Savings.print(read(CORNELL));
             default -> throw new IllegalArgumentException(
                     "performance: expected growth, threads, adaptive or savings, got " + arguments[0]);
         }
@@ -56,7 +54,7 @@ public final class Performance {
         return LightWaveReader.read(file, LightWaveOptions.defaults(), System.err::println);
     }
 
-    private static RadiositySettings uniform(Scene scene, int patches) {
+    static RadiositySettings uniform(Scene scene, int patches) {
         return settings(scene.area() / patches, UNIFORM);
     }
 
@@ -85,7 +83,7 @@ public final class Performance {
         return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
-    private static Cost warm(Scene scene, RadiositySettings settings, int threads) throws IOException {
+    static Cost warm(Scene scene, RadiositySettings settings, int threads) throws IOException {
         Cost last = cost(scene, settings, threads);
         for (int i = 0; i < WARM; i++) {
             Cost next = cost(scene, settings, threads);
@@ -136,21 +134,5 @@ public final class Performance {
         var solution = new Solve(settings, STOP, 1).solution(scene);
         Score score = Score.rgb(points, PointSet.REFLECTORS, Evaluate.radiosity(solution, points.places()));
         System.out.printf("| %s | %d | %.2f %% |%n", mesh, solution.elements(), 100 * score.rmse());
-    }
-
-    /** The same room in grey, in colours, and with two sides to each wall. */
-    private static void savings() throws IOException {
-        System.out.println("| room | elements | CPU s | bytes per element |\n|---|---|---|---|");
-        for (int turn = 0; turn < 2; turn++) {
-            saving("grey", Rgb.grey(0.5), false);
-            saving("colours", new Rgb(0.5, 0.5, 0.499), false);
-            saving("grey, two-sided", Rgb.grey(0.5), true);
-        }
-    }
-
-    private static void saving(String name, Rgb reflectance, boolean twoSided) throws IOException {
-        Scene room = Rooms.withBlocks(new Surface("wall", Rgb.grey(1), reflectance, twoSided));
-        Cost c = warm(room, uniform(room, GROWTH[0]), 1);
-        System.out.printf("| %s | %d | %.2f | %.0f |%n", name, c.elements(), c.cpu(), c.bytes() / c.elements());
     }
 }
