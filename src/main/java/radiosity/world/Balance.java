@@ -28,17 +28,26 @@ final class Balance {
         this.dealing = dealing;
     }
 
-    /** After a round. */
+    /** After a round, or a part of one. */
     void add(Map<Host, Reply> replies, Order order) {
-        double cpu = replies.values().stream().mapToDouble(Reply::cpu).max().orElse(0);
-        double slowest = replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0);
-        double mean = replies.values().stream().mapToDouble(Reply::seconds).average().orElse(0);
-        waiting.add(slowest - mean);
         replies.forEach((host, reply) -> {
-            host.load.add(reply, cpu);
+            host.load.add(reply);
             note(host, reply, order.shots().size());
         });
         judge(replies.keySet());
+    }
+
+    /** All hosts have waited for the slowest. */
+    void settle(Collection<Host> hosts) {
+        double cpu = hosts.stream().mapToDouble(host -> host.load.sinceWait).max().orElse(0);
+        waiting.add(behind(hosts));
+        hosts.forEach(host -> host.load.waited(cpu));
+    }
+
+    /** How much longer the slowest has taken since the last wait than all on average, s. */
+    private static double behind(Collection<Host> hosts) {
+        double slowest = hosts.stream().mapToDouble(host -> host.load.secondsSinceWait).max().orElse(0);
+        return slowest - hosts.stream().mapToDouble(host -> host.load.secondsSinceWait).average().orElse(0);
     }
 
     private void note(Host host, Reply reply, int shooters) {
@@ -85,9 +94,9 @@ final class Balance {
         if (order.number() != looked && order.gathers() && forecast.isMeasured()) {
             looked = order.number();
             int shooters = order.more() ? Math.max(order.shots().size(), forecast.blocks()) : order.shots().size();
-            return waiting.isDue(shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER));
+            return waiting.isDue(behind(hosts) + shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER));
         }
-        return waiting.isDue();
+        return waiting.isDue(behind(hosts));
     }
 
     void moved(double seconds) {

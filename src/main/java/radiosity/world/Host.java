@@ -45,6 +45,7 @@ final class Host implements AutoCloseable {
     private volatile long heard = System.nanoTime();
     private volatile boolean closed;
     private boolean noticed;
+    private long rounds;
     /** Relative to other hosts; threads, until it turns out to be another one. */
     double speed;
     /** Pairs of receiving point and shooter in the last rounds, and the seconds they took. */
@@ -120,6 +121,11 @@ final class Host implements AutoCloseable {
 
     /*---- Calls; each is started on all hosts, then awaited ----*/
 
+    /** The number of the next round: rounds of a session are done in this order, whatever overtakes what on the way. */
+    long nextRound() {
+        return ++rounds;
+    }
+
     Reply round(long number, byte[] order) throws IOException {
         byte[] bytes = twice(() -> remote.round(session, number, order));
         load.bytes += order.length + bytes.length;
@@ -180,6 +186,11 @@ final class Host implements AutoCloseable {
         } catch (Exception e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    /** Begins calls to this host; belongs to the thread of the world. */
+    <T> FutureTask<T> begin(Callable<T> calls) {
+        return link.begin(calls);
     }
 
     static <T> FutureTask<T> start(Callable<T> call) {

@@ -18,8 +18,17 @@ final class HostCalls {
 
     /** What each answers; who does not is lost. */
     <T> Map<Host, T> onAll(Collection<Host> called, Call<T> call) {
+        return await(start(called, call));
+    }
+
+    <T> Map<Host, FutureTask<T>> start(Collection<Host> called, Call<T> call) {
         Map<Host, FutureTask<T>> running = new LinkedHashMap<>();
-        called.forEach(host -> running.put(host, Host.start(() -> call.on(host))));
+        called.forEach(host -> running.put(host, host.begin(() -> call.on(host))));
+        return running;
+    }
+
+    /** What each answers to a call that was started; who does not is lost. */
+    <T> Map<Host, T> await(Map<Host, FutureTask<T>> running) {
         Map<Host, T> results = new LinkedHashMap<>();
         running.forEach((host, task) -> {
             try {

@@ -130,6 +130,10 @@ final class HostFinder implements AutoCloseable {
         missing.add(link);
     }
 
+    boolean hasCome() {
+        return !arrived.isEmpty();
+    }
+
     /** A host that has come since, ready to be given blocks; or null. */
     Host next() {
         return arrived.poll();

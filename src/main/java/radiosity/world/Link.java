@@ -1,6 +1,8 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
 
 /** The way to a host, before and after somebody answers there. */
 interface Link {
@@ -10,6 +12,11 @@ interface Link {
 
     /** Looks the host up; fails in a few seconds where nobody answers. */
     RemotePartition connect() throws IOException;
+
+    /** Begins calls to the host, which wait for what it answers. */
+    default <T> FutureTask<T> begin(Callable<T> calls) {
+        return Host.start(calls);
+    }
 
     /** Ends all connections, also those on which an answer is waited for. */
     void cut();

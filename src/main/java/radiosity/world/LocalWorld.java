@@ -37,6 +37,26 @@ public final class LocalWorld extends World {
     }
 
     @Override
+    void begin(Order step, StepTimes times) throws IOException {
+        long begin = now();
+        round(step);
+        times.took(step.shots().size(), (now() - begin) * 1e-9);
+    }
+
+    @Override
+    void finish(StepTimes times) { }
+
+    @Override
+    int stepsAhead() {
+        return 1;
+    }
+
+    @Override
+    long now() {
+        return System.nanoTime();
+    }
+
+    @Override
     List<byte[]> blocks() throws IOException {
         List<byte[]> states = new ArrayList<>();
         for (int b = 0; b < mesh.blocks.size(); b++) {

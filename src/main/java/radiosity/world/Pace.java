@@ -42,7 +42,7 @@ final class Pace {
         return (int) Math.max(1, Math.min(left, most));
     }
 
-    /** Told what the step took that was asked for last. */
+    /** Told what a step took; several may have been under way. */
     void took(int shots, double seconds) {
         last = Math.max(1, shots);
         secondsPerShot = Math.max(seconds / last, MEMORY * secondsPerShot);

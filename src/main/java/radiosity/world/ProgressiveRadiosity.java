@@ -31,7 +31,7 @@ public final class ProgressiveRadiosity {
     /** Whether that is the answer to the last order. */
     private boolean isKnown = true;
     /** When the last answer came, ns. */
-    private long known = System.nanoTime();
+    private long known;
     /** The round whose new vertices have not gathered yet; 0 where there is none. */
     private int dark;
     /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
@@ -46,7 +46,8 @@ public final class ProgressiveRadiosity {
     ProgressiveRadiosity(World world, StopRule stop, double stepSeconds) {
         this.world = world;
         this.stop = stop;
-        pace = new Pace(stepSeconds);
+        known = world.now();
+        pace = new Pace(stepSeconds / world.stepsAhead());
         flux = new Flux(world.mesh);
     }
 
@@ -87,12 +88,12 @@ public final class ProgressiveRadiosity {
 
     /** Asks the listener as often as between steps. */
     private BooleanSupplier nowAndThen(RoundListener listener) {
-        long[] asked = {System.nanoTime()};
+        long[] asked = {world.now()};
         return () -> {
-            if ((System.nanoTime() - asked[0]) * 1e-9 < Pace.STEP_SECONDS) {
+            if ((world.now() - asked[0]) * 1e-9 < Pace.STEP_SECONDS) {
                 return true;
             }
-            asked[0] = System.nanoTime();
+            asked[0] = world.now();
             return listener.afterRound(progress());
         };
     }
@@ -115,11 +116,9 @@ public final class ProgressiveRadiosity {
             size = Math.min(size, stop.shots() - shots);
         }
         Order now = pending.first(size);
-        boolean answered = !now.more() || System.nanoTime() - known > ANSWER_SECONDS * 1e9;
+        boolean answered = !now.more() || world.now() - known > ANSWER_SECONDS * 1e9;
         now = answered ? now : now.naming(-1);
-        long begin = System.nanoTime();
         carryOut(now);
-        pace.took(size, (System.nanoTime() - begin) * 1e-9);
         pending = now.more() ? pending.after(size) : null;
         if (counts) {
             shots += size;
@@ -129,24 +128,32 @@ public final class ProgressiveRadiosity {
     }
 
     private void carryOut(Order now) throws IOException {
-        if (now.kind() == Order.Kind.ROWS) {
-            planner.take(now.shots().size(), world.round(now));
-            return;
-        }
         Answer before = answer;
-        isKnown = now.isAnswered();
-        if (isKnown) {
-            answer = world.answer(now);
-            known = System.nanoTime();
+        if (now.kind() == Order.Kind.ROWS || now.isAnswered()) {
+            world.finish(pace::took);
+            long begin = world.now();
+            await(now);
+            pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
         } else {
-            world.round(now);
+            isKnown = false;
+            world.begin(now, pace::took);
         }
         if (now.kind() == Order.Kind.SPLIT && answer.elements > before.elements) {
             dark = now.number();
             beforeDark = before;
-        } else if (!now.more()) {
+        } else if (now.kind() != Order.Kind.ROWS && !now.more()) {
             dark = 0;
         }
+    }
+
+    private void await(Order now) throws IOException {
+        if (now.kind() == Order.Kind.ROWS) {
+            planner.take(now.shots().size(), world.round(now));
+            return;
+        }
+        answer = world.answer(now);
+        isKnown = true;
+        known = world.now();
     }
 
     /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */

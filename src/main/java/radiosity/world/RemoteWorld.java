@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import radiosity.scene.Scene;
 
 /**
@@ -21,6 +22,9 @@ import radiosity.scene.Scene;
 public final class RemoteWorld extends World {
 
     private static final int MOST_FAILURES = 2;
+    /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
+    private static final int STEPS_AHEAD = 4;
+    private static final StepTimes NOBODY = (shots, seconds) -> { };
     /**
      * A checkpoint is taken when the rounds since the last one took so many times as long as it: 3 % of the time at
      * most, and what n hosts lose with one of them is an n-th of those rounds.
@@ -37,16 +41,17 @@ public final class RemoteWorld extends World {
     private final Dealing dealing;
     private final ShotLog log = new ShotLog();
     private final Cadence checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS);
-    private final RoundTimes times = new RoundTimes();
+    private final RoundTimes times;
     private final Balance balance;
     private final List<Host> hosts = new ArrayList<>();
     private final List<HostStatistics> gone = new ArrayList<>();
     private final HostCalls calls = new HostCalls();
+    private final StepsUnderWay underWay = new StepsUnderWay(calls);
+    private final LongSupplier clock;
     private final BlockTransfer transfer;
     /** This process as a host, while there is no other. */
     private Host alone;
     private int failures;
-    private long number;
 
     /**
      * Opens a session with every host that can be reached.
@@ -57,12 +62,15 @@ public final class RemoteWorld extends World {
      */
     public RemoteWorld(Scene scene, RadiositySettings settings, List<HostAddress> hosts, HostKey key, int threads,
                        Consumer<String> notices) throws IOException {
-        this(scene, settings, threads, notices, RmiLink.to(hosts, key));
+        this(scene, settings, threads, notices, RmiLink.to(hosts, key), System::nanoTime);
     }
 
-    RemoteWorld(Scene scene, RadiositySettings settings, int threads, Consumer<String> notices, List<Link> links)
-            throws IOException {
+    /** @param clock for differences, ns */
+    RemoteWorld(Scene scene, RadiositySettings settings, int threads, Consumer<String> notices, List<Link> links,
+                LongSupplier clock) throws IOException {
         super(new InitialMesh(scene, settings));
+        this.clock = clock;
+        times = new RoundTimes(clock);
         this.notices = notices;
         this.threads = threads;
         task = SceneBytes.write(scene, settings);
@@ -83,6 +91,50 @@ public final class RemoteWorld extends World {
 
     @Override
     List<byte[]> round(Order order) throws IOException {
+        finish(NOBODY);
+        byte[] bytes = prepare(order);
+        while (true) {
+            underWay.begin(hosts, order, bytes, now());
+            Map<Host, Reply> replies = await(NOBODY);
+            if (!calls.isAnyLost()) {
+                balance.settle(hosts);
+                return replies.values().stream().map(Reply::answer).toList();
+            }
+            recover();
+            // the log has done the order on blocks that were lost, and the others have done it
+            bytes = order.changes() ? Order.plain(Order.Kind.ASK, order.most()).encode() : bytes;
+        }
+    }
+
+    @Override
+    void begin(Order step, StepTimes told) throws IOException {
+        underWay.begin(hosts, step, prepare(step), now());
+        while (underWay.count() >= STEPS_AHEAD) {
+            await(told);
+        }
+    }
+
+    @Override
+    void finish(StepTimes told) throws IOException {
+        while (underWay.count() > 0) {
+            await(told);
+        }
+        recover();
+        balance.settle(hosts);
+    }
+
+    @Override
+    int stepsAhead() {
+        return STEPS_AHEAD;
+    }
+
+    @Override
+    long now() {
+        return clock.getAsLong();
+    }
+
+    /** Everything that comes before the hosts are told. */
+    private byte[] prepare(Order order) throws IOException {
         admit(order);
         if (checkpoints.isDue() || log.bytes() > MOST_LOGGED) {
             blocks();
@@ -91,28 +143,22 @@ public final class RemoteWorld extends World {
         if (order.changes()) {
             log.add(bytes);
         }
-        while (true) {
-            long now = ++number;
-            long begin = System.nanoTime();
-            byte[] ask = bytes;
-            Map<Host, Reply> replies = calls.onAll(hosts, host -> host.round(now, ask));
-            if (!calls.isAnyLost()) {
-                times.add(replies.values(), (System.nanoTime() - begin) * 1e-9);
-                return answers(replies, order);
-            }
-            recover();
-            // the log has done the order on blocks that were lost, and the others have done it
-            bytes = order.changes() ? Order.plain(Order.Kind.ASK, order.most()).encode() : bytes;
-        }
+        return bytes;
     }
 
-    private List<byte[]> answers(Map<Host, Reply> replies, Order order) {
-        failures = 0;
-        balance.add(replies, order);
-        if (order.changes()) {
-            checkpoints.add(replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0));
+    /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
+    private Map<Host, Reply> await(StepTimes told) {
+        StepsUnderWay.Done step = underWay.await(clock);
+        told.took(step.order().shots().size(), step.seconds());
+        if (!calls.isAnyLost()) {
+            failures = 0;
+            times.add(step.replies().values(), step.seconds());
+            balance.add(step.replies(), step.order());
+            if (step.order().changes()) {
+                checkpoints.add(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
+            }
         }
-        return replies.values().stream().map(Reply::answer).toList();
+        return step.replies();
     }
 
     /*---- Losing hosts, and finding them again ----*/
@@ -126,9 +172,9 @@ public final class RemoteWorld extends World {
                 blocks.put(one.getKey(), dealing.blocks(one.getKey()).size());
                 lose(one.getKey(), one.getValue());
             }
-            long begin = System.nanoTime();
+            long begin = now();
             int heirs = adopt();
-            double seconds = (System.nanoTime() - begin) * 1e-9;
+            double seconds = (now() - begin) * 1e-9;
             now.forEach((host, why) -> notices.accept(String.format(Locale.ROOT,
                     "host %s lost (%s); its %d blocks move to %s, rebuilt in %.1f s", host.name(), why.getMessage(),
                     blocks.get(host), alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts",
@@ -168,7 +214,10 @@ public final class RemoteWorld extends World {
 
     /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
     private void admit(Order order) throws IOException {
-        recover();
+        boolean due = balance.isDue(order, hosts);
+        if (calls.isAnyLost() || finder.hasCome() || due) {
+            finish(NOBODY);
+        }
         boolean come = false;
         for (Host host = finder.next(); host != null; host = finder.next()) {
             host.speed = balance.speed(hosts, host);
@@ -178,7 +227,7 @@ public final class RemoteWorld extends World {
         }
         if (come && alone != null) {
             leave(alone);
-        } else if (come || balance.isDue(order, hosts)) {
+        } else if (come || due) {
             move(dealing.moves(hosts, order.kind() == Order.Kind.GATHER));
         }
         recover();
@@ -196,22 +245,23 @@ public final class RemoteWorld extends World {
     }
 
     private void move(List<Dealing.Move> moves) {
-        long begin = System.nanoTime();
+        long begin = now();
         transfer.move(moves);
-        balance.moved((System.nanoTime() - begin) * 1e-9);
+        balance.moved((now() - begin) * 1e-9);
     }
 
     /*---- States ----*/
 
     @Override
     List<byte[]> blocks() throws IOException {
-        long begin = System.nanoTime();
+        finish(NOBODY);
+        long begin = now();
         while (true) {
             recover();
             List<byte[]> all = transfer.states(hosts);
             if (!calls.isAnyLost()) {
                 log.checkpoint(all);
-                checkpoints.done((System.nanoTime() - begin) * 1e-9);
+                checkpoints.done((now() - begin) * 1e-9);
                 return all;
             }
         }
@@ -237,10 +287,10 @@ public final class RemoteWorld extends World {
         hosts.stream().map(host -> Host.start(() -> {
             host.close();
             return null;
-        })).toList().forEach(RemoteWorld::finish);
+        })).toList().forEach(RemoteWorld::end);
     }
 
-    private static void finish(FutureTask<Object> closing) {
+    private static void end(FutureTask<Object> closing) {
         try {
             closing.get();
         } catch (ExecutionException | InterruptedException e) {

@@ -2,16 +2,24 @@ package radiosity.world;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.function.LongSupplier;
 
 /** Sums over the rounds of a {@link RemoteWorld}. */
 final class RoundTimes {
 
-    private final long begin = System.nanoTime();
+    private final LongSupplier clock;
+    private final long begin;
     private int rounds;
     private double criticalPath;
     private double cpu;
     private double slowest;
     private double wall;
+
+    /** @param clock ns */
+    RoundTimes(LongSupplier clock) {
+        this.clock = clock;
+        begin = clock.getAsLong();
+    }
 
     /** @param seconds wall time of the round */
     void add(Collection<Reply> replies, double seconds) {
@@ -23,7 +31,7 @@ final class RoundTimes {
     }
 
     WorldStatistics statistics(List<HostStatistics> hosts) {
-        double all = (System.nanoTime() - begin) * 1e-9;
+        double all = (clock.getAsLong() - begin) * 1e-9;
         return new WorldStatistics(hosts, rounds, criticalPath, cpu, wall - slowest, all - wall);
     }
 }

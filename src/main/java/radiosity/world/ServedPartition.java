@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -26,6 +27,10 @@ final class ServedPartition implements RemotePartition {
     /** Bytes of block states in one answer; one state may be larger. */
     private static final int ANSWER_BYTES = 8 << 20;
 
+    /** At least as many as a master has under way. */
+    private static final int ANSWERS_KEPT = 4;
+    private static final int LOOK_MILLISECONDS = 200;
+
     private final int threads;
     private final Consumer<String> log;
     private final LongSupplier clock;
@@ -43,8 +48,10 @@ final class ServedPartition implements RemotePartition {
         ByteArrayOutputStream inbox = new ByteArrayOutputStream();
         HostedBlocks blocks;
         InitialMesh mesh;
+        /** Of the last round that was begun. */
         long number;
-        byte[] answer;
+        /** To the last rounds, by their numbers: the call may have been lost, and be made again. */
+        final TreeMap<Long, byte[]> answers = new TreeMap<>();
 
         Session(long id, String master) {
             this.id = id;
@@ -101,6 +108,12 @@ final class ServedPartition implements RemotePartition {
         }
         current.heard = clock.getAsLong();
         return current;
+    }
+
+    private synchronized void check(Session session) throws SessionEndedException {
+        if (current != session) {
+            throw new SessionEndedException();
+        }
     }
 
     @Override
@@ -165,15 +178,29 @@ final class ServedPartition implements RemotePartition {
     public byte[] round(long id, long number, byte[] order) throws SessionEndedException {
         Session session = session(id);
         synchronized (session) {
-            if (number != session.number) {
-                session.answer = null;
+            awaitTurn(session, number);
+            if (number > session.number) {
                 session.number = number;
-                session.answer = round(session.blocks, order);
+                session.answers.headMap(number - ANSWERS_KEPT).clear();
+                session.answers.put(number, round(session.blocks, order));
+                session.notifyAll();
             }
-            if (session.answer == null) {
+            if (!session.answers.containsKey(number)) {
                 throw new IllegalStateException("round " + number + ": expected to be asked for once, as it failed");
             }
-            return session.answer;
+            return session.answers.get(number);
+        }
+    }
+
+    /** Several rounds may be on their way, on as many connections: they are done in their order. */
+    private void awaitTurn(Session session, long number) throws SessionEndedException {
+        try {
+            while (number > session.number + 1) {
+                check(session);
+                session.wait(LOOK_MILLISECONDS);
+            }
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
         }
     }
 

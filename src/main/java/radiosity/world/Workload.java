@@ -8,15 +8,26 @@ final class Workload {
     int rounds;
     /** s. */
     double cpu;
-    /** Processor time of the slowest host in the same rounds, s. */
-    double slowest;
+    /** Processor time of the slowest host between two times when all waited for it, s. */
+    private double slowest;
+    /** Since then: processor time, and time; s. */
+    double sinceWait;
+    double secondsSinceWait;
     volatile long bytes;
 
-    void add(Reply reply, double slowestOfRound) {
+    void add(Reply reply) {
         rounds++;
         cpu += reply.cpu();
-        slowest += slowestOfRound;
+        sinceWait += reply.cpu();
+        secondsSinceWait += reply.seconds();
         elements = reply.elements();
+    }
+
+    /** @param ofSlowest processor time of the slowest host since it was waited for before, s */
+    void waited(double ofSlowest) {
+        slowest += ofSlowest;
+        sinceWait = 0;
+        secondsSinceWait = 0;
     }
 
     HostStatistics statistics(String name, String state, int blocks) {

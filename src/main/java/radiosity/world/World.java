@@ -51,6 +51,28 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     /** One round on all partitions: what each of them answers. */
     abstract List<byte[]> round(Order order) throws IOException;
 
+    /** Told how long a step took. */
+    interface StepTimes {
+        void took(int shots, double seconds);
+    }
+
+    /**
+     * A step of a round whose answer nobody reads. It may still be under way afterwards, and others with it: what is
+     * asked for later waits for them.
+     *
+     * @param times told about every step that is done by now
+     */
+    abstract void begin(Order step, StepTimes times) throws IOException;
+
+    /** Waits for what is under way. */
+    abstract void finish(StepTimes times) throws IOException;
+
+    /** How many steps may be under way, at least 1. */
+    abstract int stepsAhead();
+
+    /** A clock for differences, ns. */
+    abstract long now();
+
     /** One round on all partitions: their answers added up. */
     final Answer answer(Order order) throws IOException {
         Answer all = new Answer(mesh.faces, mesh.fluxScale());

@@ -19,7 +19,7 @@ class DeepMeshTest {
         Solution local = SameBitsTest.solve(new LocalWorld(scene, settings, 2), stop);
         SameBitsTest.assertSame(local, SameBitsTest.solve(new LocalWorld(scene, settings, 1, 5), stop));
         List<Link> links = List.of(new TestLink("daniel", 1, round -> false), new TestLink("igge", 1, round -> round == 90));
-        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, line -> { }, links)) {
+        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, line -> { }, links, System::nanoTime)) {
             SameBitsTest.assertSame(local, SameBitsTest.solve(world, stop));
         }
     }

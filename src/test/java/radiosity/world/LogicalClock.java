@@ -1,7 +1,6 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
@@ -9,137 +8,187 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
 
 /**
- * What many hosts would need, from hosts in this process that compute one after the other: calls that are made on all
- * hosts at once take as long as the slowest one's processor time, and what a call costs on a network.
+ * A clock of many hosts of which each is alone on its machine, and of a master on another one, for hosts in this
+ * process: a call is carried out as soon as it is begun, and what follows when is reckoned.
  *
- * <p>Counted is every call: rounds, blocks that move, checkpoints.
+ * <p>A host does one call after another, each as soon as it has come; it takes the processor time that it takes here.
+ * Bytes go through the master's one port, one message after another. The master goes on while hosts compute, until it
+ * waits for one of them. Every call counts: rounds, blocks that move, checkpoints.
  */
 final class LogicalClock {
 
-    /** Two round trips of 0.2 ms and 0.3 ms for a call to all, and 30 us of the master per host. */
-    private static final double CALL_SECONDS = 0.3e-3 + 2 * 0.2e-3;
-    private static final double HOST_SECONDS = 30e-6;
-    /** A gigabit per second, through the master's one port. */
+    /** There and back: two round trips of 0.2 ms, as RMI looks whether a connection is alive before it uses it, and 0.3 ms. */
+    private static final double THERE = 1.5 * 0.2e-3 + 0.15e-3;
+    private static final double BACK = 0.5 * 0.2e-3 + 0.15e-3;
+    /** Of the master's processor, for each call. */
+    private static final double CALL = 30e-6;
+    /** A gigabit per second, in each direction. */
     private static final double BYTES_PER_SECOND = 117e6;
 
-    private final Map<String, Double> phase = new HashMap<>();
-    private String phaseName = "";
-    private long phaseBytes;
-    private double slowest;
-    private double network;
-    private double cpu;
+    /** Per host: until when it computes, s. */
+    private final Map<String, Double> busy = new HashMap<>();
+    private final Map<String, Double> cpu = new HashMap<>();
+    /** Until when the master's port sends, and receives, s. */
+    private double sends;
+    private double receives;
+    /** What the master's time is ahead of its thread's processor time, s. */
+    private double ahead;
+    private double waited;
+    private long bytes;
     private int calls;
+    /** How far the call has come that is being made, s; NaN where none is. */
+    private double place = Double.NaN;
+    /** Processor time here when that was so. */
+    private double placed;
 
     /** So many hosts on this clock. */
     List<Link> links(int hosts) {
-        List<Link> links = TestLink.sound(hosts, 1);
-        for (Link link : links) {
-            put((TestLink) link, 1);
+        List<Link> links = new ArrayList<>();
+        for (int h = 0; h < hosts; h++) {
+            links.add(link(new TestLink("host" + h, 1, round -> false), 1));
         }
         return links;
     }
 
     /** @param times how many times as slow the host is as this machine */
-    TestLink put(TestLink link, double times) {
+    Link link(TestLink link, double times) {
         RemotePartition behind = link.behind;
-        InvocationHandler handler = (proxy, method, arguments) -> call(link.name(), times, behind, method, arguments);
         link.behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
-                new Class<?>[] {RemotePartition.class}, handler);
+                new Class<?>[] {RemotePartition.class},
+                (proxy, method, arguments) -> call(link.name(), times, behind, method, arguments));
+        link.clock = this;
         return link;
     }
 
-    private Object call(String host, double times, RemotePartition behind, Method method, Object[] arguments) throws Throwable {
-        if (method.getName().equals("ping")) {
-            return method.invoke(behind, arguments);
-        }
-        synchronized (this) {
-            long begin = BlockCosts.now();
-            Object result;
-            try {
-                result = method.invoke(behind, arguments);
-            } catch (InvocationTargetException e) {
-                throw e.getCause();
-            }
-            double seconds = times * (BlockCosts.now() - begin) * 1e-9;
-            count(host, name(method, arguments), seconds, bytes(arguments) + bytes(new Object[] {result}));
-            return method.getName().equals("round") ? onIdleMachine((byte[]) result, times) : result;
-        }
+    private static double thread() {
+        return BlockCosts.now() * 1e-9;
     }
 
-    /** A part of a message belongs to the call that it is for. */
-    private String name(Method method, Object[] arguments) {
-        return switch (method.getName()) {
-            case "send" -> "take";
-            case "round" -> "round " + arguments[1];
-            default -> method.getName();
+    /** Of the master, s. For its thread only. */
+    double seconds() {
+        return thread() + ahead;
+    }
+
+    /** The same, ns. */
+    long now() {
+        return (long) (seconds() * 1e9);
+    }
+
+    /*---- Calls ----*/
+
+    /** Does what is asked for now; who waits for it waits until it is done by this clock. */
+    <T> FutureTask<T> begin(Callable<T> work) {
+        ahead += CALL;
+        double begun = thread();
+        place = seconds();
+        placed = begun;
+        FutureTask<T> task = new FutureTask<>(work);
+        task.run();
+        double done = place + thread() - placed;
+        place = Double.NaN;
+        ahead -= thread() - begun;
+        return new FutureTask<>(() -> {
+            waited += Math.max(0, done - seconds());
+            ahead += Math.max(0, done - seconds());
+            return null;
+        }) {
+            @Override
+            @SuppressWarnings("unchecked")
+            public T get(long timeout, TimeUnit unit) throws InterruptedException, java.util.concurrent.ExecutionException {
+                run();
+                return task.get();
+            }
         };
     }
 
-    private static long bytes(Object[] values) {
-        long bytes = 0;
+    private Object call(String host, double times, RemotePartition behind, Method method, Object[] arguments)
+            throws Throwable {
+        if (Double.isNaN(place) || method.getName().equals("ping")) {
+            return invoke(behind, method, arguments);
+        }
+        double there = place + thread() - placed;
+        double begin = thread();
+        Object result = invoke(behind, method, arguments);
+        double spent = times * (thread() - begin);
+        if (method.getName().equals("round")) {
+            result = onIdleMachine((byte[]) result, times);
+            calls++;
+        }
+        place = answered(host, there, spent, size(arguments), size(new Object[] {result}));
+        placed = thread();
+        return result;
+    }
+
+    /** When the answer is there. */
+    private double answered(String host, double asked, double spent, long up, long down) {
+        sends = Math.max(sends, asked) + up / BYTES_PER_SECOND;
+        double done = Math.max(sends + THERE, busy.getOrDefault(host, 0.0)) + spent;
+        busy.put(host, done);
+        cpu.merge(host, spent, Double::sum);
+        receives = Math.max(receives, done) + down / BYTES_PER_SECOND;
+        bytes += up + down;
+        return receives + BACK;
+    }
+
+    private static Object invoke(RemotePartition behind, Method method, Object[] arguments) throws Throwable {
+        try {
+            return method.invoke(behind, arguments);
+        } catch (InvocationTargetException e) {
+            throw e.getCause();
+        }
+    }
+
+    private static long size(Object[] values) {
+        long size = 0;
         for (Object value : values == null ? new Object[0] : values) {
-            bytes += value instanceof byte[] array ? array.length : 0;
+            size += value instanceof byte[] array ? array.length : 0;
         }
-        return bytes;
-    }
-
-    private void count(String host, String name, double seconds, long bytes) {
-        if (!name.equals(phaseName)) {
-            end();
-            phaseName = name;
-        }
-        phase.merge(host, seconds, Double::sum);
-        phaseBytes += bytes;
-        cpu += seconds;
-    }
-
-    private void end() {
-        if (phase.isEmpty()) {
-            return;
-        }
-        double most = phase.values().stream().mapToDouble(Double::doubleValue).max().orElse(0);
-        slowest += most;
-        network += CALL_SECONDS + phase.size() * HOST_SECONDS + phaseBytes / BYTES_PER_SECOND;
-        calls++;
-        phase.clear();
-        phaseBytes = 0;
+        return size;
     }
 
     /** Wall time as it would be if nobody else were at work there. */
-    private static byte[] onIdleMachine(byte[] bytes, double times) throws IOException {
-        Reply reply = Reply.decode(bytes);
-        return new Reply(reply.answer(), reply.cpu(), times * reply.cpu(), reply.work()).encode();
+    private static byte[] onIdleMachine(byte[] reply, double times) throws IOException {
+        Reply here = Reply.decode(reply);
+        return new Reply(here.answer(), here.cpu(), times * here.cpu(), here.work()).encode();
     }
 
+    /*---- What came of it ----*/
+
     /** Begins to count. */
-    synchronized void reset() {
-        end();
-        slowest = network = cpu = 0;
+    void reset() {
+        cpu.clear();
+        waited = 0;
+        bytes = 0;
         calls = 0;
     }
 
-    /** Calls to all so far. */
-    synchronized int calls() {
-        end();
+    /** Rounds and parts of rounds, of all hosts together. */
+    int calls() {
         return calls;
-    }
-
-    /** Processor time of the slowest host in each call, s. */
-    synchronized double slowest() {
-        end();
-        return slowest;
     }
 
     /** Processor time of all hosts, s. */
     double cpu() {
-        return cpu;
+        return cpu.values().stream().mapToDouble(Double::doubleValue).sum();
     }
 
-    /** What calls cost beside the hosts' computing, s. */
-    synchronized double network() {
-        end();
-        return network;
+    /** Processor time of the host that had most to do, s. */
+    double busiest() {
+        return cpu.values().stream().mapToDouble(Double::doubleValue).max().orElse(0);
+    }
+
+    /** How long the master waited, s. */
+    double waited() {
+        return waited;
+    }
+
+    /** What went through the master's port. */
+    long bytes() {
+        return bytes;
     }
 }

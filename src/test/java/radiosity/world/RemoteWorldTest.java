@@ -42,7 +42,7 @@ class RemoteWorldTest {
     }
 
     private RemoteWorld world(Schedule schedule, List<Link> links) throws IOException {
-        return new RemoteWorld(SCENE, settings(schedule), 1, notices::add, links);
+        return new RemoteWorld(SCENE, settings(schedule), 1, notices::add, links, System::nanoTime);
     }
 
     private Solution remote(Schedule schedule, List<Link> links) throws IOException {

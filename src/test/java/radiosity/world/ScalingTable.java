@@ -29,9 +29,9 @@ public final class ScalingTable {
                 Integer.parseInt(arguments[2]), meshing, Schedule.valueOf(arguments[5].toUpperCase(Locale.ROOT)));
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
         warmUp(new LocalWorld(scene, settings, 1), stop);
-        double local = solve(new LocalWorld(scene, settings, 1), stop, 1);
+        double local = alone(scene, settings, stop);
         System.out.printf(Locale.ROOT, "in one process, CPU s: %.2f%n", local);
-        System.out.println("hosts  elements  calls   CPU s  slowest s  master s  network s   wall s  speedup  efficiency  worst idle %");
+        System.out.println("hosts  elements  calls   CPU s busiest s  master s       MB   wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
             print(scene, settings, stop, Integer.parseInt(arguments[i]), local);
         }
@@ -45,26 +45,27 @@ public final class ScalingTable {
         }
     }
 
-    /** Processor time of this thread, s. */
-    private static double solve(World world, StopRule stop, int hosts) throws IOException {
+    /** Processor time of one process on one thread, s. */
+    private static double alone(Scene scene, RadiositySettings settings, StopRule stop) throws IOException {
         long begin = BlockCosts.now();
-        new ProgressiveRadiosity(world, stop, hosts * Pace.STEP_SECONDS).run(progress -> true);
+        new ProgressiveRadiosity(new LocalWorld(scene, settings, 1), stop).run(progress -> true);
         return (BlockCosts.now() - begin) * 1e-9;
     }
 
     private static void print(Scene scene, RadiositySettings settings, StopRule stop, int hosts, double local)
             throws IOException {
         LogicalClock clock = new LogicalClock();
-        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, clock.links(hosts))) {
+        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, clock.links(hosts), clock::now)) {
             clock.reset();
-            double master = solve(world, stop, hosts);
+            double begin = clock.seconds();
+            new ProgressiveRadiosity(world, stop).run(progress -> true);
+            double wall = clock.seconds() - begin;
             List<HostStatistics> all = world.statistics().hosts();
             double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
             int elements = all.stream().mapToInt(HostStatistics::elements).sum();
-            double wall = clock.slowest() + master + clock.network();
-            System.out.printf(Locale.ROOT, "%5d %,9d %6d %7.2f %10.3f %9.3f %10.3f %8.3f %8.2f %11.3f %13.1f%n", hosts,
-                    elements, clock.calls(), clock.cpu(), clock.slowest(), master, clock.network(), wall, local / wall,
-                    local / wall / hosts, 100 * idle);
+            System.out.printf(Locale.ROOT, "%5d %,9d %6d %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", hosts,
+                    elements, clock.calls() / hosts, clock.cpu(), clock.busiest(), wall - clock.waited(),
+                    clock.bytes() / 1e6, wall, local / wall, local / wall / hosts, 100 * idle);
         }
     }
 }

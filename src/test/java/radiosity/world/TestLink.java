@@ -3,6 +3,9 @@ package radiosity.world;
 import java.rmi.ConnectException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntPredicate;
 
 /** A host in this process that may die in a call, and come back. */
@@ -12,9 +15,11 @@ final class TestLink implements Link {
     private final int threads;
     /** Whether it dies in its n-th round. */
     private final IntPredicate dies;
-    private int rounds;
+    private final AtomicInteger rounds = new AtomicInteger();
     private volatile boolean dead;
     volatile RemotePartition behind;
+    /** That of the master and all hosts; null where each has its own. */
+    LogicalClock clock;
 
     TestLink(String name, int threads, IntPredicate dies) {
         this.name = name;
@@ -54,7 +59,7 @@ final class TestLink implements Link {
                     check();
                     try {
                         Object result = method.invoke(behind, arguments);
-                        if (method.getName().equals("round") && dies.test(++rounds)) {
+                        if (method.getName().equals("round") && dies.test(rounds.incrementAndGet())) {
                             dead = true;
                         }
                         check();
@@ -69,6 +74,11 @@ final class TestLink implements Link {
         if (dead) {
             throw new ConnectException("dead");
         }
+    }
+
+    @Override
+    public <T> FutureTask<T> begin(Callable<T> calls) {
+        return clock == null ? Link.super.begin(calls) : clock.begin(calls);
     }
 
     @Override
