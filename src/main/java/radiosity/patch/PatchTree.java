@@ -8,7 +8,7 @@ import java.util.Arrays;
  * @param face      face on which it lies
  * @param path      its top node below the face, see {@link Path}
  * @param child     1 per node, breadth first: first of four consecutive children, or -1
- * @param radiosity 3 x channels per node, corner by corner; 0 for inner nodes. W/m²
+ * @param radiosity 3 x channels per node, corner by corner; 0 for inner nodes. Empty where only the tree is told. W/m²
  */
 public record PatchTree(int face, long path, int[] child, double[] radiosity) {
 
@@ -41,6 +41,52 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
             }
         }
         return new PatchTree(nodes.face(top), nodes.path(top), below, values);
+    }
+
+    /** Nothing, on an element. */
+    public static PatchTree none(int face, long path, int channels) {
+        return new PatchTree(face, path, new int[] {-1}, new double[3 * channels]);
+    }
+
+    /**
+     * The same radiosity on the elements of a tree that goes as deep or deeper, as {@link RadiosityNodes#split} would
+     * leave it.
+     *
+     * @param into as {@link #child}
+     */
+    public PatchTree divided(int[] into) {
+        if (Arrays.equals(child, into)) {
+            return this;
+        }
+        int perNode = radiosity.length / child.length;
+        double[] values = new double[perNode * into.length];
+        divide(0, null, into, 0, values, perNode);
+        return new PatchTree(face, path, into, values);
+    }
+
+    /** @param here at the corners, where this tree goes no deeper; else null */
+    private void divide(int i, double[] here, int[] into, int j, double[] values, int n) {
+        double[] now = here == null && child[i] < 0 ? Arrays.copyOfRange(radiosity, n * i, n * i + n) : here;
+        if (into[j] < 0) {
+            if (now == null) {
+                throw new IllegalArgumentException("tree: expected as many levels as before, got fewer");
+            }
+            System.arraycopy(now, 0, values, n * j, n);
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            divide(now == null ? child[i] + k : i, now == null ? null : Subdivision.values(now, n / 3, k), into,
+                    into[j] + k, values, n);
+        }
+    }
+
+    /** The sum of this and another one with the same elements. */
+    public PatchTree plus(PatchTree other) {
+        double[] sum = radiosity.clone();
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] += other.radiosity[i];
+        }
+        return new PatchTree(face, path, child, sum);
     }
 
     private static int[] breadthFirst(RadiosityNodes nodes, int top) {

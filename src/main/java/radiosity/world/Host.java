@@ -48,6 +48,8 @@ final class Host implements AutoCloseable {
     private long rounds;
     /** Relative to other hosts; threads, until it turns out to be another one. */
     double speed;
+    /** Whether it knows what was shot before it came. */
+    boolean knows;
     /** Pairs of receiving point and shooter in the last rounds, and the seconds they took. */
     double pairs;
     double seconds;
@@ -135,6 +137,13 @@ final class Host implements AutoCloseable {
     Void take(Adoption adoption) throws IOException {
         send(adoption.encode());
         remote.take(session);
+        return null;
+    }
+
+    /** @param totals see {@link Totals} */
+    Void know(byte[] totals) throws IOException {
+        send(totals);
+        remote.know(session);
         return null;
     }
 

@@ -15,10 +15,12 @@ final class HostedBlocks {
     private final int threads;
     private Set<Integer> owned = new TreeSet<>();
     private PartitionImpl partition;
+    private final Totals totals;
 
     HostedBlocks(InitialMesh mesh, int threads) {
         this.mesh = mesh;
         this.threads = threads;
+        totals = new Totals(mesh.faces.channels());
         partition = of(owned);
     }
 
@@ -43,7 +45,7 @@ final class HostedBlocks {
         PartitionImpl newcomers = of(new TreeSet<>(adoption.states().keySet()));
         adoption.states().forEach((id, state) -> restore(newcomers, id, state));
         for (byte[] order : adoption.orders()) {
-            newcomers.round(Order.decode(order).naming(0).encode());
+            newcomers.round(Order.decode(order).naming(0));
         }
         Map<Integer, byte[]> states = states(owned, partition);
         states.putAll(states(adoption.states().keySet(), newcomers));
@@ -77,7 +79,19 @@ final class HostedBlocks {
         }
     }
 
-    byte[] round(byte[] order) {
+    /** Takes what was shot so far for what is told. */
+    void know(List<Shot> shot) {
+        totals.set(shot);
+    }
+
+    byte[] round(byte[] bytes) throws IOException {
+        Order order = Order.decode(bytes);
+        if (order.kind() == Order.Kind.GATHER) {
+            return partition.round(order.shooting(totals.of(order.shots())));
+        }
+        if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
+            totals.add(order.shots());
+        }
         return partition.round(order);
     }
 

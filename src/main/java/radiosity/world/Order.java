@@ -37,6 +37,8 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         GATHER,
         /** Say what was ever shot. */
         TOTALS,
+        /** Say how all trees are divided. */
+        TREES,
         /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
         ROWS
     }
@@ -94,15 +96,30 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         return most >= 0;
     }
 
-    byte[] encode() {
-        return Wire.bytes(this::write);
+    /** The same with these shots. */
+    Order shooting(List<Shot> others) {
+        return new Order(kind, number, more, others, tolerance, weight, meshError, ambient, givenBack, begun, most);
     }
 
-    private void write(DataOutputStream out) throws IOException {
+    byte[] encode() {
+        return Wire.bytes(out -> write(out, true));
+    }
+
+    /** For who has {@link Totals}: what was shot is left out where it is all that was ever shot. */
+    byte[] encodeShort() {
+        return Wire.bytes(out -> write(out, kind != Kind.GATHER));
+    }
+
+    private void write(DataOutputStream out, boolean whole) throws IOException {
         out.writeByte(kind.ordinal());
         out.writeInt(number);
         out.writeBoolean(more);
-        Wire.write(shots, shots.isEmpty() ? 0 : shots.get(0).channels(), out);
+        int channels = shots.isEmpty() ? 0 : shots.get(0).channels();
+        if (whole) {
+            Wire.write(shots, channels, out);
+        } else {
+            Wire.writeTrees(shots, channels, out);
+        }
         out.writeDouble(tolerance);
         write(weight, out);
         out.writeDouble(meshError);
@@ -117,7 +134,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         Kind kind = kind(in.readByte());
         int number = in.readInt();
         boolean more = in.readBoolean();
-        List<Shot> shots = Wire.shots(in);
+        List<Shot> shots = kind == Kind.GATHER ? Wire.trees(in) : Wire.shots(in);
         double tolerance = in.readDouble();
         double[] weight = doubles(in);
         double meshError = in.readDouble();

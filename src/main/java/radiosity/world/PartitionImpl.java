@@ -85,24 +85,31 @@ final class PartitionImpl implements Partition {
     @Override
     public byte[] round(byte[] bytes) {
         try {
-            Order order = Order.decode(bytes);
-            switch (order.kind()) {
-                case SHOOT -> shoot(order);
-                case SPLIT -> split(order);
-                case GATHER -> gather(order, order.number() - 1);
-                case TOTALS -> {
-                    return Wire.bytes(out -> Wire.write(totals(), channels, out));
-                }
-                case ROWS -> {
-                    return rows(order);
-                }
-                default -> { }
-            }
-            Answer answer = order.isAnswered() ? answer(order.most()) : new Answer(faces, scale);
-            return Wire.bytes(answer::write);
+            return round(Order.decode(bytes));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** @param order with all that is shot */
+    byte[] round(Order order) {
+        switch (order.kind()) {
+            case SHOOT -> shoot(order);
+            case SPLIT -> split(order);
+            case GATHER -> gather(order, order.number() - 1);
+            case TOTALS -> {
+                return Wire.bytes(out -> Wire.write(totals(), channels, out));
+            }
+            case TREES -> {
+                return Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
+            }
+            case ROWS -> {
+                return rows(order);
+            }
+            default -> { }
+        }
+        Answer answer = order.isAnswered() ? answer(order.most()) : new Answer(faces, scale);
+        return Wire.bytes(answer::write);
     }
 
     /** Mark what has shot, gather, subdivide. */
@@ -137,6 +144,10 @@ final class PartitionImpl implements Partition {
 
     private List<Shot> totals() {
         return Stream.of(shooters).map(tops -> Shot.total(nodes, tops)).toList();
+    }
+
+    private List<Shot> trees() {
+        return Stream.of(shooters).map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> 0)).toList();
     }
 
     private void gather(Order order, int split) {

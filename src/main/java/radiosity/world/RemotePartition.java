@@ -24,7 +24,7 @@ public interface RemotePartition extends Remote {
     /** Tells that the master is alive, and the master that this host is. Never waits for the computation. */
     void ping(long session) throws RemoteException;
 
-    /** Appends to the message that {@link #mesh} or {@link #take} will read. */
+    /** Appends to the message that {@link #mesh}, {@link #take} or {@link #know} will read. */
     void send(long session, byte[] part) throws RemoteException;
 
     /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}; answers its fingerprint as UTF-8. */
@@ -32,6 +32,9 @@ public interface RemotePartition extends Remote {
 
     /** Makes the blocks its own that were sent, see {@link Adoption}; brings them up to date. */
     void take(long session) throws RemoteException;
+
+    /** Takes all that was ever shot from the message that was sent. */
+    void know(long session) throws RemoteException;
 
     /** Gives up blocks. @param blocks their ids, 4 bytes each */
     void drop(long session, byte[] blocks) throws RemoteException;

@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -40,6 +41,7 @@ public final class RemoteWorld extends World {
     private final HostFinder finder;
     private final Dealing dealing;
     private final ShotLog log = new ShotLog();
+    private final Totals totals;
     private final Cadence checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS);
     private final RoundTimes times;
     private final Balance balance;
@@ -71,6 +73,7 @@ public final class RemoteWorld extends World {
         super(new InitialMesh(scene, settings));
         this.clock = clock;
         times = new RoundTimes(clock);
+        totals = new Totals(mesh.faces.channels());
         this.notices = notices;
         this.threads = threads;
         task = SceneBytes.write(scene, settings);
@@ -81,6 +84,7 @@ public final class RemoteWorld extends World {
         balance = new Balance(forecast, dealing);
         transfer = new BlockTransfer(dealing, log, calls);
         hosts.addAll(finder.open(links));
+        hosts.forEach(host -> host.knows = true);
         if (hosts.isEmpty()) {
             finder.close();
             throw new NoWorkerException("hosts: expected at least one that can be used, got none");
@@ -95,20 +99,23 @@ public final class RemoteWorld extends World {
         byte[] bytes = prepare(order);
         while (true) {
             underWay.begin(hosts, order, bytes, now());
+            note(order);
             Map<Host, Reply> replies = await(NOBODY);
             if (!calls.isAnyLost()) {
                 balance.settle(hosts);
                 return replies.values().stream().map(Reply::answer).toList();
             }
             recover();
+            order = order.changes() ? Order.plain(Order.Kind.ASK, order.most()) : order;
             // the log has done the order on blocks that were lost, and the others have done it
-            bytes = order.changes() ? Order.plain(Order.Kind.ASK, order.most()).encode() : bytes;
+            bytes = order.encode();
         }
     }
 
     @Override
     void begin(Order step, StepTimes told) throws IOException {
         underWay.begin(hosts, step, prepare(step), now());
+        note(step);
         while (underWay.count() >= STEPS_AHEAD) {
             await(told);
         }
@@ -139,11 +146,41 @@ public final class RemoteWorld extends World {
         if (checkpoints.isDue() || log.bytes() > MOST_LOGGED) {
             blocks();
         }
-        byte[] bytes = order.encode();
+        if (order.kind() == Order.Kind.GATHER) {
+            tell();
+        }
+        byte[] bytes = order.encodeShort();
         if (order.changes()) {
-            log.add(bytes);
+            log.add(order, order.kind() == Order.Kind.GATHER ? null : bytes);
         }
         return bytes;
+    }
+
+    /** Everything that can be done while the hosts compute. */
+    private void note(Order order) {
+        if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
+            totals.add(order.shots());
+        }
+    }
+
+    /** Tells hosts that have come later what was shot before. */
+    private void tell() {
+        List<Host> late = hosts.stream().filter(host -> !host.knows).toList();
+        if (!late.isEmpty()) {
+            byte[] all = Wire.bytes(out -> Wire.write(totals.all(), channels(), out));
+            calls.onAll(late, host -> host.know(all)).keySet().forEach(host -> host.knows = true);
+        }
+    }
+
+    /** As the master has it; how elements are divided is asked. */
+    @Override
+    List<Shot> totals() throws IOException {
+        List<Shot> trees = new ArrayList<>();
+        for (byte[] bytes : round(Order.plain(Order.Kind.TREES, 0))) {
+            trees.addAll(Wire.trees(Wire.input(bytes)));
+        }
+        Collections.sort(trees);
+        return totals.of(trees);
     }
 
     /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
@@ -209,6 +246,7 @@ public final class RemoteWorld extends World {
         alone = new Host(link, link.connect(), threads, notices);
         alone.open("this process");
         alone.load(task, mesh.fingerprint());
+        alone.knows = totals.isEmpty();
         hosts.add(alone);
     }
 
@@ -221,6 +259,7 @@ public final class RemoteWorld extends World {
         boolean come = false;
         for (Host host = finder.next(); host != null; host = finder.next()) {
             host.speed = balance.speed(hosts, host);
+            host.knows = totals.isEmpty();
             hosts.add(host);
             notices.accept("host " + host.name() + " joined");
             come = true;
@@ -272,6 +311,10 @@ public final class RemoteWorld extends World {
         log.checkpoint(states);
         transfer.restore(hosts);
         recover();
+        if (mesh.predicts()) {
+            totals.set(super.totals());
+            hosts.forEach(host -> host.knows = false);
+        }
     }
 
     /** What was computed where so far. */

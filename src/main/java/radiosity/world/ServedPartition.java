@@ -163,6 +163,18 @@ final class ServedPartition implements RemotePartition {
     }
 
     @Override
+    public void know(long id) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            try {
+                session.blocks.know(Wire.shots(Wire.input(message(session))));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Override
     public void drop(long id, byte[] blocks) throws SessionEndedException {
         Session session = session(id);
         Set<Integer> ids = new TreeSet<>();
@@ -207,9 +219,13 @@ final class ServedPartition implements RemotePartition {
     private byte[] round(HostedBlocks blocks, byte[] order) {
         long begin = System.nanoTime();
         double cpu = processor.seconds();
-        byte[] answer = blocks.round(order);
-        double spent = processor.seconds() - cpu;
-        return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent)).encode();
+        try {
+            byte[] answer = blocks.round(order);
+            double spent = processor.seconds() - cpu;
+            return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent)).encode();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Override

@@ -66,6 +66,11 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return sum;
     }
 
+    /** What it takes at most when written. */
+    long bytes() {
+        return trees.stream().mapToLong(tree -> TreeBytes.LEAST + (long) Double.BYTES * tree.radiosity().length).sum();
+    }
+
     /** Most flux first; what is equal, by id. */
     @Override
     public int compareTo(Shot other) {
@@ -82,6 +87,20 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
             TreeBytes.write(tree, channels, out);
         }
         out.writeDouble(flux);
+    }
+
+    /** Without what is shot. */
+    void writeTrees(DataOutput out) throws IOException {
+        out.writeInt(trees.size());
+        for (PatchTree tree : trees) {
+            TreeBytes.writeTree(tree, out);
+        }
+        out.writeDouble(flux);
+    }
+
+    /** Whether it says what is shot. */
+    boolean isWhole() {
+        return trees.stream().allMatch(tree -> tree.radiosity().length > 0);
     }
 
     static Shot read(DataInputStream in, int channels) throws IOException {

@@ -4,18 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 
 /** What makes a lost block whole again: its state at the last checkpoint and every order since. */
 final class ShotLog {
 
     /** By id; empty before the first checkpoint, when all blocks are as in the initial mesh. */
     private List<byte[]> states = List.of();
-    private final List<byte[]> orders = new ArrayList<>();
+    private final List<Supplier<byte[]>> orders = new ArrayList<>();
     private long bytes;
 
-    void add(byte[] order) {
-        orders.add(order);
-        bytes += order.length;
+    /** @param encoded what the hosts were told, or null where that is not all */
+    void add(Order order, byte[] encoded) {
+        orders.add(encoded == null ? order::encode : () -> encoded);
+        bytes += encoded == null ? order.shots().stream().mapToLong(Shot::bytes).sum() : encoded.length;
     }
 
     void checkpoint(List<byte[]> now) {
@@ -34,6 +36,6 @@ final class ShotLog {
         for (int block : blocks) {
             wanted.put(block, states.isEmpty() ? Adoption.INITIAL : states.get(block));
         }
-        return new Adoption(wanted, List.copyOf(orders));
+        return new Adoption(wanted, orders.stream().map(Supplier::get).toList());
     }
 }

@@ -10,31 +10,44 @@ import radiosity.patch.PatchTree;
 
 /**
  * A {@link PatchTree} as bytes: face, path, number of nodes, a bit for each that is divided, then the radiosities of
- * its elements, as floats where that loses nothing. Most of what goes between hosts is this.
+ * its elements, as floats where that loses nothing, or not at all. Most of what goes between hosts is this.
  */
 final class TreeBytes {
 
     /** What the smallest takes: one element that is grey. */
-    static final int LEAST = 4 + 8 + 4 + 1 + 1 + 3 * Float.BYTES;
+    static final int LEAST = 4 + 8 + 4 + 1 + 1;
+
+    /** How radiosities are written. */
+    private enum Values { DOUBLES, FLOATS, NONE }
 
     private TreeBytes() { }
 
     static void write(PatchTree tree, int channels, DataOutput out) throws IOException {
-        int[] child = tree.child();
-        BitSet divided = new BitSet();
+        writeShape(tree, out);
         boolean exact = true;
-        for (int i = 0; i < child.length; i++) {
-            divided.set(i, child[i] >= 0);
-        }
         for (double u : tree.radiosity()) {
             exact &= (float) u == u;
+        }
+        out.writeByte((exact ? Values.FLOATS : Values.DOUBLES).ordinal());
+        out.write(values(tree, 3 * channels, exact));
+    }
+
+    /** Without radiosities. */
+    static void writeTree(PatchTree tree, DataOutput out) throws IOException {
+        writeShape(tree, out);
+        out.writeByte(Values.NONE.ordinal());
+    }
+
+    private static void writeShape(PatchTree tree, DataOutput out) throws IOException {
+        int[] child = tree.child();
+        BitSet divided = new BitSet();
+        for (int i = 0; i < child.length; i++) {
+            divided.set(i, child[i] >= 0);
         }
         out.writeInt(tree.face());
         out.writeLong(tree.path());
         out.writeInt(child.length);
         out.write(Arrays.copyOf(divided.toByteArray(), bytes(child.length)));
-        out.writeBoolean(exact);
-        out.write(values(tree, 3 * channels, exact));
     }
 
     private static int bytes(int bits) {
@@ -65,7 +78,14 @@ final class TreeBytes {
         int face = in.readInt();
         long path = in.readLong();
         int[] child = children(in);
-        boolean floats = in.readBoolean();
+        int values = in.readByte();
+        if (values == Values.NONE.ordinal()) {
+            return new PatchTree(face, path, child, new double[0]);
+        }
+        return new PatchTree(face, path, child, radiosity(in, child, channels, values == Values.FLOATS.ordinal()));
+    }
+
+    private static double[] radiosity(DataInputStream in, int[] child, int channels, boolean floats) throws IOException {
         int perNode = 3 * channels;
         double[] radiosity = new double[perNode * child.length];
         ByteBuffer values = ByteBuffer.wrap(Wire.exactly(in, (child.length - child.length / 4) * perNode * size(floats)));
@@ -74,7 +94,7 @@ final class TreeBytes {
                 radiosity[i] = floats ? values.getFloat() : values.getDouble();
             }
         }
-        return new PatchTree(face, path, child, radiosity);
+        return radiosity;
     }
 
     /** Breadth first: the next node that is divided has the next four as its children. */

@@ -54,6 +54,14 @@ final class Wire {
         }
     }
 
+    static void writeTrees(List<Shot> shots, int channels, DataOutput out) throws IOException {
+        out.writeInt(channels);
+        out.writeInt(shots.size());
+        for (Shot shot : shots) {
+            shot.writeTrees(out);
+        }
+    }
+
     static byte[] exactly(DataInputStream in, int count) throws IOException {
         byte[] bytes = in.readNBytes(count);
         if (bytes.length < count) {
@@ -86,7 +94,17 @@ final class Wire {
         return count;
     }
 
+    /** Shots with what they shoot. */
     static List<Shot> shots(DataInputStream in) throws IOException {
+        List<Shot> shots = trees(in);
+        if (!shots.stream().allMatch(Shot::isWhole)) {
+            throw new IOException("shot: expected radiosities, got none");
+        }
+        return shots;
+    }
+
+    /** Shots, or their trees only. */
+    static List<Shot> trees(DataInputStream in) throws IOException {
         int channels = in.readInt();
         if (channels < 0 || channels > MOST_CHANNELS) {
             throw new IOException("message: expected up to " + MOST_CHANNELS + " channels, got " + channels);

@@ -85,7 +85,7 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     }
 
     /** What all shooters have ever shot. */
-    final List<Shot> totals() throws IOException {
+    List<Shot> totals() throws IOException {
         List<Shot> totals = new ArrayList<>();
         for (byte[] bytes : round(Order.plain(Order.Kind.TOTALS, 0))) {
             totals.addAll(Wire.shots(Wire.input(bytes)));

@@ -1,0 +1,64 @@
+package radiosity.world;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import radiosity.patch.PatchTree;
+
+/**
+ * What everything in the scene has ever shot, as it follows from the orders: every host and the master keep it up to
+ * date, so that it need not be sent when new vertices gather it.
+ */
+final class Totals {
+
+    private final int channels;
+    /** What has not shot is left out. */
+    private final Map<Top, PatchTree> trees = new HashMap<>();
+
+    private record Top(int face, long path) { }
+
+    Totals(int channels) {
+        this.channels = channels;
+    }
+
+    private static Top top(PatchTree tree) {
+        return new Top(tree.face(), tree.path());
+    }
+
+    boolean isEmpty() {
+        return trees.isEmpty();
+    }
+
+    /** @param all what was shot instead of what is known here */
+    void set(List<Shot> all) {
+        trees.clear();
+        all.forEach(shot -> shot.trees().forEach(tree -> trees.put(top(tree), tree)));
+    }
+
+    /** All of it, by whatever shooters. */
+    List<Shot> all() {
+        return isEmpty() ? List.of() : List.of(new Shot(List.copyOf(trees.values()), 0));
+    }
+
+    /** What is shot now. */
+    void add(List<Shot> shots) {
+        shots.forEach(shot -> shot.trees().forEach(tree ->
+                trees.put(top(tree), divided(tree).plus(tree))));
+    }
+
+    /** What those have shot whose trees are these, on all of their elements. */
+    List<Shot> of(List<Shot> shapes) {
+        return shapes.stream().map(shot -> new Shot(shot.trees().stream().map(this::keep).toList(), shot.flux())).toList();
+    }
+
+    private PatchTree keep(PatchTree shape) {
+        PatchTree now = divided(shape);
+        trees.put(top(shape), now);
+        return now;
+    }
+
+    private PatchTree divided(PatchTree shape) {
+        PatchTree known = trees.get(top(shape));
+        return (known == null ? PatchTree.none(shape.face(), shape.path(), channels) : known).divided(shape.child());
+    }
+}
