@@ -12,11 +12,21 @@ import java.util.TreeMap;
  *
  * @param states by id; empty for one that is as in the initial mesh
  * @param orders to be done again on all of them, in their order
+ * @param leave  blocks that it gives up
  */
-record Adoption(Map<Integer, byte[]> states, List<byte[]> orders) {
+record Adoption(Map<Integer, byte[]> states, List<byte[]> orders, List<Integer> leave) {
 
     /** What stands for a block as it is in the initial mesh. */
     static final byte[] INITIAL = new byte[0];
+
+    /** Whether all states are given: as the log has them, either all are or none. */
+    boolean isWhole() {
+        return states.values().stream().noneMatch(state -> state.length == 0);
+    }
+
+    boolean isUpToDate() {
+        return orders.isEmpty() && isWhole();
+    }
 
     byte[] encode() {
         return Wire.bytes(out -> {
@@ -28,6 +38,10 @@ record Adoption(Map<Integer, byte[]> states, List<byte[]> orders) {
             out.writeInt(orders.size());
             for (byte[] order : orders) {
                 Wire.write(out, order);
+            }
+            out.writeInt(leave.size());
+            for (int block : leave) {
+                out.writeInt(block);
             }
         });
     }
@@ -42,6 +56,10 @@ record Adoption(Map<Integer, byte[]> states, List<byte[]> orders) {
         for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
             orders.add(Wire.bytes(in));
         }
-        return new Adoption(states, orders);
+        List<Integer> leave = new ArrayList<>();
+        for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
+            leave.add(in.readInt());
+        }
+        return new Adoption(states, orders, leave);
     }
 }

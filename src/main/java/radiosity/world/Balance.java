@@ -16,14 +16,17 @@ final class Balance {
     /** Blocks move when hosts have waited for each other so many times as long as a move takes, or will. */
     private static final double PATIENCE = 1;
     private static final double FIRST_COST = 0.005;
+    /** What a move is taken to cost before the first one: per patch of the scene, s. */
+    private static final double FIRST_COST_PER_PATCH = 1e-6;
 
     private final Forecast forecast;
     private final Dealing dealing;
-    private final Cadence waiting = new Cadence(PATIENCE, FIRST_COST);
+    private final Cadence waiting;
     /** The last round that was looked ahead at. */
     private int looked;
 
-    Balance(Forecast forecast, Dealing dealing) {
+    Balance(Forecast forecast, Dealing dealing, long patches) {
+        waiting = new Cadence(PATIENCE, FIRST_COST, patches * FIRST_COST_PER_PATCH);
         this.forecast = forecast;
         this.dealing = dealing;
     }

@@ -4,8 +4,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.HashSet;
-import java.util.Set;
+import java.util.BitSet;
 import radiosity.patch.RadiosityNodes;
 
 /**
@@ -18,7 +17,7 @@ final class BlockState {
     private BlockState() { }
 
     static byte[] write(RadiosityNodes nodes, int[] tops) {
-        Set<Integer> met = new HashSet<>();
+        BitSet met = new BitSet(nodes.vertices());
         return Wire.bytes(out -> {
             for (int top : tops) {
                 write(nodes, top, met, out);
@@ -26,7 +25,7 @@ final class BlockState {
         });
     }
 
-    private static void write(RadiosityNodes nodes, int node, Set<Integer> met, DataOutputStream out)
+    private static void write(RadiosityNodes nodes, int node, BitSet met, DataOutputStream out)
             throws IOException {
         out.writeInt(nodes.isElement(node) ? -1 : nodes.share(nodes.child(node)));
         if (!nodes.isElement(node)) {
@@ -41,7 +40,8 @@ final class BlockState {
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);
-            if (met.add(v)) {
+            if (!met.get(v)) {
+                met.set(v);
                 out.writeBoolean(nodes.isBuried(v));
                 for (int c = 0; c < channels; c++) {
                     out.writeDouble(nodes.irradiance()[channels * v + c]);
@@ -51,7 +51,7 @@ final class BlockState {
     }
 
     static void restore(RadiosityNodes nodes, int[] tops, byte[] state) {
-        Set<Integer> met = new HashSet<>();
+        BitSet met = new BitSet(nodes.vertices());
         DataInputStream in = Wire.input(state);
         try {
             for (int top : tops) {
@@ -62,7 +62,7 @@ final class BlockState {
         }
     }
 
-    private static void grow(RadiosityNodes nodes, int node, int share, Set<Integer> met, DataInputStream in)
+    private static void grow(RadiosityNodes nodes, int node, int share, BitSet met, DataInputStream in)
             throws IOException {
         if (share >= 0) {
             int first = nodes.isElement(node) ? nodes.split(node, share) : nodes.child(node);
@@ -77,7 +77,8 @@ final class BlockState {
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);
-            if (met.add(v)) {
+            if (!met.get(v)) {
+                met.set(v);
                 if (in.readBoolean()) {
                     nodes.bury(v);
                 }

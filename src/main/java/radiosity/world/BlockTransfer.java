@@ -41,6 +41,7 @@ final class BlockTransfer {
         Map<Host, Map<Integer, byte[]>> to = new LinkedHashMap<>();
         moves.forEach(move -> from.computeIfAbsent(move.from(), h -> new ArrayList<>()).add(move.block()));
         Map<Host, List<byte[]>> states = calls.onAll(from.keySet(), host -> host.blocks(from.get(host)));
+        states.keySet().forEach(host -> to.put(host, new TreeMap<>()));
         for (Dealing.Move move : moves) {
             if (states.containsKey(move.from())) {
                 byte[] state = states.get(move.from()).get(from.get(move.from()).indexOf(move.block()));
@@ -48,8 +49,8 @@ final class BlockTransfer {
                 dealing.give(move.block(), move.to());
             }
         }
-        calls.onAll(to.keySet(), host -> host.take(new Adoption(to.get(host), List.of())));
-        calls.onAll(states.keySet(), host -> host.drop(from.get(host)));
+        calls.onAll(to.keySet(), host ->
+                host.take(new Adoption(to.get(host), List.of(), from.getOrDefault(host, List.of()))));
     }
 
     /** The states of all blocks, by id; fewer where a host is lost. */

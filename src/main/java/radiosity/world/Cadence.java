@@ -11,11 +11,14 @@ final class Cadence {
     private double cost;
     private double gain;
 
-    /** @param leastCost what it is taken to cost at least, and before it was done, s */
-    Cadence(double multiple, double leastCost) {
+    /**
+     * @param leastCost what it is taken to cost at least, s
+     * @param firstCost what it is taken to cost before it was done, s
+     */
+    Cadence(double multiple, double leastCost, double firstCost) {
         this.multiple = multiple;
         this.leastCost = leastCost;
-        cost = leastCost;
+        cost = Math.max(leastCost, firstCost);
     }
 
     /** @param seconds that doing it now would save, beside what was added before */

@@ -82,7 +82,7 @@ final class Dealing {
     List<Move> moves(List<Host> hosts, boolean gather) {
         Shares shares = shares(hosts, gather);
         double before = shares.slowest();
-        shares.improve();
+        shares.relieve();
         int[] after = shares.owners();
         List<Move> moves = new ArrayList<>();
         for (int b = 0; b < owner.length && shares.slowest() < (1 - WORTH) * before; b++) {

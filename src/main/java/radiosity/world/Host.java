@@ -147,11 +147,6 @@ final class Host implements AutoCloseable {
         return null;
     }
 
-    Void drop(List<Integer> blocks) throws IOException {
-        remote.drop(session, ids(blocks));
-        return null;
-    }
-
     /** The states of some of its blocks, in their order. */
     List<byte[]> blocks(List<Integer> blocks) throws IOException {
         List<byte[]> states = new ArrayList<>();

@@ -13,7 +13,7 @@ final class HostedBlocks {
 
     private final InitialMesh mesh;
     private final int threads;
-    private Set<Integer> owned = new TreeSet<>();
+    private final Set<Integer> owned = new TreeSet<>();
     private PartitionImpl partition;
     private final Totals totals;
 
@@ -21,11 +21,11 @@ final class HostedBlocks {
         this.mesh = mesh;
         this.threads = threads;
         totals = new Totals(mesh.faces.channels());
-        partition = of(owned);
+        partition = of(owned, true);
     }
 
-    private PartitionImpl of(Set<Integer> ids) {
-        return new PartitionImpl(mesh, ids.stream().map(this::known).toList(), threads);
+    private PartitionImpl of(Set<Integer> ids, boolean restored) {
+        return new PartitionImpl(mesh, ids.stream().map(this::known).toList(), threads, restored);
     }
 
     private Block known(int id) {
@@ -42,41 +42,39 @@ final class HostedBlocks {
 
     /** Does on the newcomers what was done since their states were taken, then joins them with the others. */
     void take(Adoption adoption) throws IOException {
-        PartitionImpl newcomers = of(new TreeSet<>(adoption.states().keySet()));
-        adoption.states().forEach((id, state) -> restore(newcomers, id, state));
+        owned.removeAll(adoption.leave());
+        Map<Integer, byte[]> states = states(owned, partition);
+        owned.addAll(adoption.states().keySet());
+        if (adoption.isUpToDate()) {
+            states.putAll(adoption.states());
+        } else {
+            PartitionImpl newcomers = upToDate(adoption);
+            if (states.isEmpty()) {
+                partition = newcomers;
+                return;
+            }
+            states.putAll(states(adoption.states().keySet(), newcomers));
+        }
+        partition = of(owned, true);
+        states.forEach(partition::restore);
+    }
+
+    private PartitionImpl upToDate(Adoption adoption) throws IOException {
+        boolean restored = adoption.isWhole();
+        PartitionImpl newcomers = of(adoption.states().keySet(), restored);
+        if (restored) {
+            adoption.states().forEach(newcomers::restore);
+        }
         for (byte[] order : adoption.orders()) {
             newcomers.round(Order.decode(order).naming(0));
         }
-        Map<Integer, byte[]> states = states(owned, partition);
-        states.putAll(states(adoption.states().keySet(), newcomers));
-        join(states, states.size() == adoption.states().size() ? newcomers : null);
-    }
-
-    void drop(Set<Integer> ids) {
-        Map<Integer, byte[]> states = states(owned, partition);
-        states.keySet().removeAll(ids);
-        join(states, null);
+        return newcomers;
     }
 
     private static Map<Integer, byte[]> states(Set<Integer> ids, PartitionImpl from) {
         Map<Integer, byte[]> states = new TreeMap<>();
         ids.forEach(id -> states.put(id, from.block(id)));
         return states;
-    }
-
-    /** @param ready a partition that has these states already, or null */
-    private void join(Map<Integer, byte[]> states, PartitionImpl ready) {
-        owned = new TreeSet<>(states.keySet());
-        partition = ready != null ? ready : of(owned);
-        if (ready == null) {
-            states.forEach((id, state) -> restore(partition, id, state));
-        }
-    }
-
-    private static void restore(PartitionImpl to, int id, byte[] state) {
-        if (state.length > 0) {
-            to.restore(id, state);
-        }
     }
 
     /** Takes what was shot so far for what is told. */

@@ -52,6 +52,11 @@ final class PartitionImpl implements Partition {
     private final double[] flux;
 
     PartitionImpl(InitialMesh mesh, List<Block> mine, int threads) {
+        this(mesh, mine, threads, false);
+    }
+
+    /** @param restored whether the states of all blocks will be given to {@link #restore}, so none has to be found */
+    PartitionImpl(InitialMesh mesh, List<Block> mine, int threads, boolean restored) {
         this.mesh = mesh;
         this.mine = mine;
         faces = mesh.faces;
@@ -68,8 +73,10 @@ final class PartitionImpl implements Partition {
         costs = new BlockCosts(nodes, mine);
         shooters = mesh.shootsBlocks() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         flux = new double[shooters.length];
-        bury(nodes, 0);
-        light(0);
+        if (!restored) {
+            bury(nodes, 0);
+            light(0);
+        }
     }
 
     private void bury(RadiosityNodes of, int first) {

@@ -30,14 +30,11 @@ public interface RemotePartition extends Remote {
     /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}; answers its fingerprint as UTF-8. */
     byte[] mesh(long session) throws RemoteException;
 
-    /** Makes the blocks its own that were sent, see {@link Adoption}; brings them up to date. */
+    /** Makes the blocks its own that were sent, see {@link Adoption}, and brings them up to date; gives others up. */
     void take(long session) throws RemoteException;
 
     /** Takes all that was ever shot from the message that was sent. */
     void know(long session) throws RemoteException;
-
-    /** Gives up blocks. @param blocks their ids, 4 bytes each */
-    void drop(long session, byte[] blocks) throws RemoteException;
 
     /**
      * One round on the blocks that this host owns. The same number again is not done again.

@@ -32,6 +32,8 @@ public final class RemoteWorld extends World {
      */
     private static final double CHECKPOINT_PATIENCE = 30;
     private static final double CHECKPOINT_SECONDS = 0.02;
+    /** What the first one is taken to cost: per patch, s. */
+    private static final double CHECKPOINT_SECONDS_PER_PATCH = 1e-6;
     /** Orders that are kept in memory for the next loss. */
     private static final long MOST_LOGGED = 128L << 20;
 
@@ -42,7 +44,7 @@ public final class RemoteWorld extends World {
     private final Dealing dealing;
     private final ShotLog log = new ShotLog();
     private final Totals totals;
-    private final Cadence checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS);
+    private final Cadence checkpoints;
     private final RoundTimes times;
     private final Balance balance;
     private final List<Host> hosts = new ArrayList<>();
@@ -81,7 +83,8 @@ public final class RemoteWorld extends World {
         Borders borders = new Borders(mesh);
         Forecast forecast = new Forecast(borders);
         dealing = new Dealing(forecast, borders);
-        balance = new Balance(forecast, dealing);
+        balance = new Balance(forecast, dealing, patches());
+        checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS, patches() * CHECKPOINT_SECONDS_PER_PATCH);
         transfer = new BlockTransfer(dealing, log, calls);
         hosts.addAll(finder.open(links));
         hosts.forEach(host -> host.knows = true);

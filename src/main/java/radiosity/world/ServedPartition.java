@@ -7,9 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
@@ -171,18 +169,6 @@ final class ServedPartition implements RemotePartition {
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-        }
-    }
-
-    @Override
-    public void drop(long id, byte[] blocks) throws SessionEndedException {
-        Session session = session(id);
-        Set<Integer> ids = new TreeSet<>();
-        for (ByteBuffer in = ByteBuffer.wrap(blocks); in.remaining() >= Integer.BYTES;) {
-            ids.add(in.getInt());
-        }
-        synchronized (session) {
-            session.blocks.drop(ids);
         }
     }
 

@@ -16,6 +16,8 @@ final class Shares {
     /** A step has to lower the goal by this part; all blocks are looked at so often at most. */
     private static final double WORTH = 1e-5;
     private static final int MOST_SWEEPS = 40;
+    /** A move has to help the slowest host by this part of its time. */
+    private static final double RELIEF = 2e-3;
     /** What it counts for that a host has its share of each direction. */
     private static final double SPREAD = 0.5;
 
@@ -60,9 +62,13 @@ final class Shares {
     }
 
     double slowest() {
-        double slowest = 0;
-        for (int h = 0; h < speed.length; h++) {
-            slowest = Math.max(slowest, time(h));
+        return time(slowestHost());
+    }
+
+    private int slowestHost() {
+        int slowest = 0;
+        for (int h = 1; h < speed.length; h++) {
+            slowest = time(h) > time(slowest) ? h : slowest;
         }
         return slowest;
     }
@@ -124,6 +130,58 @@ final class Shares {
         }
     }
 
+    /** The same with few moves: the slowest host gives a block away, or changes one, as long as that helps it. */
+    void relieve() {
+        double before = Double.POSITIVE_INFINITY;
+        for (int turn = 0; turn < owner.length && slowest() < (1 - RELIEF) * before; turn++) {
+            before = slowest();
+            relieve(slowestHost());
+        }
+    }
+
+    private void relieve(int host) {
+        double least = 0;
+        int given = -1;
+        int taken = -1;
+        int to = -1;
+        for (int b = 0; b < owner.length; b++) {
+            for (int c = 0; owner[b] == host && c < speed.length + owner.length; c++) {
+                int other = c < speed.length ? c : owner[c - speed.length];
+                if (other != host) {
+                    double change = change(b, c - speed.length, other);
+                    if (change < least) {
+                        least = change;
+                        given = b;
+                        taken = c - speed.length;
+                        to = other;
+                    }
+                }
+            }
+        }
+        if (given >= 0) {
+            trade(given, taken, host, to);
+        }
+    }
+
+    /** @param c block that is taken for b, or below 0 for none */
+    private double change(int b, int c, int other) {
+        int host = owner[b];
+        double before = goal(host) + goal(other);
+        trade(b, c, host, other);
+        double after = goal(host) + goal(other);
+        trade(b, c, other, host);
+        return after - before;
+    }
+
+    private void trade(int b, int c, int hostOfB, int hostOfC) {
+        if (c >= 0) {
+            swap(b, hostOfC, c, hostOfB);
+        } else {
+            take(b);
+            give(b, hostOfC);
+        }
+    }
+
     /** What is made small. */
     private double goal(int host) {
         double goal = Math.pow(time(host) / mean, 4);
@@ -159,10 +217,7 @@ final class Shares {
 
     /** A block of the slowest host changes places with one of another. */
     private boolean exchange() {
-        int slowest = 0;
-        for (int h = 1; h < speed.length; h++) {
-            slowest = time(h) > time(slowest) ? h : slowest;
-        }
+        int slowest = slowestHost();
         for (int b = 0; b < owner.length; b++) {
             for (int c = 0; owner[b] == slowest && c < owner.length; c++) {
                 if (owner[c] != slowest && exchange(b, c)) {

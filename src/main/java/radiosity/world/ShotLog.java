@@ -36,6 +36,6 @@ final class ShotLog {
         for (int block : blocks) {
             wanted.put(block, states.isEmpty() ? Adoption.INITIAL : states.get(block));
         }
-        return new Adoption(wanted, orders.stream().map(Supplier::get).toList());
+        return new Adoption(wanted, orders.stream().map(Supplier::get).toList(), List.of());
     }
 }

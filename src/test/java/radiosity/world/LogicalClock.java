@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -29,16 +30,23 @@ final class LogicalClock {
     private static final double CALL = 30e-6;
     /** A gigabit per second, in each direction. */
     private static final double BYTES_PER_SECOND = 117e6;
+    /** A packet: does not wait behind long messages. */
+    private static final int LITTLE = 1460;
+    /** What was received so long ago is done with, s. */
+    private static final double LONG_AGO = 10;
 
     /** Per host: until when it computes, s. */
     private final Map<String, Double> busy = new HashMap<>();
     private final Map<String, Double> cpu = new HashMap<>();
-    /** Until when the master's port sends, and receives, s. */
+    /** Until when the master's port sends, s. */
     private double sends;
-    private double receives;
+    /** What the master's port receives: when it is ready, in this order, and how long it takes; s. */
+    private final TreeMap<Double, Double> receives = new TreeMap<>();
     /** What the master's time is ahead of its thread's processor time, s. */
     private double ahead;
     private double waited;
+    /** What the call that is being made has answered so far. */
+    private long down;
     private long bytes;
     private int calls;
     /** How far the call has come that is being made, s; NaN where none is. */
@@ -89,12 +97,17 @@ final class LogicalClock {
         placed = begun;
         FutureTask<T> task = new FutureTask<>(work);
         task.run();
-        double done = place + thread() - placed;
+        double ready = place + thread() - placed;
+        if (down > LITTLE) {
+            receives.merge(ready, down / BYTES_PER_SECOND, Double::sum);
+        }
+        down = 0;
         place = Double.NaN;
         ahead -= thread() - begun;
         return new FutureTask<>(() -> {
-            waited += Math.max(0, done - seconds());
-            ahead += Math.max(0, done - seconds());
+            double wait = Math.max(0, received(ready) - seconds());
+            waited += wait;
+            ahead += wait;
             return null;
         }) {
             @Override
@@ -104,6 +117,16 @@ final class LogicalClock {
                 return task.get();
             }
         };
+    }
+
+    /** When all is received that is ready by then, s. */
+    private double received(double ready) {
+        double end = 0;
+        for (Map.Entry<Double, Double> one : receives.headMap(ready, true).entrySet()) {
+            end = Math.max(end, one.getKey()) + one.getValue();
+        }
+        receives.headMap(ready - LONG_AGO).clear();
+        return Math.max(end, ready);
     }
 
     private Object call(String host, double times, RemotePartition behind, Method method, Object[] arguments)
@@ -124,15 +147,19 @@ final class LogicalClock {
         return result;
     }
 
-    /** When the answer is there. */
-    private double answered(String host, double asked, double spent, long up, long down) {
-        sends = Math.max(sends, asked) + up / BYTES_PER_SECOND;
-        double done = Math.max(sends + THERE, busy.getOrDefault(host, 0.0)) + spent;
+    /** When the answer is ready to be received. */
+    private double answered(String host, double asked, double spent, long up, long answer) {
+        double sent = asked;
+        if (up > LITTLE) {
+            sends = Math.max(sends, asked) + up / BYTES_PER_SECOND;
+            sent = sends;
+        }
+        double done = Math.max(sent + THERE, busy.getOrDefault(host, 0.0)) + spent;
         busy.put(host, done);
         cpu.merge(host, spent, Double::sum);
-        receives = Math.max(receives, done) + down / BYTES_PER_SECOND;
-        bytes += up + down;
-        return receives + BACK;
+        bytes += up + answer;
+        down += answer;
+        return done + BACK;
     }
 
     private static Object invoke(RemotePartition behind, Method method, Object[] arguments) throws Throwable {
