@@ -5,11 +5,9 @@ final class CornerPull {
 
     private final Faces faces;
     private final byte[] level;
-    /** Numbers (part, point). */
-    private final LongIndex index;
-    /** 3 per number: sum of unit directions to the middles of the faces that meet there. */
+    /** 3 per fan: sum of unit directions to the middles of the faces that meet there. */
     private final double[] direction;
-    /** 1 per number: least height of a patch that meets there. */
+    /** 1 per fan: least height of a patch that meets there. */
     private final double[] height;
     private final boolean[] border;
 
@@ -17,7 +15,6 @@ final class CornerPull {
         this.faces = faces;
         this.level = level;
         int most = 3 * faces.count();
-        index = new LongIndex(most);
         direction = new double[3 * most];
         height = new double[most];
         border = new boolean[most];
@@ -26,12 +23,8 @@ final class CornerPull {
         }
     }
 
-    private int number(int f, int k) {
-        return index.findOrAdd((long) faces.part[f] << 32 | faces.point[3 * f + k], index.size());
-    }
-
     private void meet(int f, int k) {
-        int i = number(f, k);
+        int i = faces.fan[3 * f + k];
         double[] d = new double[3];
         double length = 0;
         for (int a = 0; a < 3; a++) {
@@ -52,7 +45,7 @@ final class CornerPull {
         float[] pull = new float[9 * faces.count()];
         for (int f = 0; f < faces.count(); f++) {
             for (int k = 0; k < 3; k++) {
-                int i = number(f, k);
+                int i = faces.fan[3 * f + k];
                 if (border[i]) {
                     put(pull, 9 * f + 3 * k, i);
                 }

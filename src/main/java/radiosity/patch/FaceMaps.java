@@ -31,7 +31,10 @@ final class FaceMaps {
     private static double[] coordinates(Faces faces, int face, int which) {
         double[] of = new double[3];
         for (int k = 0; k < 3; k++) {
-            of[k] = faces.scene().textureCoordinates()[6 * faces.triangle(face) + 2 * faces.originalCorner(face, k) + which];
+            double[] weight = faces.originalWeights(face, k);
+            for (int j = 0; j < 3; j++) {
+                of[k] += weight[j] * faces.scene().textureCoordinates()[6 * faces.triangle(face) + 2 * j + which];
+            }
         }
         return of;
     }

@@ -2,9 +2,9 @@ package radiosity.patch;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
-import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
 /**
@@ -31,6 +31,8 @@ public final class Faces {
     private final int channels;
     private int count;
     private int dropped;
+    /** Corners of faces, those of the scene and those that cutting made. */
+    private final CutPoints points;
     /** 1 per face: 2 * original triangle, + 1 for the back. */
     final int[] side;
     /** 9 per face: three corners, counter-clockwise seen from the side that radiates. */
@@ -43,12 +45,13 @@ public final class Faces {
     final int[] point;
     /** 1 per face: the lowest face of its part. */
     final int[] part;
+    /** 3 per face: which corners are one, as faces of a part lie all round between them: the lowest such corner. */
+    final int[] fan;
     /** 1 per face: bit k where the edge opposite corner k is the part's border. */
     final byte[] border;
-    private final double[] exitance;
-    private final double[] reflectance;
-    private final FaceMaps exitanceMaps;
-    private final FaceMaps reflectanceMaps;
+    /** 1 per face: whether it is a piece of a triangle that was cut. */
+    private final boolean[] piece;
+    private final Shine shine;
 
     /** All light of a scene as one. */
     public Faces(Scene scene) {
@@ -70,26 +73,68 @@ public final class Faces {
         normal = new float[3 * most];
         area = new double[most];
         point = new int[3 * most];
-        int[] points = PointNumbers.of(scene.points());
+        piece = new boolean[most];
+        points = new CutPoints(scene, 0);
+        int[] numbers = PointNumbers.of(scene.points());
         for (int t = 0; t < scene.triangles(); t++) {
-            add(t, points);
+            add(t, numbers);
         }
         part = new int[count];
         border = new byte[count];
-        new Parts(this).join();
-        exitance = new double[channels * count];
-        reflectance = new double[channels * count];
-        exitanceMaps = new FaceMaps(this, Surface.Maps::exitance);
-        reflectanceMaps = new FaceMaps(this, Surface.Maps::reflectance);
-        for (int f = 0; f < count; f++) {
-            int s = scene.surfaceOf()[triangle(f)];
-            Surface surface = scene.surfaces().get(s);
-            for (int c = 0; c < channels; c++) {
-                exitance[channels * f + c] = kinds.isOf(true, s, c)
-                        ? exitanceMaps.mean(f, c % kinds.colours, surface.exitance()) : 0;
-                reflectance[channels * f + c] = reflectanceMaps.mean(f, c % kinds.colours, surface.reflectance());
+        fan = new int[3 * count];
+        new Parts(this).join(Set.of());
+        shine = new Shine(this, kinds);
+    }
+
+    private Faces(Faces whole, Cutting cutting) {
+        scene = whole.scene;
+        centre = whole.centre;
+        size = whole.size;
+        kinds = whole.kinds;
+        channels = whole.channels;
+        dropped = whole.dropped;
+        points = cutting.points;
+        int most = whole.count + cutting.pieces.values().stream().mapToInt(List::size).sum();
+        side = new int[most];
+        corner = new float[9 * most];
+        normal = new float[3 * most];
+        area = new double[most];
+        point = new int[3 * most];
+        piece = new boolean[most];
+        for (int f = 0; f < whole.count; f++) {
+            List<int[]> some = cutting.pieces.get(f);
+            if (some == null) {
+                add(whole, f, whole.point[3 * f], whole.point[3 * f + 1], whole.point[3 * f + 2]);
+                continue;
+            }
+            for (int[] p : some) {
+                piece[count] = true;
+                add(whole, f, p[0], p[1], p[2]);
             }
         }
+        part = new int[count];
+        border = new byte[count];
+        fan = new int[3 * count];
+        new Parts(this).join(cutting.edges);
+        shine = new Shine(this, kinds);
+    }
+
+    /** The same with large faces cut where others stand on them or come through. */
+    public Faces cut() {
+        Cutting cutting = new Cutting(this);
+        return cutting.edges.isEmpty() ? this : new Faces(this, cutting);
+    }
+
+    private void add(Faces whole, int face, int p, int q, int r) {
+        Vec3 a = unit(points.at(p));
+        Vec3 b = unit(points.at(q));
+        Vec3 c = unit(points.at(r));
+        double itsArea = b.minus(a).cross(c.minus(a)).length() / 2;
+        if (itsArea < LEAST_AREA) {
+            return;
+        }
+        add(whole.side[face], a, b, c, new Vec3(whole.normal(face, 0), whole.normal(face, 1), whole.normal(face, 2)),
+                itsArea, p, q, r);
     }
 
     private static double[] box(Scene scene) {
@@ -262,38 +307,69 @@ public final class Faces {
 
     /** Component a of corner k of a face, scene units. */
     double sceneCorner(int face, int k, int a) {
-        return scene.points()[3 * scene.corners()[3 * triangle(face) + originalCorner(face, k)] + a];
+        Vec3 p = sceneCorner(face, k);
+        return a == 0 ? p.x() : a == 1 ? p.y() : p.z();
     }
 
-    /** Which corner of its original triangle corner k of a face is. */
-    int originalCorner(int face, int k) {
-        return side[face] % 2 == 0 || k == 0 ? k : 3 - k;
+    /** Corner k of a face, scene units. */
+    Vec3 sceneCorner(int face, int k) {
+        return points.at(point[3 * face + k]);
+    }
+
+    /** Where a corner with this number lies, scene units. */
+    Vec3 place(int number) {
+        return points.at(number);
+    }
+
+    /** A face's normal as exactly as its corners tell. */
+    Vec3 exactNormal(int face) {
+        Vec3 a = sceneCorner(face, 0);
+        return sceneCorner(face, 1).minus(a).cross(sceneCorner(face, 2).minus(a)).unit();
+    }
+
+    /** Whether a face is a piece of a triangle that was cut: nothing stands on it or comes through, but at its border. */
+    boolean isPiece(int face) {
+        return piece[face];
+    }
+
+    /** Weights of its original triangle's corners at corner k of a face. */
+    double[] originalWeights(int face, int k) {
+        double[] weights = new double[3];
+        if (!piece[face]) {
+            weights[side[face] % 2 == 0 || k == 0 ? k : 3 - k] = 1;
+            return weights;
+        }
+        Vec3 p = sceneCorner(face, k);
+        Vec3[] from = new Vec3[3];
+        Arrays.setAll(from, j -> scene.corner(triangle(face), j).minus(p));
+        Vec3 n = from[1].minus(from[0]).cross(from[2].minus(from[0]));
+        Arrays.setAll(weights, j -> from[(j + 1) % 3].cross(from[(j + 2) % 3]).dot(n) / n.dot(n));
+        return weights;
     }
 
     /** E in W/m², in the mean over a face. */
     public double exitance(int face, int channel) {
-        return exitance[channels * face + channel];
+        return shine.exitance(face, channel);
     }
 
     /** rho in [0, 1), in the mean over a face. */
     public double reflectance(int face, int channel) {
-        return reflectance[channels * face + channel];
+        return shine.reflectance(face, channel);
     }
 
     /** E in W/m², in the mean over a node. */
     public double exitance(int face, long path, int channel) {
-        double whole = exitance[channels * face + channel];
-        return whole == 0 ? 0 : exitanceMaps.at(face, path, channel % kinds.colours, whole);
+        return shine.exitance(face, path, channel);
     }
 
     /** rho in [0, 1), in the mean over a node. */
     public double reflectance(int face, long path, int channel) {
-        return reflectanceMaps.at(face, path, channel % kinds.colours, reflectance[channels * face + channel]);
+        return shine.reflectance(face, path, channel);
     }
 
     /** How much irradiance on a face matters: its reflectance; a little where it is black, for it is a result too. */
     public double importance(int face, int channel) {
-        return Math.max(LEAST_IMPORTANCE, reflectance[channels * face + channel]);
+        return Math.max(LEAST_IMPORTANCE, shine.reflectance(face, channel));
     }
 
     /** Height over the longest edge, of the scene's size. */

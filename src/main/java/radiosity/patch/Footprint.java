@@ -51,8 +51,7 @@ final class Footprint {
 
     /** A point, brought to size 1 around the origin. */
     private double[] at(int point) {
-        double[] scene = faces.scene().points();
-        Vec3 unit = faces.unit(new Vec3(scene[3 * point], scene[3 * point + 1], scene[3 * point + 2]));
+        Vec3 unit = faces.unit(faces.place(point));
         return new double[] {unit.x(), unit.y(), unit.z()};
     }
 

@@ -1,24 +1,30 @@
 package radiosity.patch;
 
 import java.util.Arrays;
+import java.util.Set;
 
-/** Finds which faces of a surface meet along an edge in one plane. Fills {@code part} and {@code border} of faces. */
+/** Finds which faces of a surface meet along an edge in one plane. Fills {@code part}, {@code fan} and
+ * {@code border} of faces. */
 final class Parts {
 
     /** Angle between normals of one part, radians. */
     private static final double SAME_PLANE = 1e-4;
 
     private final Faces faces;
+
     Parts(Faces faces) {
         this.faces = faces;
     }
 
-    /** Every edge is a border until exactly two faces of a part are found to share it. */
-    void join() {
+    /**
+     * Every edge is a border until exactly two faces of a part are found to share it.
+     *
+     * @param cut edges that are borders all the same, as {@link EdgePieces#key} has them; not modified
+     */
+    void join(Set<Long> cut) {
         int n = faces.count();
-        for (int f = 0; f < n; f++) {
-            faces.part[f] = f;
-        }
+        Arrays.setAll(faces.part, f -> f);
+        Arrays.setAll(faces.fan, corner -> corner);
         Arrays.fill(faces.border, (byte) 7);
         int[] next = new int[3 * n];
         LongIndex edges = new LongIndex(3 * n);
@@ -32,15 +38,16 @@ final class Parts {
         for (int i = 0; i < edges.size(); i++) {
             int e = first[i];
             int g = next[e];
-            if (g >= 0 && next[g] < 0 && matches(e, g)) {
+            if (g >= 0 && next[g] < 0 && matches(e, g) && !cut.contains(EdgePieces.key(corner(e, 1), corner(e, 2)))) {
                 faces.border[e / 3] &= (byte) ~(1 << e % 3);
                 faces.border[g / 3] &= (byte) ~(1 << g % 3);
-                union(e / 3, g / 3);
+                union(faces.part, e / 3, g / 3);
+                union(faces.fan, slot(e, 1), slot(g, 2));
+                union(faces.fan, slot(e, 2), slot(g, 1));
             }
         }
-        for (int f = 0; f < n; f++) {
-            faces.part[f] = root(f);
-        }
+        Arrays.setAll(faces.part, f -> root(faces.part, f));
+        Arrays.setAll(faces.fan, corner -> root(faces.fan, corner));
     }
 
     /** Edge e % 3 of face e / 3 lies opposite its corner of that number. */
@@ -69,25 +76,29 @@ final class Parts {
     }
 
     private int corner(int e, int step) {
-        return faces.point[3 * (e / 3) + (e % 3 + step) % 3];
+        return faces.point[slot(e, step)];
     }
 
-    private int root(int f) {
-        int r = f;
-        while (faces.part[r] != r) {
-            r = faces.part[r];
+    private static int slot(int e, int step) {
+        return 3 * (e / 3) + (e % 3 + step) % 3;
+    }
+
+    private static int root(int[] forest, int i) {
+        int r = i;
+        while (forest[r] != r) {
+            r = forest[r];
         }
-        for (int i = f; faces.part[i] != r;) {
-            int up = faces.part[i];
-            faces.part[i] = r;
-            i = up;
+        for (int j = i; forest[j] != r;) {
+            int up = forest[j];
+            forest[j] = r;
+            j = up;
         }
         return r;
     }
 
-    private void union(int f, int g) {
-        int a = root(f);
-        int b = root(g);
-        faces.part[Math.max(a, b)] = Math.min(a, b);
+    private static void union(int[] forest, int i, int j) {
+        int a = root(forest, i);
+        int b = root(forest, j);
+        forest[Math.max(a, b)] = Math.min(a, b);
     }
 }

@@ -1,10 +1,6 @@
 package radiosity.patch;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
@@ -27,11 +23,10 @@ public final class Rooms {
     private static final int PLACES = 4;
 
     private final Faces faces;
+    private final Shells shells;
     /** 1 per face: the lowest face of its shell. */
     private final int[] shell;
     private final boolean[] open;
-    /** Per lowest face of an open shell: the ends of its boundary's edges. */
-    private final Map<Integer, List<int[]>> rims = new HashMap<>();
     /** 1 per lowest face: volume, of the scene's cubed size; negative where it is seen from inside. */
     private final double[] volume;
     /** 6 per lowest face: low x, y, z, high x, y, z. */
@@ -43,13 +38,13 @@ public final class Rooms {
     public Rooms(Faces faces) {
         this.faces = faces;
         int n = faces.count();
-        shell = new int[n];
-        open = new boolean[n];
+        shells = new Shells(faces);
+        shell = shells.shell;
+        open = shells.open;
         volume = new double[n];
         box = new float[6 * n];
         room = new int[n];
         Arrays.fill(room, -1);
-        joinEdges();
         measure();
         for (int f = 0; f < n; f++) {
             if (shell[f] == f && isWall(f) && isClosed(f)) {
@@ -71,10 +66,7 @@ public final class Rooms {
 
     private boolean findPlain() {
         for (int f = 0; f < shell.length; f++) {
-            if (room[f] != 0) {
-                return false;
-            }
-            if (open[shell[f]]) {
+            if (room[f] != 0 && !(shells.seesBacks[shell[f]] && faces.isPiece(f)) || room[f] == 0 && open[shell[f]]) {
                 return false;
             }
             for (int g = 0; g < f && shell[f] == f && volume[f] >= 0; g++) {
@@ -89,56 +81,6 @@ public final class Rooms {
     /** Number of closed rooms. */
     public int count() {
         return count;
-    }
-
-    private void joinEdges() {
-        int n = faces.count();
-        int[] net = new int[3 * n];
-        int[] owner = new int[3 * n];
-        int[] ends = new int[6 * n];
-        LongIndex edges = new LongIndex(3 * n);
-        Arrays.setAll(shell, f -> f);
-        for (int e = 0; e < 3 * n; e++) {
-            int p = faces.point[e];
-            int q = faces.point[3 * (e / 3) + (e + 1) % 3];
-            int known = edges.size();
-            int edge = edges.findOrAdd(EdgePieces.key(p, q), known);
-            if (edge == known) {
-                owner[edge] = e / 3;
-                ends[2 * edge] = Math.min(p, q);
-                ends[2 * edge + 1] = Math.max(p, q);
-            } else {
-                union(owner[edge], e / 3);
-            }
-            net[edge] += p < q ? 1 : -1;
-        }
-        int[] loose = IntStream.range(0, edges.size()).filter(edge -> net[edge] != 0).toArray();
-        new EdgePieces(faces, ends, loose).balance(net, (e, other) -> union(owner[e], owner[other]));
-        for (int f = 0; f < n; f++) {
-            shell[f] = root(f);
-        }
-        for (int edge : loose) {
-            int s = shell[owner[edge]];
-            open[s] |= net[edge] != 0;
-            if (net[edge] != 0) {
-                rims.computeIfAbsent(s, none -> new ArrayList<>()).add(new int[] {ends[2 * edge], ends[2 * edge + 1]});
-            }
-        }
-    }
-
-    private void union(int f, int g) {
-        int a = root(f);
-        int b = root(g);
-        shell[Math.max(a, b)] = Math.min(a, b);
-    }
-
-    private int root(int face) {
-        int f = face;
-        while (shell[f] != f) {
-            shell[f] = shell[shell[f]];
-            f = shell[f];
-        }
-        return f;
     }
 
     private void measure() {
@@ -186,9 +128,20 @@ public final class Rooms {
         return true;
     }
 
-    /** Seen from outside, and whole or standing on a wall with what it lacks. */
+    /**
+     * Seen from outside, and whole or standing on a wall with what it lacks. Or a piece of a triangle that lies wholly
+     * outside, behind what stands on the triangle.
+     */
     private boolean isSolid(int s, int wall) {
-        return open[s] ? new Footprint(faces, shell, s, rims.get(s)).isOn(wall) : volume[s] >= 0;
+        if (shells.seesBacks[s]) {
+            int[] walls = of(wall);
+            return IntStream.of(of(s)).allMatch(f -> faces.isPiece(f) && inside(f, walls) == 0);
+        }
+        return open[s] ? new Footprint(faces, shell, s, shells.rims.get(s)).isOn(wall) : volume[s] >= 0;
+    }
+
+    private int[] of(int s) {
+        return IntStream.range(0, shell.length).filter(f -> shell[f] == s).toArray();
     }
 
     private boolean overlap(int s, int t, double by) {
@@ -202,7 +155,7 @@ public final class Rooms {
 
     /** Gives a wall and the solids in it the number of a room, unless a face is neither in it nor out of it. */
     private void furnish(int wall) {
-        int[] walls = IntStream.range(0, shell.length).filter(f -> shell[f] == wall).toArray();
+        int[] walls = of(wall);
         int[] others = IntStream.range(0, shell.length).filter(f -> shell[f] != wall && overlap(wall, shell[f], TOUCH)).toArray();
         int[] inside = new int[shell.length];
         boolean clear = (long) walls.length * others.length <= MOST_PAIRS;

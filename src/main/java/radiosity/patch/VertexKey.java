@@ -7,10 +7,9 @@ final class VertexKey {
 
     /** @param w weights of the face's corners, 3 from {@code at}, in units of 2^-30; not modified */
     static long of(Faces faces, int f, int[] w, int at) {
-        long part = faces.part[f];
         for (int k = 0; k < 3; k++) {
             if (w[at + k] == Path.ONE) {
-                return Hash.mix(Hash.mix(1, part), faces.point[3 * f + k]);
+                return Hash.mix(1, faces.fan[3 * f + k]);
             }
         }
         for (int k = 0; k < 3; k++) {
@@ -18,8 +17,9 @@ final class VertexKey {
                 int p = faces.point[3 * f + (k + 1) % 3];
                 int q = faces.point[3 * f + (k + 2) % 3];
                 int toQ = w[at + (k + 2) % 3];
+                long of = (faces.border[f] >> k & 1) != 0 ? ~f : faces.part[f];
                 long ends = (long) Math.min(p, q) << 32 | Math.max(p, q);
-                return Hash.mix(Hash.mix(Hash.mix(2, part), ends), p < q ? toQ : Path.ONE - toQ);
+                return Hash.mix(Hash.mix(Hash.mix(2, of), ends), p < q ? toQ : Path.ONE - toQ);
             }
         }
         return Hash.mix(Hash.mix(Hash.mix(3, f), w[at]), w[at + 1]);

@@ -48,7 +48,7 @@ final class InitialMesh {
     InitialMesh(Scene scene, RadiositySettings settings) {
         this.scene = scene;
         this.settings = settings;
-        faces = new Faces(scene, settings.layers());
+        faces = new Faces(scene, settings.layers()).cut();
         rooms = new Rooms(faces);
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
