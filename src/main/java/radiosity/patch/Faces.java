@@ -3,6 +3,7 @@ package radiosity.patch;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -325,6 +326,11 @@ public final class Faces {
     Vec3 exactNormal(int face) {
         Vec3 a = sceneCorner(face, 0);
         return sceneCorner(face, 1).minus(a).cross(sceneCorner(face, 2).minus(a)).unit();
+    }
+
+    /** Lets some faces emit nothing, as their light would reach nobody. To be called before anything shines. */
+    public void darken(IntPredicate hidden) {
+        shine.darken(hidden);
     }
 
     /** Whether a face is a piece of a triangle that was cut: nothing stands on it or comes through, but at its border. */

@@ -1,6 +1,7 @@
 package radiosity.patch;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /**
@@ -32,10 +33,17 @@ public final class Rooms {
     /** 6 per lowest face: low x, y, z, high x, y, z. */
     private final float[] box;
     private final int[] room;
+    /** 1 per lowest face: whether all of the shell are buried pieces that look at backs. */
+    private final boolean[] hidden;
     private int count;
     private final boolean plain;
 
     public Rooms(Faces faces) {
+        this(faces, f -> false);
+    }
+
+    /** @param buried whether nothing but backs is seen from a face */
+    public Rooms(Faces faces, IntPredicate buried) {
         this.faces = faces;
         int n = faces.count();
         shells = new Shells(faces);
@@ -44,12 +52,14 @@ public final class Rooms {
         volume = new double[n];
         box = new float[6 * n];
         room = new int[n];
+        hidden = new boolean[n];
         Arrays.fill(room, -1);
         measure();
         for (int f = 0; f < n; f++) {
             if (shell[f] == f && isWall(f) && isClosed(f)) {
                 furnish(f);
             }
+            hidden[f] = shells.seesBacks[f] && IntStream.of(of(f)).allMatch(g -> faces.isPiece(g) && buried.test(g));
         }
         plain = findPlain();
     }
@@ -59,6 +69,11 @@ public final class Rooms {
         return room[face];
     }
 
+    /** Whether a face is a piece that lies under what stands on its triangle. */
+    public boolean isHidden(int face) {
+        return room[face] < 0 && hidden[shell[face]];
+    }
+
     /** Whether all faces stand in one closed room, and no two shells touch: nothing is covered. */
     public boolean isPlain() {
         return plain;
@@ -66,7 +81,7 @@ public final class Rooms {
 
     private boolean findPlain() {
         for (int f = 0; f < shell.length; f++) {
-            if (room[f] != 0 && !(shells.seesBacks[shell[f]] && faces.isPiece(f)) || room[f] == 0 && open[shell[f]]) {
+            if (room[f] != 0 && !isHidden(f) || room[f] == 0 && open[shell[f]]) {
                 return false;
             }
             for (int g = 0; g < f && shell[f] == f && volume[f] >= 0; g++) {

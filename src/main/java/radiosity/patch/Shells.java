@@ -82,10 +82,21 @@ final class Shells {
         return next[first[edge]] < 0;
     }
 
-    /** Where corners of other edges stand on an edge that only one face has, it is taken apart. */
+    /** Whether two faces that share an edge are the two sides of one thing. */
+    private boolean isTwoSided(int edge) {
+        int f = side[first[edge]] / 2;
+        int g = isLoose(edge) ? f : side[next[first[edge]]] / 2;
+        double cosine = 0;
+        for (int a = 0; a < 3; a++) {
+            cosine += faces.normal(f, a) * faces.normal(g, a);
+        }
+        return cosine < -1 + 1e-6;
+    }
+
+    /** Where corners of other edges stand on an edge that only one face has, or two that are one, it is taken apart. */
     private void divideLoose() {
-        int[] loose = IntStream.range(0, edges.size()).filter(this::isLoose).toArray();
-        int[] others = IntStream.range(0, edges.size()).filter(edge -> isLoose(edge) || isContact(edge)).toArray();
+        int[] loose = IntStream.range(0, edges.size()).filter(edge -> isLoose(edge) || isTwoSided(edge)).toArray();
+        int[] others = IntStream.concat(Arrays.stream(loose), IntStream.range(0, edges.size()).filter(this::isContact)).toArray();
         int[] points = Arrays.stream(others).flatMap(e -> IntStream.of(ends[2 * e], ends[2 * e + 1])).distinct().toArray();
         EdgePieces pieces = new EdgePieces(faces, points, loose.length);
         int[] allEnds = ends;
@@ -93,10 +104,13 @@ final class Shells {
         int[] allNext = next;
         int[] allSides = side;
         int count = edges.size();
+        boolean[] divide = new boolean[count];
+        for (int edge : loose) {
+            divide[edge] = true;
+        }
         begin(sides);
         for (int e = 0; e < count; e++) {
-            boolean alone = allNext[allFirst[e]] < 0;
-            int[] stops = alone ? pieces.stops(allEnds[2 * e], allEnds[2 * e + 1])
+            int[] stops = divide[e] ? pieces.stops(allEnds[2 * e], allEnds[2 * e + 1])
                     : new int[] {allEnds[2 * e], allEnds[2 * e + 1]};
             for (int s = allFirst[e]; s >= 0; s = allNext[s]) {
                 for (int i = 0; i + 1 < stops.length; i++) {

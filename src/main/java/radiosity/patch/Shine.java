@@ -1,5 +1,6 @@
 package radiosity.patch;
 
+import java.util.function.IntPredicate;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 
@@ -30,6 +31,12 @@ final class Shine {
                         ? exitanceMaps.mean(f, c % colours, surface.exitance()) : 0;
                 reflectance[channels * f + c] = reflectanceMaps.mean(f, c % colours, surface.reflectance());
             }
+        }
+    }
+
+    void darken(IntPredicate hidden) {
+        for (int i = 0; i < exitance.length; i++) {
+            exitance[i] = hidden.test(i / channels) ? 0 : exitance[i];
         }
     }
 

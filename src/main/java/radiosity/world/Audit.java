@@ -52,7 +52,7 @@ final class Audit {
         faces = mesh.faces;
         crew = new Crew(threads);
         pick(Math.max(LEAST_POINTS, Math.min(MOST_POINTS, elements / ELEMENTS_PER_POINT)));
-        Burial burial = new Burial(faces, mesh.bounds());
+        Burial burial = new Burial(faces, mesh.bounds(), mesh.rooms::isHidden);
         points.removeIf(point -> point.isBuried(burial));
     }
 

@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.function.IntPredicate;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
 import radiosity.visibility.RadiosityBounds;
@@ -13,10 +14,13 @@ import radiosity.visibility.Solids;
 final class Burial {
 
     private final Faces faces;
+    private final IntPredicate hidden;
     private final Solids solids;
 
-    Burial(Faces faces, RadiosityBounds bounds) {
+    /** @param hidden which faces are known to lie inside one */
+    Burial(Faces faces, RadiosityBounds bounds, IntPredicate hidden) {
         this.faces = faces;
+        this.hidden = hidden;
         solids = new Solids(bounds, faces.fronts());
     }
 
@@ -40,7 +44,7 @@ final class Burial {
      * @param f     the face on which it lies
      */
     boolean isBuried(float[] place, int at, int f) {
-        return solids.hold(place[at], place[at + 1], place[at + 2],
+        return hidden.test(f) || solids.hold(place[at], place[at + 1], place[at + 2],
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
     }
 }

@@ -4,6 +4,7 @@ import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.patch.Faces;
 
@@ -58,9 +59,10 @@ final class Flux {
      * is conserved. W/m², one per channel.
      */
     double[] missing(Answer answer) {
+        double area = IntStream.range(0, faces.count()).filter(f -> !mesh.rooms.isHidden(f)).mapToDouble(faces::area).sum();
         double[] missing = shot.clone();
         for (int c = 0; c < missing.length; c++) {
-            missing[c] = (missing[c] - answer.received[c].value()) / (faces.area() * squared);
+            missing[c] = (missing[c] - answer.received[c].value()) / (area * squared);
         }
         return missing;
     }

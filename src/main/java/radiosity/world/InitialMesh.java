@@ -48,8 +48,10 @@ final class InitialMesh {
     InitialMesh(Scene scene, RadiositySettings settings) {
         this.scene = scene;
         this.settings = settings;
-        faces = new Faces(scene, settings.layers()).cut();
-        rooms = new Rooms(faces);
+        Faces whole = new Faces(scene, settings.layers());
+        faces = predicts() ? whole.cut() : whole;
+        rooms = new Rooms(faces, this::isBuried);
+        faces.darken(rooms::isHidden);
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, patches());
@@ -64,6 +66,15 @@ final class InitialMesh {
                 emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
             }
         }
+    }
+
+    /** Whether the middle of a face lies inside a solid. */
+    private boolean isBuried(int face) {
+        float[] middle = new float[3];
+        for (int i = 0; i < 9; i++) {
+            middle[i % 3] += faces.corner(face, i / 3, i % 3) / 3;
+        }
+        return new Burial(faces, bounds(), f -> false).isBuried(middle, 0, face);
     }
 
     /** What stands between two points; made when it is first asked for, as a master without elements never does. */

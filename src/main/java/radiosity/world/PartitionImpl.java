@@ -67,7 +67,7 @@ final class PartitionImpl implements Partition {
         bounds = mesh.bounds();
         rays = mesh.rays();
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
-        burial = new Burial(faces, bounds);
+        burial = new Burial(faces, bounds, mesh.rooms::isHidden);
         lights = new LightSources(faces, bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
         costs = new BlockCosts(nodes, mine);

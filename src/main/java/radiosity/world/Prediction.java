@@ -8,9 +8,6 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import radiosity.patch.Faces;
-import radiosity.patch.PatchTree;
-import radiosity.patch.Path;
-import radiosity.patch.Rooms;
 import radiosity.patch.Weights;
 
 /**
@@ -199,48 +196,7 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, ambient(shots), new double[0], false, 0);
-    }
-
-    /**
-     * Mean radiosity of each closed room's surfaces, lamps left out where there are others. Any level is right, as long
-     * as all of the room shoots; this one leaves little to rays.
-     */
-    private double[] ambient(List<Shot> shots) {
-        Rooms rooms = world.mesh.rooms;
-        double shooting = shots.stream().flatMap(shot -> shot.trees().stream()).mapToDouble(this::area).sum();
-        if (rooms.count() == 0 || shooting < world.mesh.faces.area() * (1 - 1e-6)) {
-            return new double[0];
-        }
-        int channels = world.channels();
-        double[] flux = new double[2 * channels * rooms.count()];
-        double[] lit = new double[flux.length];
-        shots.stream().flatMap(shot -> shot.trees().stream()).forEach(tree -> add(tree, flux, lit));
-        double[] level = new double[channels * rooms.count()];
-        for (int i = 0; i < level.length; i++) {
-            level[i] = lit[i] > 0 ? flux[i] / lit[i] : flux[level.length + i] / lit[level.length + i];
-        }
-        return level;
-    }
-
-    /** @param flux modified: channels per room, of what does not emit, then of what does; likewise the area */
-    private void add(PatchTree tree, double[] flux, double[] lit) {
-        Faces faces = world.mesh.faces;
-        int room = world.mesh.rooms.room(tree.face());
-        if (room < 0) {
-            return;
-        }
-        double[] sum = new double[world.channels()];
-        tree.addFlux(faces, sum);
-        for (int c = 0; c < sum.length; c++) {
-            int at = sum.length * room + c + (faces.exitance(tree.face(), c) > 0 ? flux.length / 2 : 0);
-            flux[at] += sum[c];
-            lit[at] += area(tree);
-        }
-    }
-
-    private double area(PatchTree tree) {
-        return world.mesh.faces.area(tree.face()) / (1L << 2 * Path.level(tree.path()));
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, EvenLight.of(world.mesh, shots), new double[0], false, 0);
     }
 
     @Override

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -80,6 +81,46 @@ class ClosedRoomsTest {
         Rooms found = rooms(radiosity.accuracy.Rooms.closedCornell(WALL));
         assertEquals(1, found.count());
         assertFalse(found.isPlain());
+    }
+
+    /** Where the floor is cut, what is under the block stands in no room. */
+    @Test
+    void blockWithoutBottomOnACutFloor_leavesTheRoomClosed() {
+        Faces cut = new Faces(radiosity.accuracy.Rooms.closedCornell(WALL)).cut();
+        Rooms found = new Rooms(cut, f -> true);
+        assertEquals(1, found.count());
+        assertTrue(found.isPlain());
+        assertTrue(IntStream.range(0, cut.count()).allMatch(f -> found.isHidden(f) == (found.room(f) < 0)));
+    }
+
+    /** 4 mm thick, between floor, walls and ceiling that are one polygon each. */
+    @Test
+    void thinWall_makesTwoRoomsOfOne() {
+        Faces cut = new Faces(withWall(0.5, 0.504)).cut();
+        Rooms found = new Rooms(cut);
+        assertEquals(2, found.count());
+        for (int f = 0; f < cut.count(); f++) {
+            double middle = cut.sceneCorner(f, 0).plus(cut.sceneCorner(f, 1)).plus(cut.sceneCorner(f, 2)).times(1 / 3.).z();
+            int expected = middle < 0.501 ? found.room(firstAt(cut, 0)) : middle > 0.503 ? found.room(firstAt(cut, 1)) : -1;
+            assertEquals(expected, found.room(f));
+        }
+    }
+
+    @Test
+    void wallOfNoThickness_makesTwoRoomsOfOne() {
+        assertEquals(2, new Rooms(new Faces(withWall(0.5, 0.5)).cut()).count());
+    }
+
+    private static int firstAt(Faces faces, double z) {
+        return IntStream.range(0, faces.count()).filter(f -> IntStream.range(0, 3)
+                .allMatch(k -> faces.sceneCorner(f, k).z() == z)).findFirst().orElseThrow();
+    }
+
+    private static Scene withWall(double near, double far) {
+        return inside(Box.UNIT, 6)
+                .polygon(WALL, new Vec3(0, 0, near), new Vec3(0, 1, near), new Vec3(1, 1, near), new Vec3(1, 0, near))
+                .polygon(WALL, new Vec3(0, 0, far), new Vec3(1, 0, far), new Vec3(1, 1, far), new Vec3(0, 1, far))
+                .scene("thin wall");
     }
 
     @Test
