@@ -3,6 +3,7 @@ package radiosity.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import radiosity.scene.SceneFormatException;
+import radiosity.world.NoNumberException;
 import radiosity.world.NoWorkerException;
 
 /** What a program returns, and says in one line, for whatever ended it. */
@@ -40,7 +41,8 @@ final class Outcome {
         if (error instanceof OutOfMemoryError) {
             return outOfMemory();
         }
-        if (error instanceof Failure || error instanceof SceneFormatException || error instanceof NoWorkerException) {
+        if (error instanceof Failure || error instanceof SceneFormatException || error instanceof NoWorkerException
+                || error instanceof NoNumberException) {
             return error.getMessage();
         }
         if (error instanceof java.nio.file.FileSystemException problem) {

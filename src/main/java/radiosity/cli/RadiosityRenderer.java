@@ -132,6 +132,7 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
+        checks.emission();
         checks.layers(settings.layers());
         if (options.textures != null) {
             checks.textures(options.textures);

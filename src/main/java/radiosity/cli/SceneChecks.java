@@ -6,6 +6,7 @@ import radiosity.output.SceneFile;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.world.RadiositySettings;
+import radiosity.world.Solution;
 
 /** What makes a render pointless or very long, told before it starts. */
 final class SceneChecks {
@@ -26,6 +27,18 @@ final class SceneChecks {
     void light() {
         if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
             warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
+        }
+    }
+
+    /** Fails where light could become too much for the floats of a scene file: where all is white it does so most. */
+    void emission() {
+        double most = Solution.LARGEST * (1 - Surface.MAX_REFLECTANCE);
+        for (Surface surface : scene.surfaces()) {
+            if (surface.exitance().max() > most) {
+                throw Failure.file(scene.name(), String.format(Locale.ROOT,
+                        "expected surfaces that emit at most %.4g W/m2, got %.4g of %s", most, surface.exitance().max(),
+                        surface.name()), null);
+            }
         }
     }
 

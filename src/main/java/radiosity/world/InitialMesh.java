@@ -26,6 +26,8 @@ final class InitialMesh {
     private static final int CLUSTERS = 128;
     /** Reflectance above which the rounding of floats would show. */
     private static final double WHITE = 0.98;
+    /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
+    private static final double LEAST_FLOAT = 1e-30;
     /** Sample points per shooter where no number is given, likewise. */
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
@@ -120,10 +122,12 @@ final class InitialMesh {
 
     /**
      * A radiosity to be shot, as it is sent: a float takes half the room, and what rounding leaves over is not shot and
-     * so not lost. Among white surfaces it would be a part of what is emitted: there it is sent as it is.
+     * so not lost. Among white surfaces it would be a part of what is emitted: there it is sent as it is, and so is
+     * what is near a float's limits.
      */
     double rounded(double radiosity) {
-        return white ? radiosity : (float) radiosity;
+        double size = Math.abs(radiosity);
+        return white || size < LEAST_FLOAT || size > 1 / LEAST_FLOAT ? radiosity : (float) radiosity;
     }
 
     /** About as much flux as there is, W: what sums of flux are counted in. */

@@ -30,6 +30,24 @@ import radiosity.scene.Vec3;
 public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] positions, double[] irradiance, int[] corners,
                        int[] faceOf, int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
 
+    /** What an irradiance or an exitance may be, W/m²: their sum fits into a float of the scene file. */
+    public static final double LARGEST = Float.MAX_VALUE / 2;
+
+    /** The door through which results leave: only numbers do. */
+    public Solution {
+        for (int i = 0; i < irradiance.length; i++) {
+            if (!(Math.abs(irradiance[i]) <= LARGEST)) {
+                int at = 3 * (i / channels);
+                throw new NoNumberException("solution: expected an irradiance of at most " + (float) LARGEST
+                        + " W/m2, got " + irradiance[i] + " at (" + positions[at] + ", " + positions[at + 1] + ", "
+                        + positions[at + 2] + ")");
+            }
+        }
+        if (!Double.isFinite(unshotFlux)) {
+            throw new NoNumberException("solution: expected an unshot flux that is a number, got " + unshotFlux);
+        }
+    }
+
     /** A solution in one layer. */
     public Solution(Scene scene, int channels, double[] positions, double[] irradiance, int[] corners, int[] faceOf,
                     int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {

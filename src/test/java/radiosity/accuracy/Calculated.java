@@ -19,7 +19,7 @@ import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
 /** Form factors to a polygon as a {@link FormFactorCalculator} finds them: what arrives of a radiosity of 1. */
-final class Calculated {
+public final class Calculated {
 
     private static final Surface LAMP = new Surface("to", Rgb.grey(1), Rgb.BLACK, false);
     private static final Surface BLACK = new Surface("other", Rgb.BLACK, Rgb.BLACK, false);
@@ -32,7 +32,7 @@ final class Calculated {
     private final RadiosityBounds bounds;
 
     /** @param others polygons that are in the scene too; they block light */
-    Calculated(Vec3[] to, List<Vec3[]> others) {
+    public Calculated(Vec3[] to, List<Vec3[]> others) {
         SceneBuilder builder = new SceneBuilder().polygon(LAMP, to);
         others.forEach(other -> builder.polygon(BLACK, other));
         Scene scene = builder.scene("form factor");
@@ -71,7 +71,7 @@ final class Calculated {
     }
 
     /** Mean over points of a polygon. */
-    double from(FormFactorCalculator calculator, Vec3[] polygon, int points) {
+    public double from(FormFactorCalculator calculator, Vec3[] polygon, int points) {
         Vec3 normal = FormFactorsTest.normal(polygon);
         double area = Quadrature.area(Arrays.asList(polygon));
         double sum = 0;
@@ -91,7 +91,7 @@ final class Calculated {
         return sum;
     }
 
-    FormFactorCalculator calculator(FormFactors kind, int rays) {
+    public FormFactorCalculator calculator(FormFactors kind, int rays) {
         return kind.calculator(bounds, rays, Double.POSITIVE_INFINITY);
     }
 }

@@ -20,7 +20,11 @@ class SceneChecksTest {
     private final List<String> warnings = new ArrayList<>();
 
     private SceneChecks checks(boolean twoSided) {
-        Surface surface = new Surface("lamp", Rgb.grey(1), Rgb.grey(.5), twoSided);
+        return checks(1, twoSided);
+    }
+
+    private SceneChecks checks(double exitance, boolean twoSided) {
+        Surface surface = new Surface("lamp", Rgb.grey(exitance), Rgb.grey(.5), twoSided);
         return new SceneChecks(new Scene("lamp.lws", new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2},
                 new int[] {0}, List.of(surface), List.of(), Optional.empty()), warnings::add);
     }
@@ -59,6 +63,15 @@ class SceneChecksTest {
         Failure failure = assertThrows(Failure.class, () -> checks(false).textures(9000));
         assertEquals("-ut: expected at most 8192 samples per unit for lamp, whose texture may have 8192 texels, got 9000.0",
                 failure.getMessage());
+    }
+
+    @Test
+    void lampThatOverflowsFloats_isRefusedBeforeAnyWork() {
+        checks(1e34, false).emission();
+        Failure failure = assertThrows(Failure.class, () -> checks(1e35, false).emission());
+        assertEquals("lamp.lws: expected surfaces that emit at most 1.701e+34 W/m2, got 1.000e+35 of lamp",
+                failure.getMessage());
+        assertEquals(ExitCode.FILE, failure.exitCode());
     }
 
     @Test

@@ -11,11 +11,11 @@ import radiosity.accuracy.Rooms;
 import radiosity.accuracy.Solve;
 import radiosity.accuracy.Spread;
 
-/** Radiosity is in proportion to emission over sixty powers of ten. */
+/** Radiosity is in proportion to emission over 78 powers of ten, as far as floats of a file go. */
 class EmissionTest {
 
     static Stream<Claim> claims() {
-        return DoubleStream.of(1e-30, 1e-9, 1, 1e9, 1e30).mapToObj(emission -> new Claim("emission 1e-30 to 1e30",
+        return DoubleStream.of(1e-44, 1e-30, 1, 1e30, 1e34).mapToObj(emission -> new Claim("emission 1e-44 to 1e34",
                 "emission " + emission, () -> figures(emission)));
     }
 

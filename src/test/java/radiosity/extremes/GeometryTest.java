@@ -1,14 +1,17 @@
 package radiosity.extremes;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.accuracy.Box;
+import radiosity.accuracy.Claim;
+import radiosity.accuracy.Figure;
 import radiosity.accuracy.Rooms;
 import radiosity.accuracy.SceneBuilder;
 import radiosity.accuracy.Solve;
@@ -34,6 +37,19 @@ class GeometryTest {
         return builder;
     }
 
+    /** Two boxes that stand in one another. */
+    private static SceneBuilder crossing() {
+        SceneBuilder builder = cube();
+        for (Box box : List.of(new Box(new Vec3(0.2, 0.1, 0.2), new Vec3(0.6, 0.5, 0.6)),
+                new Box(new Vec3(0.4, 0.3, 0.4), new Vec3(0.8, 0.7, 0.8)))) {
+            for (int side = 0; side < 6; side++) {
+                Vec3[] p = box.inside(side);
+                builder.polygon(WALL, p[3], p[2], p[1], p[0]);
+            }
+        }
+        return builder;
+    }
+
     private static Vec3[] moved(double up, boolean turned) {
         Vec3[] moved = new Vec3[4];
         for (int i = 0; i < 4; i++) {
@@ -53,6 +69,9 @@ class GeometryTest {
         made.put("triangle twice", cube().polygon(WALL, a, b, c).polygon(WALL, a, b, c));
         made.put("opposite faces in one place", cube().polygon(WALL, SQUARE).polygon(WALL, moved(0, true)));
         made.put("faces 1e-9 apart", cube().polygon(WALL, SQUARE).polygon(WALL, moved(-1e-9, true)));
+        made.put("solids that cross", crossing());
+        made.put("polygon that is not plane", cube().polygon(WALL, a, new Vec3(0.3, 0.7, 0.7), SQUARE[2],
+                new Vec3(0.7, 0.4, 0.3)));
         made.put("triangle inside another", cube().polygon(WALL, SQUARE)
                 .polygon(WALL, new Vec3(0.4, 0.5, 0.4), new Vec3(0.4, 0.5, 0.6), new Vec3(0.6, 0.5, 0.5)));
         made.put("surfaces that cross", cube().polygon(WALL, SQUARE).polygon(WALL,
@@ -67,16 +86,21 @@ class GeometryTest {
         return scenes;
     }
 
-    static Iterable<String> names() {
-        return scenes().keySet();
+    static Stream<Claim> claims() {
+        return scenes().keySet().stream().map(name -> new Claim("broken and odd meshes", name, () -> figures(name)));
+    }
+
+    private static List<Figure> figures(String name) {
+        Spread found = Spread.radiosity(Solve.byDefault().solution(scenes().get(name)), 0);
+        return List.of(new Figure("lowest below what is emitted", 1e-2, Math.max(0, 1 - found.low())),
+                new Figure("mean above a furnace's", 1e-3, Math.max(0, found.mean() * (1 - REFLECTANCE) - 1)),
+                new Figure("points that are no number", 0, Double.isFinite(found.high()) ? 0 : 1));
     }
 
     @ParameterizedTest
-    @MethodSource("names")
-    void everyRadiosity_isAtLeastWhatIsEmitted_andTheirMeanBelowAFurnace(String name) {
-        Spread found = Spread.radiosity(Solve.byDefault().solution(scenes().get(name)), 0);
-        assertTrue(found.low() >= 0.99 && Double.isFinite(found.high()), found.toString());
-        assertTrue(found.mean() <= 1.001 / (1 - REFLECTANCE), found.toString());
+    @MethodSource("claims")
+    void brokenMesh_hasLightOfAFurnaceAtMost(Claim claim) {
+        claim.check();
     }
 
     @Test

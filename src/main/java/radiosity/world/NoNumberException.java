@@ -1,0 +1,11 @@
+package radiosity.world;
+
+/** A calculation came to something that is no number, or is too large to be written. */
+public final class NoNumberException extends ArithmeticException {
+
+    private static final long serialVersionUID = 1;
+
+    NoNumberException(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,58 @@
+package radiosity.extremes;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import radiosity.accuracy.Rooms;
+import radiosity.accuracy.Solve;
+import radiosity.world.NoNumberException;
+import radiosity.world.Solution;
+
+/** What is no number does not leave the solver. */
+class NumbersTest {
+
+    private static final Solution CUBE = Solve.byDefault().solution(Rooms.cube(Rooms.grey("wall", 1, 0.5)));
+
+    static Stream<Double> noNumbers() {
+        return DoubleStream.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 2 * Solution.LARGEST).boxed();
+    }
+
+    /** The cube's solution in which one vertex has another irradiance. */
+    private static Solution with(double irradiance, double unshotFlux) {
+        double[] h = CUBE.irradiance().clone();
+        h[h.length / 2] = irradiance;
+        return new Solution(CUBE.scene(), CUBE.channels(), CUBE.positions(), h, CUBE.corners(), CUBE.faceOf(),
+                CUBE.shots(), CUBE.rounds(), unshotFlux, CUBE.ledger(), CUBE.state());
+    }
+
+    @Test
+    void numbers_pass() {
+        assertEquals(1, with(1, 0).irradiance()[CUBE.irradiance().length / 2]);
+    }
+
+    @ParameterizedTest
+    @MethodSource("noNumbers")
+    void irradianceThatIsNone_isCaught(double irradiance) {
+        String message = assertThrows(NoNumberException.class, () -> with(irradiance, 0)).getMessage();
+        assertTrue(message.startsWith("solution: expected an irradiance of at most"), message);
+        assertTrue(message.contains("got " + irradiance + " at ("), message);
+    }
+
+    @Test
+    void unshotFluxThatIsNone_isCaught() {
+        assertThrows(NoNumberException.class, () -> with(1, Double.NaN));
+    }
+
+    /** Not by luck: a light so strong that it overflows on its way is met at once. */
+    @Test
+    void overflowOnTheWay_isCaught() {
+        assertThrows(NoNumberException.class,
+                () -> Solve.byDefault().solution(Rooms.lShaped(Rooms.grey("wall", 1e300, 0.5))));
+    }
+}
