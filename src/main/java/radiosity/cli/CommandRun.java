@@ -1,6 +1,5 @@
 package radiosity.cli;
 
-import java.util.function.BooleanSupplier;
 import picocli.CommandLine.ParseResult;
 
 /** One run of a program: reads its command line, answers --help and --version, and says in one line what went wrong. */
@@ -17,11 +16,11 @@ final class CommandRun {
      * Runs a program.
      *
      * @param options   annotated; filled before the work begins
-     * @param debug     asked after that: whether to print where in the program an error came from
+     * @param common    among them
      * @param arguments of the command line
      * @return its {@link ExitCode}
      */
-    static int of(Object options, BooleanSupplier debug, Work work, String... arguments) {
+    static int of(Object options, CommonOptions common, Work work, String... arguments) {
         try {
             CommandLineParser parser = new CommandLineParser(options);
             ParseResult parsed = parser.parse(arguments);
@@ -34,7 +33,7 @@ final class CommandRun {
             }
             return ExitCode.DONE;
         } catch (Exception | OutOfMemoryError | StackOverflowError e) {
-            return new Outcome(System.err, debug.getAsBoolean()).of(e);
+            return new Outcome(System.err, common.debug).of(e);
         }
     }
 }

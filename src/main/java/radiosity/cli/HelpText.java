@@ -1,5 +1,6 @@
 package radiosity.cli;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine;
@@ -10,7 +11,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
-/** What {@code --help} prints: options in groups, one for each mixin of a command, headed by its name. */
+/** What {@code --help} prints: options in groups, one for each mixin of a command, headed by its name; then its own. */
 final class HelpText {
 
     /** Columns for an option's names, and for what it does. */
@@ -26,15 +27,13 @@ final class HelpText {
     private static String groups(Help help) {
         StringBuilder text = new StringBuilder();
         CommandSpec command = help.commandSpec();
-        for (Map.Entry<String, CommandSpec> mixin : command.mixins().entrySet()) {
-            append(text, mixin.getKey(), mixin.getValue().options());
-        }
-        append(text, "Besides", command.options().stream().filter(option -> !mixed(command, option)).toList());
+        Map<String, CommandSpec> groups = new LinkedHashMap<>(command.mixins());
+        groups.remove(CommonOptions.GROUP);
+        groups.forEach((title, mixin) -> append(text, title, mixin.options()));
+        append(text, groups.isEmpty() ? "Parameters" : CommonOptions.GROUP, command.options().stream()
+                .filter(option -> groups.values().stream().noneMatch(g -> g.findOption(option.longestName()) != null))
+                .toList());
         return text.toString();
-    }
-
-    private static boolean mixed(CommandSpec command, OptionSpec option) {
-        return command.mixins().values().stream().anyMatch(m -> m.findOption(option.longestName()) != null);
     }
 
     private static void append(StringBuilder text, String title, List<OptionSpec> options) {

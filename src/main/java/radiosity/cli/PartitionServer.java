@@ -6,7 +6,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.rmi.server.ExportException;
 import java.time.LocalTime;
-import java.time.temporal.ChronoUnit;
+import java.time.format.DateTimeFormatter;
 import java.util.concurrent.CountDownLatch;
 import radiosity.world.HostAddress;
 import radiosity.world.HostKey;
@@ -14,6 +14,8 @@ import radiosity.world.PartitionPort;
 
 /** Serves a part of a scene to whoever renders it (section 4.5.6 and appendix C.3 of the paper). */
 public final class PartitionServer {
+
+    private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final ServerOptions options;
 
@@ -32,7 +34,7 @@ public final class PartitionServer {
      */
     static int run(String... arguments) {
         ServerOptions options = new ServerOptions();
-        return CommandRun.of(options, () -> options.debug, new PartitionServer(options)::serve, arguments);
+        return CommandRun.of(options, options.common, new PartitionServer(options)::serve, arguments);
     }
 
     private void serve() throws IOException {
@@ -88,7 +90,7 @@ public final class PartitionServer {
     }
 
     private static void print(String line) {
-        System.out.println(LocalTime.now().truncatedTo(ChronoUnit.SECONDS) + " " + line);
+        System.out.println(LocalTime.now().format(SECONDS) + " " + line);
     }
 
     private static void forEver() {

@@ -44,16 +44,9 @@ final class PictureOptions {
     }
 
     /** Reads stops. */
-    static final class Stops extends Values.Value<Double> {
-        @Override
-        String expected() {
-            return "a number from -100 to 100";
-        }
-
-        @Override
-        Double parse(String text) {
-            double value = Values.decimal(text);
-            return Math.abs(value) <= 100 ? value : null;
+    static final class Stops extends Values.Decimal {
+        Stops() {
+            super("a number from -100 to 100", x -> Math.abs(x) <= 100);
         }
     }
 

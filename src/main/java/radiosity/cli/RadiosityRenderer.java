@@ -40,7 +40,7 @@ public final class RadiosityRenderer {
         RendererOptions options = new RendererOptions();
         StopRequest stop = new StopRequest();
         try (SaveBeforeExit ending = new SaveBeforeExit(stop)) {
-            return CommandRun.of(options, () -> options.debug, () -> {
+            return CommandRun.of(options, options.common, () -> {
                 if (options.file.info != null) {
                     printInfo(options.file.info);
                 } else {

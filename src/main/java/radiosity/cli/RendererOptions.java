@@ -51,14 +51,8 @@ final class RendererOptions {
             + "then and a table at the end.")
     boolean statistics;
 
-    @Option(names = "--debug", description = "Print where in the program an error came from.")
-    boolean debug;
-
-    @Option(names = "--help", usageHelp = true, description = "Print this help and exit.")
-    boolean help;
-
-    @Option(names = "--version", versionHelp = true, description = "Print the version and exit.")
-    boolean version;
+    @Mixin(name = CommonOptions.GROUP)
+    final CommonOptions common = new CommonOptions();
 
     /** Fails where the command line asks for what cannot be meant, or is not there. */
     void check() {

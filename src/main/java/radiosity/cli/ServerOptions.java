@@ -2,6 +2,7 @@ package radiosity.cli;
 
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import radiosity.world.HostAddress;
 
@@ -13,12 +14,12 @@ import radiosity.world.HostAddress;
         footer = {"", "Exit codes: 1 failed, say a port in use; 2 wrong command line; 3 a file cannot be read."})
 final class ServerOptions {
 
-    @Option(names = {"-port", "--port"}, paramLabel = "<n>", converter = Port.class,
+    @Option(names = {"-port", "--port"}, paramLabel = "<n>", converter = Values.Port.class,
             description = "Port to listen on, the only one that a firewall has to open; that of a running rmiregistry"
                     + " is shared with it. Default: " + HostAddress.DEFAULT_PORT + ".")
     int port = HostAddress.DEFAULT_PORT;
 
-    @Option(names = "--second-port", paramLabel = "<n>", converter = Port.class,
+    @Option(names = "--second-port", paramLabel = "<n>", converter = Values.Port.class,
             description = "With a running rmiregistry: port of the partition itself. Default: any.")
     Integer secondPort;
 
@@ -38,28 +39,6 @@ final class ServerOptions {
             description = "Number of threads. Default: one per processor.")
     int threads = Runtime.getRuntime().availableProcessors();
 
-    @Option(names = "--debug", description = "Print where in the program an error came from.")
-    boolean debug;
-
-    @Option(names = "--help", usageHelp = true, description = "Print this help and exit.")
-    boolean help;
-
-    @Option(names = "--version", versionHelp = true, description = "Print the version and exit.")
-    boolean version;
-
-    /** A number of a TCP port. */
-    static final class Port extends Values.Value<Integer> {
-
-        private static final int MOST = 65535;
-
-        @Override
-        String expected() {
-            return "a port from 1 to " + MOST;
-        }
-
-        @Override
-        Integer parse(String text) {
-            return Values.whole(text, 1, MOST);
-        }
-    }
+    @Mixin(name = CommonOptions.GROUP)
+    final CommonOptions common = new CommonOptions();
 }

@@ -2,11 +2,14 @@ package radiosity.cli;
 
 import java.math.BigDecimal;
 import java.util.Locale;
+import java.util.function.DoublePredicate;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /** The kinds of value that options take: each says what it expects. */
 final class Values {
+
+    private static final int MOST_PORT = 65535;
 
     private Values() { }
 
@@ -53,17 +56,106 @@ final class Values {
         }
     }
 
-    /** Any finite number. */
-    static final class AnyNumber extends Value<Double> {
-        @Override
-        String expected() {
-            return "a number";
+    /** A finite decimal number of some kind. */
+    abstract static class Decimal extends Value<Double> {
+
+        private final String expected;
+        private final DoublePredicate fits;
+
+        Decimal(String expected, DoublePredicate fits) {
+            this.expected = expected;
+            this.fits = fits;
         }
 
         @Override
-        Double parse(String text) {
+        final String expected() {
+            return expected;
+        }
+
+        @Override
+        final Double parse(String text) {
             double value = decimal(text);
-            return Double.isNaN(value) ? null : value;
+            return !Double.isNaN(value) && fits.test(value) ? value : null;
+        }
+    }
+
+    /** Any finite number. */
+    static final class AnyNumber extends Decimal {
+        AnyNumber() {
+            super("a number", x -> true);
+        }
+    }
+
+    /** A number above 0. */
+    static final class Positive extends Decimal {
+        Positive() {
+            super("a number above 0", x -> x > 0);
+        }
+    }
+
+    /** A number of at least 0. */
+    static final class NotNegative extends Decimal {
+        NotNegative() {
+            super("a number of at least 0", x -> x >= 0);
+        }
+    }
+
+    /** A part of a whole. */
+    static final class Part extends Decimal {
+        Part() {
+            super("a number from 0 to 1", x -> x >= 0 && x <= 1);
+        }
+    }
+
+    /** A whole number in a range. */
+    abstract static class Whole extends Value<Integer> {
+
+        private final String expected;
+        private final int least;
+        private final int most;
+
+        Whole(String expected, int least, int most) {
+            this.expected = expected;
+            this.least = least;
+            this.most = most;
+        }
+
+        @Override
+        final String expected() {
+            return expected;
+        }
+
+        @Override
+        final Integer parse(String text) {
+            return whole(text, least, most);
+        }
+    }
+
+    /** A count that may be 0. */
+    static final class Count extends Whole {
+        Count() {
+            super("a whole number of at least 0", 0, Integer.MAX_VALUE - 1);
+        }
+    }
+
+    /** A count of at least one. */
+    static final class AtLeastOne extends Whole {
+        AtLeastOne() {
+            super("a whole number of at least 1", 1, Integer.MAX_VALUE - 1);
+        }
+    }
+
+    /** A number of a TCP port. */
+    static final class Port extends Whole {
+        Port() {
+            super("a port from 1 to " + MOST_PORT, 1, MOST_PORT);
+        }
+    }
+
+    /** A number of a TCP port, or 0 for any. */
+    static final class AnyPort extends Whole {
+        AnyPort() {
+            super("a port from 0 to " + MOST_PORT, 0, MOST_PORT);
         }
     }
 
@@ -79,74 +171,6 @@ final class Values {
             boolean hundredths = text.endsWith("%");
             double value = decimal(hundredths ? text.substring(0, text.length() - 1) : text) / (hundredths ? 100 : 1);
             return value > 0 && value <= 1 ? value : null;
-        }
-    }
-
-    /** A number above 0. */
-    static final class Positive extends Value<Double> {
-        @Override
-        String expected() {
-            return "a number above 0";
-        }
-
-        @Override
-        Double parse(String text) {
-            double value = decimal(text);
-            return value > 0 ? value : null;
-        }
-    }
-
-    /** A number of at least 0. */
-    static final class NotNegative extends Value<Double> {
-        @Override
-        String expected() {
-            return "a number of at least 0";
-        }
-
-        @Override
-        Double parse(String text) {
-            double value = decimal(text);
-            return value >= 0 ? value : null;
-        }
-    }
-
-    /** A part of a whole. */
-    static final class Part extends Value<Double> {
-        @Override
-        String expected() {
-            return "a number from 0 to 1";
-        }
-
-        @Override
-        Double parse(String text) {
-            double value = decimal(text);
-            return value >= 0 && value <= 1 ? value : null;
-        }
-    }
-
-    /** A count that may be 0. */
-    static final class Count extends Value<Integer> {
-        @Override
-        String expected() {
-            return "a whole number of at least 0";
-        }
-
-        @Override
-        Integer parse(String text) {
-            return whole(text, 0, Integer.MAX_VALUE - 1);
-        }
-    }
-
-    /** A count of at least one. */
-    static final class AtLeastOne extends Value<Integer> {
-        @Override
-        String expected() {
-            return "a whole number of at least 1";
-        }
-
-        @Override
-        Integer parse(String text) {
-            return whole(text, 1, Integer.MAX_VALUE - 1);
         }
     }
 

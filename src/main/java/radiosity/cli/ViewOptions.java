@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import radiosity.output.ToneMapping;
 import radiosity.viewer.ViewSettings;
@@ -29,14 +28,8 @@ final class ViewOptions {
     @Mixin(name = "How to read the LightWave scene (-lw)")
     final SceneOptions scene = new SceneOptions();
 
-    @Option(names = "--debug", description = "Print where in the program an error came from.")
-    boolean debug;
-
-    @Option(names = "--help", usageHelp = true, description = "Print this help and exit.")
-    boolean help;
-
-    @Option(names = "--version", versionHelp = true, description = "Print the version and exit.")
-    boolean version;
+    @Mixin(name = CommonOptions.GROUP)
+    final CommonOptions common = new CommonOptions();
 
     /** Fails where the command line asks for what cannot be meant, or is not there. */
     void check() {

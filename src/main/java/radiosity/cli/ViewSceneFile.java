@@ -36,7 +36,7 @@ public final class ViewSceneFile {
      */
     public static int run(String... arguments) {
         ViewOptions options = new ViewOptions();
-        return CommandRun.of(options, () -> options.debug, () -> {
+        return CommandRun.of(options, options.common, () -> {
             options.check();
             new ViewSceneFile(options).view();
         }, arguments);

@@ -40,20 +40,7 @@ final class WindowOptions {
             + " program is ended.")
     boolean web;
 
-    @Option(names = "--port", paramLabel = "<n>", converter = PortParser.class,
+    @Option(names = "--port", paramLabel = "<n>", converter = Values.AnyPort.class,
             description = "Where to serve it, 0 for any free port. Default: 8080.")
     int port = 8080;
-
-    /** Reads a port. */
-    static final class PortParser extends Values.Value<Integer> {
-        @Override
-        String expected() {
-            return "a port from 0 to 65535";
-        }
-
-        @Override
-        Integer parse(String text) {
-            return Values.whole(text, 0, 65535);
-        }
-    }
 }

@@ -1,7 +1,5 @@
 package radiosity.world;
 
-import java.io.DataInput;
-import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
@@ -47,18 +45,4 @@ final class MatrixSolution implements Planner {
     public void take(int shots, List<byte[]> rows) throws IOException {
         system.take(shots, rows);
     }
-
-    @Override
-    public void shot(int patches) { }
-
-    @Override
-    public boolean isEnough(double unsent, double wanted) {
-        return unsent <= wanted;
-    }
-
-    @Override
-    public void write(DataOutput out) { }
-
-    @Override
-    public void read(DataInput in) { }
 }

@@ -23,13 +23,15 @@ sealed interface Planner permits ShootAndSort, Prediction, Unsorted, MatrixSolut
     default void take(int shots, List<byte[]> rows) throws IOException { }
 
     /** Told that so many patches have shot. */
-    void shot(int patches);
+    default void shot(int patches) { }
 
     /** Whether so little unshot flux, relative to the emitted, is the end. */
-    boolean isEnough(double unsent, double wanted);
+    default boolean isEnough(double unsent, double wanted) {
+        return unsent <= wanted;
+    }
 
     /** What resuming needs beside the elements. */
-    void write(DataOutput out) throws IOException;
+    default void write(DataOutput out) throws IOException { }
 
-    void read(DataInput in) throws IOException;
+    default void read(DataInput in) throws IOException { }
 }

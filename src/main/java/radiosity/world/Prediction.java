@@ -200,9 +200,6 @@ final class Prediction implements Planner {
     }
 
     @Override
-    public void shot(int patches) { }
-
-    @Override
     public boolean isEnough(double unsent, double wanted) {
         return refined && unsent <= wanted;
     }

@@ -43,11 +43,6 @@ final class ShootAndSort implements Planner {
     }
 
     @Override
-    public boolean isEnough(double unsent, double wanted) {
-        return unsent <= wanted;
-    }
-
-    @Override
     public void write(DataOutput out) throws IOException {
         out.writeInt(shots);
     }

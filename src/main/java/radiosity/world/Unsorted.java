@@ -59,14 +59,6 @@ final class Unsorted implements Planner {
     }
 
     @Override
-    public void shot(int patches) { }
-
-    @Override
-    public boolean isEnough(double unsent, double wanted) {
-        return unsent <= wanted;
-    }
-
-    @Override
     public void write(DataOutput out) throws IOException {
         out.writeInt(face);
         out.writeLong(path);
