@@ -149,6 +149,9 @@ final class TJunctions {
         for (int i = 0; i < at.length; i++) {
             found[i] = vertexAt.getOrDefault(key(a, at[i]), -1);
         }
+        if (!isAcross(a, found, b)) {
+            Arrays.fill(found, -1);
+        }
         int[] vertices = found.clone();
         for (int i = 0; i < at.length; i++) {
             if (found[i] < 0) {
@@ -168,6 +171,21 @@ final class TJunctions {
             }
         }
         return vertices;
+    }
+
+    /**
+     * Whether vertices of an edge's part are those of smaller elements across it, and not of what lies behind a wall
+     * that stands on it: those have ends of their own.
+     */
+    private boolean isAcross(int a, int[] found, int b) {
+        int last = a;
+        for (int v : found) {
+            if (v >= 0 && !open.contains(last, v)) {
+                return false;
+            }
+            last = v >= 0 ? v : last;
+        }
+        return last == a || open.contains(last, b);
     }
 
     /** A new vertex between two of a part, with the value of the edge between them. */

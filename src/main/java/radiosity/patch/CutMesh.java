@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import radiosity.scene.Vec3;
 
@@ -64,7 +65,7 @@ final class CutMesh {
     }
 
     /** Those made on the way are looked at too. */
-    private void each(int face, Predicate<CutPolygon> wanted, java.util.function.Consumer<CutPolygon> todo) {
+    private void each(int face, Predicate<CutPolygon> wanted, Consumer<CutPolygon> todo) {
         for (int i = 0; i < polygons.size(); i++) {
             CutPolygon p = polygons.get(i);
             if (p.face == face && wanted.test(p)) {

@@ -24,6 +24,7 @@ final class Cutting {
     private static final double SAME = 1e-7;
 
     private final Faces faces;
+    private final Contacts contacts;
     final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
     final Map<Integer, List<int[]>> pieces = new HashMap<>();
@@ -33,6 +34,7 @@ final class Cutting {
     Cutting(Faces faces) {
         this.faces = faces;
         points = new CutPoints(faces.scene(), SAME * faces.size());
+        contacts = new Contacts(faces, points);
         parts().values().forEach(this::cut);
     }
 
@@ -54,7 +56,6 @@ final class Cutting {
     }
 
     private void cut(List<Integer> part) {
-        Contacts contacts = contacts();
         Map<Integer, List<Contact>> on = new TreeMap<>();
         CutMesh mesh = new CutMesh(faces, points);
         for (int f : part) {
@@ -69,13 +70,6 @@ final class Cutting {
             mark(polygon, on.get(polygon.face));
         }
         part.forEach(this::leaveWhole);
-    }
-
-    private Contacts known;
-
-    private Contacts contacts() {
-        known = known == null ? new Contacts(faces, points) : known;
-        return known;
     }
 
     private void take(CutPolygon polygon) {

@@ -1,11 +1,13 @@
 package radiosity.patch;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Function;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 
 /** The pictures of one quantity, exitance or reflectance, on all faces that have one. */
 final class FaceMaps {
@@ -31,12 +33,27 @@ final class FaceMaps {
     private static double[] coordinates(Faces faces, int face, int which) {
         double[] of = new double[3];
         for (int k = 0; k < 3; k++) {
-            double[] weight = faces.originalWeights(face, k);
+            double[] weight = weights(faces, face, k);
             for (int j = 0; j < 3; j++) {
                 of[k] += weight[j] * faces.scene().textureCoordinates()[6 * faces.triangle(face) + 2 * j + which];
             }
         }
         return of;
+    }
+
+    /** Weights of its original triangle's corners at corner k of a face. */
+    private static double[] weights(Faces faces, int face, int k) {
+        double[] weights = new double[3];
+        if (!faces.isPiece(face)) {
+            weights[faces.side(face) % 2 == 0 || k == 0 ? k : 3 - k] = 1;
+            return weights;
+        }
+        Vec3 p = faces.sceneCorner(face, k);
+        Vec3[] from = new Vec3[3];
+        Arrays.setAll(from, j -> faces.scene().corner(faces.triangle(face), j).minus(p));
+        Vec3 n = from[1].minus(from[0]).cross(from[2].minus(from[0]));
+        Arrays.setAll(weights, j -> from[(j + 1) % 3].cross(from[(j + 2) % 3]).dot(n) / n.dot(n));
+        return weights;
     }
 
     /** In the mean over a face; the surface's where it has no picture. */

@@ -24,10 +24,7 @@ public final class Faces {
     private static final float SAME_PLANE = 1e-5f;
 
     private final Scene scene;
-    /** Middle of the scene's box, scene units. */
-    private final Vec3 centre;
-    /** Largest extent of the scene's box, scene units: the unit of every length here. */
-    private final double size;
+    private final SceneBox box;
     private final Channels kinds;
     private final int channels;
     private int count;
@@ -52,7 +49,7 @@ public final class Faces {
     final byte[] border;
     /** 1 per face: whether it is a piece of a triangle that was cut. */
     private final boolean[] piece;
-    private final Shine shine;
+    private Shine shine;
 
     /** All light of a scene as one. */
     public Faces(Scene scene) {
@@ -61,47 +58,18 @@ public final class Faces {
 
     /** @param layered whether the light of each lamp is kept apart: in channels of its own */
     public Faces(Scene scene, boolean layered) {
-        this.scene = scene;
-        double[] box = box(scene);
-        centre = new Vec3((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
-        double extent = Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
-        size = extent > 0 ? extent : 1;
-        kinds = new Channels(scene, layered);
-        channels = kinds.colours * kinds.layers();
-        int most = mostFaces(scene);
-        side = new int[most];
-        corner = new float[9 * most];
-        normal = new float[3 * most];
-        area = new double[most];
-        point = new int[3 * most];
-        piece = new boolean[most];
-        points = new CutPoints(scene, 0);
+        this(scene, SceneBox.of(scene), new Channels(scene, layered), new CutPoints(scene, 0), mostFaces(scene));
         int[] numbers = PointNumbers.of(scene.points());
         for (int t = 0; t < scene.triangles(); t++) {
             add(t, numbers);
         }
-        part = new int[count];
-        border = new byte[count];
-        fan = new int[3 * count];
-        new Parts(this).join(Set.of());
-        shine = new Shine(this, kinds);
+        finish(Set.of());
     }
 
     private Faces(Faces whole, Cutting cutting) {
-        scene = whole.scene;
-        centre = whole.centre;
-        size = whole.size;
-        kinds = whole.kinds;
-        channels = whole.channels;
+        this(whole.scene, whole.box, whole.kinds, cutting.points,
+                whole.count + cutting.pieces.values().stream().mapToInt(List::size).sum());
         dropped = whole.dropped;
-        points = cutting.points;
-        int most = whole.count + cutting.pieces.values().stream().mapToInt(List::size).sum();
-        side = new int[most];
-        corner = new float[9 * most];
-        normal = new float[3 * most];
-        area = new double[most];
-        point = new int[3 * most];
-        piece = new boolean[most];
         for (int f = 0; f < whole.count; f++) {
             List<int[]> some = cutting.pieces.get(f);
             if (some == null) {
@@ -113,10 +81,29 @@ public final class Faces {
                 add(whole, f, p[0], p[1], p[2]);
             }
         }
-        part = new int[count];
-        border = new byte[count];
-        fan = new int[3 * count];
-        new Parts(this).join(cutting.edges);
+        finish(cutting.edges);
+    }
+
+    /** @param most faces that there is to be room for */
+    private Faces(Scene scene, SceneBox box, Channels kinds, CutPoints points, int most) {
+        this.scene = scene;
+        this.box = box;
+        this.kinds = kinds;
+        this.points = points;
+        channels = kinds.colours * kinds.layers();
+        side = new int[most];
+        corner = new float[9 * most];
+        normal = new float[3 * most];
+        area = new double[most];
+        point = new int[3 * most];
+        part = new int[most];
+        fan = new int[3 * most];
+        border = new byte[most];
+        piece = new boolean[most];
+    }
+
+    private void finish(Set<Long> cut) {
+        new Parts(this).join(cut);
         shine = new Shine(this, kinds);
     }
 
@@ -136,20 +123,6 @@ public final class Faces {
         }
         add(whole.side[face], a, b, c, new Vec3(whole.normal(face, 0), whole.normal(face, 1), whole.normal(face, 2)),
                 itsArea, p, q, r);
-    }
-
-    private static double[] box(Scene scene) {
-        double[] box = new double[6];
-        Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
-        for (int p : scene.corners()) {
-            for (int a = 0; a < 3; a++) {
-                double x = scene.points()[3 * p + a];
-                box[a] = Math.min(box[a], x);
-                box[3 + a] = Math.max(box[3 + a], x);
-            }
-        }
-        return scene.triangles() == 0 ? new double[6] : box;
     }
 
     private static int mostFaces(Scene scene) {
@@ -201,7 +174,7 @@ public final class Faces {
 
     /** A place in the scene, brought to size 1 around the origin. */
     public Vec3 unit(Vec3 p) {
-        return p.minus(centre).times(1 / size);
+        return box.unit(p);
     }
 
     /** Number of faces. */
@@ -220,7 +193,7 @@ public final class Faces {
 
     /** Largest extent of the scene's box, scene units. */
     public double size() {
-        return size;
+        return box.size();
     }
 
     /** {@link #colours} times {@link #layers}, layer by layer. */
@@ -336,21 +309,6 @@ public final class Faces {
     /** Whether a face is a piece of a triangle that was cut: nothing stands on it or comes through, but at its border. */
     boolean isPiece(int face) {
         return piece[face];
-    }
-
-    /** Weights of its original triangle's corners at corner k of a face. */
-    double[] originalWeights(int face, int k) {
-        double[] weights = new double[3];
-        if (!piece[face]) {
-            weights[side[face] % 2 == 0 || k == 0 ? k : 3 - k] = 1;
-            return weights;
-        }
-        Vec3 p = sceneCorner(face, k);
-        Vec3[] from = new Vec3[3];
-        Arrays.setAll(from, j -> scene.corner(triangle(face), j).minus(p));
-        Vec3 n = from[1].minus(from[0]).cross(from[2].minus(from[0]));
-        Arrays.setAll(weights, j -> from[(j + 1) % 3].cross(from[(j + 2) % 3]).dot(n) / n.dot(n));
-        return weights;
     }
 
     /** E in W/m², in the mean over a face. */

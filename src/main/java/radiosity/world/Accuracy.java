@@ -10,7 +10,7 @@ public final class Accuracy {
     /** What is aimed at where nothing is asked for. */
     public static final double DEFAULT = 0.02;
     /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
-    private static final double TOLERANCE = 0.06;
+    private static final double TOLERANCE = 0.045;
     private static final double MESH_ERROR = 2.5e-4;
 
     private Accuracy() { }

@@ -176,7 +176,7 @@ final class Prediction implements Planner {
         }
     }
 
-    /** The same over the faces of a closed room, or of none; where no light was seen there, that of the whole. */
+    /** The same over the faces of a closed room, or of none; no less than that of the whole, and that where no light was seen. */
     private double weightIn(int room, int c, List<Shot> unshot, ForeseenFlux foreseen) {
         Faces faces = world.mesh.faces;
         IntPredicate counts = f -> world.mesh.rooms.room(f) == room;
@@ -191,7 +191,7 @@ final class Prediction implements Planner {
                 .forEach(tree -> tree.addFlux(faces, leaving));
         double unit = area / faces.area();
         double lit = foreseen.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
-        return lit > 0 ? unit * within / lit : weight[c];
+        return lit > 0 ? Math.max(weight[c], unit * within / lit) : weight[c];
     }
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */

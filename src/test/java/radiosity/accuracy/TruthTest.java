@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -65,7 +64,6 @@ class TruthTest {
     }
 
     @Test
-    @Disabled("reached 5.1 %")
     void darkRoomBehindADoorway_isWithinFivePerCentOfItsOwnMean() throws IOException {
         assertEquals(0, score("two_room", PointSet.DARK).rmse(), 0.05);
     }

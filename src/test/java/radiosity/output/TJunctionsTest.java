@@ -121,6 +121,28 @@ class TJunctionsTest {
         assertEquals((10 + 1) / 2., valueAt(closed, 0, new Vec3(.25, .5, 0)).r(), 1e-12);
     }
 
+    /** The two sides of a wall that stands free on a floor are one part, which goes round it, but have ends of their own. */
+    @Test
+    void vertexBehindAWall_bringsItsPlaceAndNoLight() {
+        Handmade made = new Handmade();
+        int t = 2 * made.triangle(made.surface("s", .5), Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(0, 1, 0));
+        int[] ends = new int[4];
+        Arrays.setAll(ends, i -> made.vertex(new Vec3(i % 2, 0, 0), Rgb.grey(1)));
+        int before = made.vertex(new Vec3(.3, 1, 0), Rgb.grey(1));
+        int behind = made.vertex(new Vec3(.3, -1, 0), Rgb.grey(1));
+        int middle = made.vertex(new Vec3(.5, 0, 0), Rgb.grey(10));
+        made.element(t, ends[0], ends[1], before);
+        made.element(t, ends[2], behind, middle);
+        made.element(t, middle, behind, ends[3]);
+        made.element(t, behind, made.vertex(new Vec3(5, 0, 0), Rgb.grey(1)), before);
+        Solution closed = TJunctions.close(made.solution());
+        assertEquals(5, closed.elements());
+        for (int e = 0; e < closed.elements(); e++) {
+            List<Integer> corners = Arrays.stream(closed.corners(), 3 * e, 3 * e + 3).boxed().toList();
+            assertEquals(corners.contains(middle), corners.contains(behind) && !corners.contains(before));
+        }
+    }
+
     @Test
     void vertexOfAnotherSurface_bringsItsPlaceAndNoLight() {
         Handmade made = new Handmade();
