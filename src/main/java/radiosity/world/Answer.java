@@ -53,6 +53,18 @@ final class Answer {
         addSums(other);
     }
 
+    /**
+     * Whether this partition has none of the best candidates beyond those that it has named.
+     *
+     * @param best  of all partitions, as far as they are known
+     * @param named how many it was to name at most
+     * @param most  how many are wanted of all
+     */
+    boolean namesAllOf(Answer best, int named, int most) {
+        return named >= most || candidates.size() < named || best.candidates.size() == most
+                && best.candidates.get(most - 1).compareTo(candidates.get(named - 1)) < 0;
+    }
+
     void addSums(Answer other) {
         for (int q = 0; q < sums().size(); q++) {
             for (int i = 0; i < sums().get(q).length; i++) {

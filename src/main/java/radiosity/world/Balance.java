@@ -105,4 +105,9 @@ final class Balance {
     void moved(double seconds) {
         waiting.done(seconds);
     }
+
+    /** It was due, and there was nothing to be moved. */
+    void notMoved() {
+        waiting.inVain();
+    }
 }

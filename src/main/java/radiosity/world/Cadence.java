@@ -35,6 +35,12 @@ final class Cadence {
         return gain + ahead >= multiple * cost;
     }
 
+    /** It was looked at, and nothing was to be saved. */
+    void inVain() {
+        cost *= 2;
+        gain = 0;
+    }
+
     /** It was done. */
     void done(double seconds) {
         cost = Math.max(leastCost, seconds);

@@ -82,6 +82,9 @@ final class Dealing {
     List<Move> moves(List<Host> hosts, boolean gather) {
         Shares shares = shares(hosts, gather);
         double before = shares.slowest();
+        if (shares.waiting() < WORTH * before) {
+            return List.of();
+        }
         shares.relieve();
         int[] after = shares.owners();
         List<Move> moves = new ArrayList<>();

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 
 /** Calls on several hosts at once, and who did not answer. */
@@ -38,6 +39,22 @@ final class HostCalls {
             }
         });
         return results;
+    }
+
+    /** Ends all sessions at once. */
+    static void close(Collection<Host> hosts) {
+        hosts.stream().map(host -> Host.start(() -> {
+            host.close();
+            return null;
+        })).toList().forEach(HostCalls::end);
+    }
+
+    private static void end(FutureTask<Object> closing) {
+        try {
+            closing.get();
+        } catch (ExecutionException | InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     boolean isAnyLost() {

@@ -2,13 +2,10 @@ package radiosity.world;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import radiosity.scene.Scene;
@@ -25,6 +22,8 @@ public final class RemoteWorld extends World {
     private static final int MOST_FAILURES = 2;
     /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
     private static final int STEPS_AHEAD = 4;
+    /** Candidates that every host names at least where so many are wanted. */
+    private static final int LEAST_NAMED = 4;
     private static final StepTimes NOBODY = (shots, seconds) -> { };
     /**
      * A checkpoint is taken when the rounds since the last one took so many times as long as it: 3 % of the time at
@@ -43,7 +42,7 @@ public final class RemoteWorld extends World {
     private final HostFinder finder;
     private final Dealing dealing;
     private final ShotLog log = new ShotLog();
-    private final Totals totals;
+    private final SharedTotals totals;
     private final Cadence checkpoints;
     private final RoundTimes times;
     private final Balance balance;
@@ -75,7 +74,7 @@ public final class RemoteWorld extends World {
         super(new InitialMesh(scene, settings));
         this.clock = clock;
         times = new RoundTimes(clock);
-        totals = new Totals(mesh.faces.channels());
+        totals = new SharedTotals(mesh, calls);
         this.notices = notices;
         this.threads = threads;
         task = SceneBytes.write(scene, settings);
@@ -87,7 +86,7 @@ public final class RemoteWorld extends World {
         checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS, patches() * CHECKPOINT_SECONDS_PER_PATCH);
         transfer = new BlockTransfer(dealing, log, calls);
         hosts.addAll(finder.open(links));
-        hosts.forEach(host -> host.knows = true);
+        hosts.forEach(totals::welcome);
         if (hosts.isEmpty()) {
             finder.close();
             throw new NoWorkerException("hosts: expected at least one that can be used, got none");
@@ -102,7 +101,7 @@ public final class RemoteWorld extends World {
         byte[] bytes = prepare(order);
         while (true) {
             underWay.begin(hosts, order, bytes, now());
-            note(order);
+            totals.count(order);
             Map<Host, Reply> replies = await(NOBODY);
             if (!calls.isAnyLost()) {
                 balance.settle(hosts);
@@ -118,7 +117,7 @@ public final class RemoteWorld extends World {
     @Override
     void begin(Order step, StepTimes told) throws IOException {
         underWay.begin(hosts, step, prepare(step), now());
-        note(step);
+        totals.count(step);
         while (underWay.count() >= STEPS_AHEAD) {
             await(told);
         }
@@ -131,6 +130,12 @@ public final class RemoteWorld extends World {
         }
         recover();
         balance.settle(hosts);
+    }
+
+    /** Twice a fair share: blocks are dealt so that who has much to shoot is spread. */
+    @Override
+    int named(int most) {
+        return (int) Math.min(most, LEAST_NAMED + 2L * most / hosts.size());
     }
 
     @Override
@@ -150,7 +155,7 @@ public final class RemoteWorld extends World {
             blocks();
         }
         if (order.kind() == Order.Kind.GATHER) {
-            tell();
+            totals.tell(hosts);
         }
         byte[] bytes = order.encodeShort();
         if (order.changes()) {
@@ -159,31 +164,10 @@ public final class RemoteWorld extends World {
         return bytes;
     }
 
-    /** Everything that can be done while the hosts compute. */
-    private void note(Order order) {
-        if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
-            totals.add(order.shots());
-        }
-    }
-
-    /** Tells hosts that have come later what was shot before. */
-    private void tell() {
-        List<Host> late = hosts.stream().filter(host -> !host.knows).toList();
-        if (!late.isEmpty()) {
-            byte[] all = Wire.bytes(out -> Wire.write(totals.all(), channels(), out));
-            calls.onAll(late, host -> host.know(all)).keySet().forEach(host -> host.knows = true);
-        }
-    }
-
     /** As the master has it; how elements are divided is asked. */
     @Override
     List<Shot> totals() throws IOException {
-        List<Shot> trees = new ArrayList<>();
-        for (byte[] bytes : round(Order.plain(Order.Kind.TREES, 0))) {
-            trees.addAll(Wire.trees(Wire.input(bytes)));
-        }
-        Collections.sort(trees);
-        return totals.of(trees);
+        return totals.of(round(Order.plain(Order.Kind.TREES, 0)));
     }
 
     /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
@@ -249,7 +233,7 @@ public final class RemoteWorld extends World {
         alone = new Host(link, link.connect(), threads, notices);
         alone.open("this process");
         alone.load(task, mesh.fingerprint());
-        alone.knows = totals.isEmpty();
+        totals.welcome(alone);
         hosts.add(alone);
     }
 
@@ -262,7 +246,7 @@ public final class RemoteWorld extends World {
         boolean come = false;
         for (Host host = finder.next(); host != null; host = finder.next()) {
             host.speed = balance.speed(hosts, host);
-            host.knows = totals.isEmpty();
+            totals.welcome(host);
             hosts.add(host);
             notices.accept("host " + host.name() + " joined");
             come = true;
@@ -287,6 +271,10 @@ public final class RemoteWorld extends World {
     }
 
     private void move(List<Dealing.Move> moves) {
+        if (moves.isEmpty()) {
+            balance.notMoved();
+            return;
+        }
         long begin = now();
         transfer.move(moves);
         balance.moved((now() - begin) * 1e-9);
@@ -315,8 +303,7 @@ public final class RemoteWorld extends World {
         transfer.restore(hosts);
         recover();
         if (mesh.predicts()) {
-            totals.set(super.totals());
-            hosts.forEach(host -> host.knows = false);
+            totals.set(super.totals(), hosts);
         }
     }
 
@@ -330,17 +317,6 @@ public final class RemoteWorld extends World {
     @Override
     public void close() {
         finder.close();
-        hosts.stream().map(host -> Host.start(() -> {
-            host.close();
-            return null;
-        })).toList().forEach(RemoteWorld::end);
-    }
-
-    private static void end(FutureTask<Object> closing) {
-        try {
-            closing.get();
-        } catch (ExecutionException | InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        HostCalls.close(hosts);
     }
 }

@@ -1,6 +1,8 @@
 package radiosity.world;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
@@ -141,26 +143,51 @@ final class Shares {
 
     private void relieve(int host) {
         double least = 0;
-        int given = -1;
-        int taken = -1;
-        int to = -1;
+        int[] trade = null;
+        for (int[] one : trades(host)) {
+            double change = change(one[0], one[1], one[2]);
+            if (change < least) {
+                least = change;
+                trade = one;
+            }
+        }
+        if (trade != null) {
+            trade(trade[0], trade[1], host, trade[2]);
+        }
+    }
+
+    /** What a host may give away: a block, one that it takes for it or -1, and to whom. */
+    private List<int[]> trades(int host) {
+        List<int[]> trades = new ArrayList<>();
+        for (int other = 0; other < speed.length; other++) {
+            for (int b = 0; b < owner.length && other != host; b++) {
+                if (owner[b] == host) {
+                    trades.add(new int[] {b, -1, other});
+                }
+            }
+            int[] pair = other == host ? null : levelling(host, other);
+            if (pair != null) {
+                trades.add(pair);
+            }
+        }
+        return trades;
+    }
+
+    /** Of a block of each of two hosts those that would level their times best, borders aside; null where there are none. */
+    private int[] levelling(int host, int other) {
+        double wanted = (time(host) - time(other)) / (1 / speed[host] + 1 / speed[other]);
+        int[] best = null;
+        double least = wanted;
         for (int b = 0; b < owner.length; b++) {
-            for (int c = 0; owner[b] == host && c < speed.length + owner.length; c++) {
-                int other = c < speed.length ? c : owner[c - speed.length];
-                if (other != host) {
-                    double change = change(b, c - speed.length, other);
-                    if (change < least) {
-                        least = change;
-                        given = b;
-                        taken = c - speed.length;
-                        to = other;
-                    }
+            for (int c = 0; owner[b] == host && c < owner.length; c++) {
+                double off = Math.abs(work.seconds()[b] - work.seconds()[c] - wanted);
+                if (owner[c] == other && off < least) {
+                    least = off;
+                    best = new int[] {b, c, other};
                 }
             }
         }
-        if (given >= 0) {
-            trade(given, taken, host, to);
-        }
+        return best;
     }
 
     /** @param c block that is taken for b, or below 0 for none */

@@ -13,6 +13,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.accuracy.ColouredRoom;
 import radiosity.scene.SceneFormatException;
 import radiosity.world.HostKey;
 import radiosity.world.NoWorkerException;
@@ -57,7 +58,7 @@ class KeyTest {
     @Test
     void sameKey_givesTheSameBits() throws IOException {
         try (PartitionPort host = Small.serve(key, 1)) {
-            Small.assertSame(Small.local(Schedule.PAPER), Small.remote(Schedule.PAPER, key, notices::add, host));
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), Small.remote(Schedule.PAPER, key, notices::add, host));
         }
         assertEquals(List.of(), notices);
     }

@@ -17,6 +17,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import radiosity.accuracy.ColouredRoom;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -41,8 +42,8 @@ class LoopbackTest {
         Solution local = Small.local(schedule);
         try (PartitionPort a = Small.serve(null, 1); PartitionPort b = Small.serve(null, 2);
                 PartitionPort c = Small.serve(null, 1)) {
-            Small.assertSame(local, Small.remote(schedule, null, notices::add, a));
-            Small.assertSame(local, Small.remote(schedule, null, notices::add, a, b, c));
+            ColouredRoom.assertSame(local, Small.remote(schedule, null, notices::add, a));
+            ColouredRoom.assertSame(local, Small.remote(schedule, null, notices::add, a, b, c));
         }
         assertEquals(List.of(), notices);
     }
@@ -58,7 +59,7 @@ class LoopbackTest {
         try (PartitionPort a = Small.serve(null, 1); PartitionPort b = Small.serve(null, 2);
                 RemoteWorld world = new RemoteWorld(scene, layered, List.of(new HostAddress("localhost", a.port()),
                         new HostAddress("localhost", b.port())), null, 1, notices::add)) {
-            Small.assertSame(local, Small.solve(world));
+            ColouredRoom.assertSame(local, Small.solve(world));
         }
     }
 
@@ -69,7 +70,7 @@ class LoopbackTest {
                 RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
                         List.of(new HostAddress("localhost", nobody), new HostAddress("localhost", a.port())), null, 1,
                         notices::add)) {
-            Small.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
         }
         assertEquals(List.of("host localhost:" + nobody + ": no answer on port " + nobody
                 + " (is PartitionServer running there?); starting without it"), notices);
@@ -94,7 +95,7 @@ class LoopbackTest {
             assertThrows(NoWorkerException.class, () -> Small.remote(Schedule.PAPER, null, notices::add, a));
             assertTrue(notices.get(0).matches("host localhost:\\d+: busy for \\S+ since \\d\\d:\\d\\d; starting without it"),
                     notices::toString);
-            Small.assertSame(Small.local(Schedule.PAPER), Small.solve(first));
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), Small.solve(first));
         }
     }
 
@@ -103,7 +104,7 @@ class LoopbackTest {
         Solution local = Small.local(Schedule.PREDICT);
         try (PartitionPort a = Small.serve(null, 1)) {
             for (int i = 0; i < 3; i++) {
-                Small.assertSame(local, Small.remote(Schedule.PREDICT, null, notices::add, a));
+                ColouredRoom.assertSame(local, Small.remote(Schedule.PREDICT, null, notices::add, a));
             }
         }
     }
@@ -117,7 +118,7 @@ class LoopbackTest {
                 RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
                         List.of(new HostAddress("localhost", port)), null, 1, notices::add)) {
             assertNotEquals(port, a.port());
-            Small.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
         } finally {
             UnicastRemoteObject.unexportObject(registry, true);
         }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import radiosity.accuracy.ColouredRoom;
 import radiosity.world.HostAddress;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RemoteWorld;
@@ -88,14 +89,14 @@ class NetworkTest {
     @Test
     void pulledCable_losesNothing() throws Exception {
         Solution got = solve(() -> network.pull(1));
-        Small.assertSame(Small.local(Schedule.PREDICT), got);
+        ColouredRoom.assertSame(Small.local(Schedule.PREDICT), got);
         assertLost(network.address(1));
     }
 
     @Test
     void silentDrop_losesNothing() throws Exception {
         Solution got = solve(() -> network.drop(0));
-        Small.assertSame(Small.local(Schedule.PREDICT), got);
+        ColouredRoom.assertSame(Small.local(Schedule.PREDICT), got);
         assertLost(network.address(0));
     }
 }

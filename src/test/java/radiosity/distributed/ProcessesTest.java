@@ -15,6 +15,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.accuracy.ColouredRoom;
 import radiosity.output.SceneFile;
 import radiosity.world.HostAddress;
 import radiosity.world.Progress;
@@ -68,7 +69,7 @@ class ProcessesTest {
                     a.kill();
                 }
             }, a, b, c);
-            Small.assertSame(Small.local(Schedule.PREDICT), got);
+            ColouredRoom.assertSame(Small.local(Schedule.PREDICT), got);
             assertEquals(1, said("host localhost:" + a.port() + " lost \\(.*\\); its \\d+ blocks move to \\d hosts?, .*"),
                     notices::toString);
             Solution alone = solve(Schedule.PAPER, round -> {
@@ -77,7 +78,7 @@ class ProcessesTest {
                     c.kill();
                 }
             }, b, c);
-            Small.assertSame(Small.local(Schedule.PAPER), alone);
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), alone);
             assertTrue(said(".* move to this machine, .*") >= 1, notices::toString);
         }
     }
@@ -93,7 +94,7 @@ class ProcessesTest {
                     wakeLater(b, 8);
                 }
             }, a, b);
-            Small.assertSame(Small.local(Schedule.PAPER), got);
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), got);
             assertEquals(List.of("host localhost:" + b.port() + " silent for 3 s"), notices);
         }
     }
@@ -108,7 +109,7 @@ class ProcessesTest {
                     b.signal("STOP");
                 }
             }, a, b);
-            Small.assertSame(Small.local(Schedule.PREDICT), got);
+            ColouredRoom.assertSame(Small.local(Schedule.PREDICT), got);
             assertEquals(1, said("host .* lost \\(silent for 10 s\\); its .*"), notices::toString);
         }
     }

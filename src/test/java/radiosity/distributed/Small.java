@@ -1,19 +1,11 @@
 package radiosity.distributed;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.util.List;
 import java.util.function.Consumer;
-import radiosity.accuracy.Box;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.SceneBuilder;
-import radiosity.scene.Rgb;
+import radiosity.accuracy.ColouredRoom;
 import radiosity.scene.Scene;
-import radiosity.scene.Surface;
-import radiosity.scene.Vec3;
 import radiosity.world.HostAddress;
 import radiosity.world.HostKey;
 import radiosity.world.LocalWorld;
@@ -29,22 +21,10 @@ import radiosity.world.World;
 /** A coloured room that is solved in a second, here and there. */
 final class Small {
 
-    static final Scene SCENE = scene();
+    static final Scene SCENE = ColouredRoom.SCENE;
     static final StopRule STOP = new StopRule(80, 1e-3);
 
     private Small() { }
-
-    private static Scene scene() {
-        SceneBuilder builder = new SceneBuilder();
-        Box room = new Box(Vec3.ZERO, new Vec3(0.556, 0.5488, 0.5592));
-        for (int side = 0; side < 6; side++) {
-            builder.polygon(new Surface("wall " + side, Rgb.BLACK, new Rgb(0.2 + 0.1 * side, 0.6, 0.5), false),
-                    room.inside(side));
-        }
-        Rooms.CORNELL_BLOCKS.get(0).addTo(builder, Rooms.grey("block", 0, 0.7));
-        Rooms.CORNELL_BLOCKS.get(1).addTo(builder, Rooms.grey("lamp", 1, 0.3));
-        return builder.scene("coloured room");
-    }
 
     /** Adaptive meshing is on in both. */
     static RadiositySettings settings(Schedule schedule) {
@@ -78,13 +58,5 @@ final class Small {
         try (ServerSocket socket = new ServerSocket(0)) {
             return socket.getLocalPort();
         }
-    }
-
-    static void assertSame(Solution expected, Solution got) {
-        assertEquals(expected.shots(), got.shots());
-        assertEquals(expected.unshotFlux(), got.unshotFlux());
-        assertArrayEquals(expected.corners(), got.corners());
-        assertArrayEquals(expected.irradiance(), got.irradiance());
-        assertArrayEquals(expected.state(), got.state());
     }
 }

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.world.SameBitsTest.SCENE;
-import static radiosity.world.SameBitsTest.assertSame;
+import static radiosity.accuracy.ColouredRoom.assertSame;
 import static radiosity.world.SameBitsTest.shots;
 import static radiosity.world.SameBitsTest.solve;
 

@@ -1,9 +1,9 @@
 package radiosity.world;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static radiosity.accuracy.ColouredRoom.assertSame;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -12,15 +12,12 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import radiosity.accuracy.Box;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.SceneBuilder;
+import radiosity.accuracy.ColouredRoom;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
-import radiosity.scene.Vec3;
 
 /**
  * The law of the house: the answer is the same to the last bit on any number of threads and partitions, and through a
@@ -28,20 +25,7 @@ import radiosity.scene.Vec3;
  */
 class SameBitsTest {
 
-    static final Scene SCENE = scene();
-
-    /** A coloured room with two blocks, of which the higher one glows. */
-    private static Scene scene() {
-        SceneBuilder builder = new SceneBuilder();
-        Box room = new Box(Vec3.ZERO, new Vec3(0.556, 0.5488, 0.5592));
-        for (int side = 0; side < 6; side++) {
-            builder.polygon(new Surface("wall " + side, Rgb.BLACK, new Rgb(0.2 + 0.1 * side, 0.6, 0.5), false),
-                    room.inside(side));
-        }
-        Rooms.CORNELL_BLOCKS.get(0).addTo(builder, Rooms.grey("block", 0, 0.7));
-        Rooms.CORNELL_BLOCKS.get(1).addTo(builder, Rooms.grey("lamp", 1, 0.3));
-        return builder.scene("coloured room");
-    }
+    static final Scene SCENE = ColouredRoom.SCENE;
 
     static RadiositySettings settings(Schedule schedule) {
         double meshing = schedule == Schedule.PAPER ? 0.1 : Double.POSITIVE_INFINITY;
@@ -56,15 +40,6 @@ class SameBitsTest {
 
     static StopRule shots(int n) {
         return new StopRule(n, 1e-3);
-    }
-
-    static void assertSame(Solution expected, Solution got) {
-        assertEquals(expected.shots(), got.shots());
-        assertEquals(expected.unshotFlux(), got.unshotFlux());
-        assertArrayEquals(expected.corners(), got.corners());
-        assertArrayEquals(expected.positions(), got.positions());
-        assertArrayEquals(expected.irradiance(), got.irradiance());
-        assertArrayEquals(expected.state(), got.state());
     }
 
     @ParameterizedTest

@@ -11,6 +11,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import radiosity.accuracy.ColouredRoom;
 
 /** Stopped wherever the listener is asked, a calculation can be looked at, and goes on to the same bits. */
 class StopAnywhereTest {
@@ -24,7 +25,7 @@ class StopAnywhereTest {
             ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(SCENE, settings(schedule), 2), shots(100));
             rest.resume(stopped.state());
             rest.run(progress -> true);
-            SameBitsTest.assertSame(atOnce, rest.solution());
+            ColouredRoom.assertSame(atOnce, rest.solution());
         }
     }
 

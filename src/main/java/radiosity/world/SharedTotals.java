@@ -1,0 +1,57 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** What was shot so far as the master has it, and which hosts have it too; only prediction has use for it. */
+final class SharedTotals {
+
+    private final InitialMesh mesh;
+    private final HostCalls calls;
+    private final Totals totals;
+
+    SharedTotals(InitialMesh mesh, HostCalls calls) {
+        this.mesh = mesh;
+        this.calls = calls;
+        totals = new Totals(mesh.faces.channels());
+    }
+
+    /** A host that begins now knows everything if nobody has shot. */
+    void welcome(Host host) {
+        host.knows = totals.isEmpty();
+    }
+
+    /** Hosts that were told this order have counted it themselves. */
+    void count(Order order) {
+        if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
+            totals.add(order.shots());
+        }
+    }
+
+    /** Instead of what was counted. @param now what all have shot */
+    void set(List<Shot> now, List<Host> hosts) {
+        totals.set(now);
+        hosts.forEach(host -> host.knows = false);
+    }
+
+    /** Tells hosts that have come later what was shot before. */
+    void tell(List<Host> hosts) {
+        List<Host> late = hosts.stream().filter(host -> !host.knows).toList();
+        if (!late.isEmpty()) {
+            byte[] all = Wire.bytes(out -> Wire.write(totals.all(), mesh.faces.channels(), out));
+            calls.onAll(late, host -> host.know(all)).keySet().forEach(host -> host.knows = true);
+        }
+    }
+
+    /** @param answers of all hosts: how their trees are divided */
+    List<Shot> of(List<byte[]> answers) throws IOException {
+        List<Shot> trees = new ArrayList<>();
+        for (byte[] bytes : answers) {
+            trees.addAll(Wire.trees(Wire.input(bytes)));
+        }
+        Collections.sort(trees);
+        return totals.of(trees);
+    }
+}
