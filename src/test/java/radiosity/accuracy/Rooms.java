@@ -43,8 +43,14 @@ public final class Rooms {
 
     /** Two blocks stand on the floor of a room of 5 x 3 x 4, which does not run under them. */
     public static Scene withBlocks(Surface all) {
+        return withBlocks(all, all);
+    }
+
+    /** The same with a lamp in the middle of the ceiling. */
+    public static Scene withBlocks(Surface wall, Surface lamp) {
         return new Cells(new double[] {0, 1, 2, 3, 4.2, 5}, new double[] {0, 0.8, 1.7, 3},
-                new double[] {0, 0.7, 1.6, 2.3, 3.2, 4}).room("room with blocks", Rooms::besideBlocks, all);
+                new double[] {0, 0.7, 1.6, 2.3, 3.2, 4}).room("room with blocks", Rooms::besideBlocks,
+                (i, j, k, side) -> side == 3 && j == 2 && i == 2 && k == 2 ? lamp : wall);
     }
 
     private static boolean besideBlocks(int i, int j, int k) {

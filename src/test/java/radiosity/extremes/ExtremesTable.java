@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import radiosity.accuracy.CieTest;
 import radiosity.accuracy.Claim;
@@ -17,6 +18,7 @@ public final class ExtremesTable {
 
     private static final int POLYHEDRA = 50;
     private static final double ACCURACY = 3e-3;
+    private static final String COST = "cost";
 
     /** The worst figure of a group so far. */
     private record Worst(int cases, Figure figure, String name) {
@@ -29,17 +31,20 @@ public final class ExtremesTable {
 
     private ExtremesTable() { }
 
+    /** @param arguments topics, all without; {@code cost} is one that is no case */
     public static void main(String[] arguments) {
         Locale.setDefault(Locale.ROOT);
-        System.out.println("| case | cases | of what | asked | reached | worst |\n|---|---|---|---|---|---|");
-        boolean holds = true;
-        for (Stream<Claim> claims : all()) {
-            Map<List<String>, Worst> worst = new LinkedHashMap<>();
-            claims.forEach(claim -> claim.figures().get().forEach(figure -> worst.merge(
-                    List.of(claim.group(), figure.what()), new Worst(1, figure, claim.name()),
-                    (before, now) -> before.and(figure, claim.name()))));
-            worst.forEach(ExtremesTable::print);
-            holds &= worst.values().stream().allMatch(w -> w.figure().holds());
+        Map<String, Supplier<Stream<Claim>>> cases = cases();
+        List<String> topics = arguments.length == 0 ? List.copyOf(cases.keySet()) : List.of(arguments);
+        boolean cost = topics.contains(COST);
+        if (topics.stream().anyMatch(topic -> !cases.containsKey(topic) && !topic.equals(COST))) {
+            System.err.println("extremes: expected " + COST + " or some of " + cases.keySet() + ", got " + topics);
+            System.exit(2);
+        }
+        boolean holds = topics.equals(List.of(COST)) || print(topics.stream().filter(cases::containsKey).map(cases::get));
+        if (cost || arguments.length == 0) {
+            System.out.println();
+            WhiteCost.print();
         }
         if (!holds) {
             System.err.println("extremes: expected what is asked, got more in some");
@@ -47,11 +52,34 @@ public final class ExtremesTable {
         }
     }
 
-    private static List<Stream<Claim>> all() {
-        return List.of(WhiteFurnaceTest.claims(POLYHEDRA), CieTest.claims(), FormFactorsTest.contour(),
-                FormFactorsTest.rayCaster(), EnclosuresTest.furnaces(), FaceSystemTest.claims(),
-                EnclosuresTest.continuous(ACCURACY), ScaleAndPlaceTest.claims(), DynamicRangeTest.claims(),
-                EmissionTest.claims(), GeometryTest.claims(), ParametersTest.claims(), PropertiesTest.claims());
+    /** Whether all hold. */
+    private static boolean print(Stream<Supplier<Stream<Claim>>> cases) {
+        System.out.println("| case | cases | of what | asked | reached | worst |\n|---|---|---|---|---|---|");
+        boolean holds = true;
+        for (Supplier<Stream<Claim>> some : cases.toList()) {
+            Map<List<String>, Worst> worst = new LinkedHashMap<>();
+            some.get().forEach(claim -> claim.figures().get().forEach(figure -> worst.merge(
+                    List.of(claim.group(), figure.what()), new Worst(1, figure, claim.name()),
+                    (before, now) -> before.and(figure, claim.name()))));
+            worst.forEach(ExtremesTable::print);
+            holds &= worst.values().stream().allMatch(w -> w.figure().holds());
+        }
+        return holds;
+    }
+
+    private static Map<String, Supplier<Stream<Claim>>> cases() {
+        Map<String, Supplier<Stream<Claim>>> cases = new LinkedHashMap<>();
+        cases.put("furnaces", () -> WhiteFurnaceTest.claims(POLYHEDRA));
+        cases.put("cie", CieTest::claims);
+        cases.put("form-factors", () -> Stream.concat(FormFactorsTest.contour(), FormFactorsTest.rayCaster()));
+        cases.put("enclosures", () -> Stream.of(EnclosuresTest.furnaces(), FaceSystemTest.claims(),
+                EnclosuresTest.continuous(ACCURACY)).flatMap(claims -> claims));
+        cases.put("scale", ScaleAndPlaceTest::claims);
+        cases.put("range", () -> Stream.concat(DynamicRangeTest.claims(), EmissionTest.claims()));
+        cases.put("meshes", GeometryTest::claims);
+        cases.put("settings", ParametersTest::claims);
+        cases.put("laws", PropertiesTest::claims);
+        return cases;
     }
 
     private static void print(List<String> of, Worst worst) {

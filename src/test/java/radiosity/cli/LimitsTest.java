@@ -1,0 +1,61 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Options at their limits, by the command line: a result or one line. */
+class LimitsTest {
+
+    @TempDir
+    Path directory;
+
+    private Run render(String options) {
+        List<Object> all = new ArrayList<>(List.of((Object[]) options.split(" ")));
+        all.addAll(List.of("-q", "scenes/cornell-box.lws", directory.resolve("box.scene")));
+        return Run.of(all.toArray());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-pa 20000 -nr 1 -it 3", "-pa 1e30 -it 3", "-pa 1e300 --schedule predict", "-pa 20000 -mt 0 -it 2",
+        "-pa 20000 -se 1", "-pa 20000 -it 0", "--accuracy 50%", "--time 1ms"})
+    void limit_givesAScene(String options) {
+        Run run = render(options);
+        assertEquals(ExitCode.DONE, run.exitCode(), run.err());
+        assertEquals("", run.err());
+        assertTrue(run.out().contains("elements"), run.out());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-pa 0", "-pa -1", "-pa nan", "-pa 101%", "-nr 0", "-mt -1", "-se 1.1", "-se -1", "-it -1",
+        "--accuracy 0%", "--time 0s", "-pa 1e-30", "-pa 1e-300"})
+    void beyondIt_isRefusedInOneLineBeforeAnyWork(String options) {
+        Run run = render(options);
+        assertEquals(ExitCode.COMMAND_LINE, run.exitCode(), run.err());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertTrue(run.err().contains("expected"), run.err());
+        assertFalse(run.err().contains("expected no error"), run.err());
+    }
+
+    /** Memory that is enough to begin with, and not for what comes: 3 million elements in 200 MiB. */
+    @Test
+    void heapThatIsTooSmall_endsWithALineThatSaysWhatToGive() throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(
+                Program.command("-q -it 1 -pa 0.0001% foobar.lws foobar.scene"));
+        command.add(1, "-Xmx200m");
+        Process process = new Program(directory).start(command);
+        String printed = Program.rest(process);
+        assertEquals(ExitCode.FAILED, process.waitFor(), printed);
+        assertEquals(1, printed.lines().count(), printed);
+        assertTrue(printed.contains("JAVA_OPTS=-Xmx"), printed);
+    }
+}
