@@ -26,7 +26,7 @@ class LimitsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"-pa 20000 -nr 1 -it 3", "-pa 1e30 -it 3", "-pa 1e300 --schedule predict", "-pa 20000 -mt 0 -it 2",
+    @ValueSource(strings = {"-pa 20000 -nr 1 -it 3", "-pa 1e30 -it 3", "-pa 20000 -mt 0 -it 2",
         "-pa 20000 -se 1", "-pa 20000 -it 0", "--accuracy 50%", "--time 1ms"})
     void limit_givesAScene(String options) {
         Run run = render(options);
