@@ -9,6 +9,7 @@ import radiosity.patch.Hash;
 import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
 import radiosity.patch.Rooms;
+import radiosity.patch.Strips;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -32,6 +33,7 @@ final class InitialMesh {
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
 
+    /** With its long quadrangles cut. */
     final Scene scene;
     final RadiositySettings settings;
     final Faces faces;
@@ -48,9 +50,10 @@ final class InitialMesh {
     private RadiosityBounds bounds;
 
     InitialMesh(Scene scene, RadiositySettings settings) {
-        this.scene = scene;
         this.settings = settings;
-        Faces whole = new Faces(scene, settings.layers());
+        this.scene = predicts() ? Strips.cut(scene, settings.patchArea() > 0 ? settings.patchArea()
+                : scene.area() / COARSE_PATCHES) : scene;
+        Faces whole = new Faces(this.scene, settings.layers());
         faces = predicts() ? whole.cut() : whole;
         rooms = new Rooms(faces, this::isBuried);
         faces.darken(rooms::isHidden);
