@@ -10,28 +10,25 @@ public final class Accuracy {
     /** What is aimed at where nothing is asked for. */
     public static final double DEFAULT = 0.02;
     /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
-    private static final double TOLERANCE = 0.045;
-    private static final double MESH_ERROR = 2.5e-4;
+    private static final double TOLERANCE = 0.04;
+    private static final double MESH_ERROR = 8e-4;
+    /** Both fall faster than the error: sampling and meshing each leave their part of it. */
+    private static final double POWER = 1.25;
 
     private Accuracy() { }
 
     /** @param error above 0 */
     static double tolerance(double error) {
-        return TOLERANCE * error / DEFAULT;
+        return TOLERANCE * StrictMath.pow(error / DEFAULT, POWER);
     }
 
     /** The error that is expected at a tolerance; 0 stands for the default. */
     public static double of(double tolerance) {
-        return tolerance == 0 ? DEFAULT : DEFAULT * tolerance / TOLERANCE;
+        return tolerance == 0 ? DEFAULT : DEFAULT * StrictMath.pow(tolerance / TOLERANCE, 1 / POWER);
     }
 
-    /**
-     * An element's part in the error falls with its number's root, and its number with the error.
-     *
-     * @param error above 0
-     */
+    /** @param error above 0 */
     static double meshError(double error) {
-        double part = error / DEFAULT;
-        return MESH_ERROR * part * Math.sqrt(part);
+        return MESH_ERROR * StrictMath.pow(error / DEFAULT, POWER);
     }
 }
