@@ -39,6 +39,8 @@ public final class Faces {
     final float[] normal;
     /** 1 per face. */
     final double[] area;
+    /** Their sum. */
+    private double wholeArea;
     /** 3 per face: number of the point at each corner; equal coordinates have equal numbers. */
     final int[] point;
     /** 1 per face: the lowest face of its part. */
@@ -156,6 +158,7 @@ public final class Faces {
     private void add(int id, Vec3 a, Vec3 b, Vec3 c, Vec3 n, double faceArea, int p, int q, int r) {
         side[count] = id;
         area[count] = faceArea;
+        wholeArea += faceArea;
         put(corner, 9 * count, a);
         put(corner, 9 * count + 3, b);
         put(corner, 9 * count + 6, c);
@@ -249,11 +252,7 @@ public final class Faces {
 
     /** Area of all faces, of the scene's squared size. */
     public double area() {
-        double sum = 0;
-        for (int f = 0; f < count; f++) {
-            sum += area[f];
-        }
-        return sum;
+        return wholeArea;
     }
 
     /** Component a of a face's normal. */
