@@ -64,7 +64,7 @@ public class CieTest {
 
     private static double mean(double reflectance) {
         Scene cube = Cie.cube(reflectance);
-        Solution solution = Solve.byDefault().unsent(1e-5).solution(cube);
+        Solution solution = Solve.byDefault().unsent(1e-6).solution(cube);
         return solution.ledger().received()[0] / AREA;
     }
 }
