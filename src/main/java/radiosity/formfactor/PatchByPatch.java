@@ -5,13 +5,10 @@ import radiosity.visibility.RadiosityBounds;
 /** A calculator that takes a shooter's patches one by one, without clusters, and looks at each as a whole. */
 abstract class PatchByPatch implements FormFactorCalculator {
 
-    /** Nearer than this to a patch's plane nothing is received from it; of the scene's size. */
-    static final float IN_PLANE = 2e-7f;
-
-    private final RayCaster rays;
+    private final Sight sight;
 
     PatchByPatch(RadiosityBounds bounds) {
-        rays = new RayCaster(bounds, 1, Double.POSITIVE_INFINITY);
+        sight = new Sight(bounds);
     }
 
     /**
@@ -54,7 +51,7 @@ abstract class PatchByPatch implements FormFactorCalculator {
         if (s.face[node] < 0) {
             enter(to, s.child[node]);
             enter(to, s.child[node] + 1);
-        } else if (to.before(node) > IN_PLANE
+        } else if (to.before(node) > Sight.IN_PLANE
                 && Math.max(to.above(node, 0), Math.max(to.above(node, 1), to.above(node, 2))) > 0) {
             to.gathering.close(patch(to, node));
         }
@@ -76,9 +73,9 @@ abstract class PatchByPatch implements FormFactorCalculator {
         float dx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6] - to.px;
         float dy = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7] - to.py;
         float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - to.pz;
-        if (rays.sees(to.px, to.py, to.pz, to.nx, to.ny, to.nz, dx, dy, dz, normal[3 * node], normal[3 * node + 1],
+        if (sight.sees(to.px, to.py, to.pz, to.nx, to.ny, to.nz, dx, dy, dz, normal[3 * node], normal[3 * node + 1],
                 normal[3 * node + 2])) {
-            RayCaster.reach(s, node, a, b, c, weight, to.gathering);
+            Sight.reach(s, node, a, b, c, weight, to.gathering);
         }
     }
 }

@@ -1,9 +1,6 @@
 package radiosity.world;
 
-import java.io.DataInputStream;
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
@@ -11,12 +8,10 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
-import radiosity.patch.LongIndex;
 import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Rooms;
 import radiosity.patch.Subdivision;
-import radiosity.patch.Weights;
 
 /**
  * The linear system of a coarse mesh (equation 2), by which is foreseen what light will become of unshot light.
@@ -26,10 +21,6 @@ import radiosity.patch.Weights;
  */
 final class CoarseSystem {
 
-    /** What an empty row takes on the wire, and what one entry of a row. */
-    private static final int ROW_BYTES = 13;
-    private static final int ENTRY_BYTES = 24;
-
     private final InitialMesh mesh;
     private final Faces faces;
     private final Rooms rooms;
@@ -37,16 +28,7 @@ final class CoarseSystem {
     private final RadiosityNodes nodes;
     private final boolean single;
     private final int channels;
-    /** Number of a vertex by its key. */
-    private final LongIndex index;
-    /** Per vertex: the patches that it sees, as far as they are known. */
-    private final int[][] column;
-    /** Per vertex: weights of the three corners of each of them. */
-    private final float[][] entry;
-    /** Shots of {@link #importance} of which the rows are known. */
-    private int taken;
-    /** Per vertex: up to which of them its own row is; several partitions may have it, and say the same. */
-    private final int[] parts;
+    private final CoarseRows rows;
     /** Of irradiance by reflected irradiance; null until it is needed. */
     private GaussSeidel equations;
 
@@ -58,102 +40,34 @@ final class CoarseSystem {
         blocks = mesh.blocks;
         single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
-        index = new LongIndex(nodes.vertices());
-        for (int v = 0; v < nodes.vertices(); v++) {
-            index.findOrAdd(nodes.vertexKey(v), v);
-        }
-        column = new int[nodes.vertices()][];
-        entry = new float[nodes.vertices()][];
-        Arrays.fill(column, new int[0]);
-        Arrays.fill(entry, new float[0]);
-        parts = new int[nodes.vertices()];
+        rows = new CoarseRows(nodes);
     }
 
     /**
      * The next part of all rows: what is seen of the shots of {@link #importance} that come next.
      *
      * @param shots how many
-     * @param rows  of each partition: number of vertices, then for each its key, whether it is buried, its elements
+     * @param parts of each partition, see {@link CoarseRows#take}
      */
-    void take(int shots, List<byte[]> rows) throws IOException {
-        taken += shots;
-        for (byte[] part : rows) {
-            read(Wire.input(part));
-        }
+    void take(int shots, List<byte[]> parts) throws IOException {
+        rows.take(shots, parts);
     }
 
     /** Whether all rows are known as a whole. */
     boolean isMade() {
-        return taken == (single ? nodes.patches() : blocks.size());
+        return rows.taken() == (single ? nodes.patches() : blocks.size());
     }
 
-    /** For each vertex its key, whether it is buried, and its {@link Rows}. */
-    private void read(DataInputStream in) throws IOException {
-        for (int n = Wire.count(in, ROW_BYTES); n > 0; n--) {
-            int v = index.find(in.readLong());
-            if (in.readBoolean()) {
-                nodes.bury(v);
-            }
-            int size = Wire.count(in, ENTRY_BYTES);
-            int from = parts[v] == taken ? column[v].length - size : column[v].length;
-            parts[v] = taken;
-            column[v] = Arrays.copyOf(column[v], from + size);
-            entry[v] = Arrays.copyOf(entry[v], 3 * (from + size));
-            for (int i = from; i < from + size; i++) {
-                column[v][i] = nodes.find(in.readInt(), in.readLong());
-                for (int k = 0; k < 3; k++) {
-                    entry[v][3 * i + k] = in.readFloat();
-                }
-            }
-        }
-    }
-
-    /**
-     * All of the initial mesh as shots, with what it matters for light to come as radiosity: 1, and more for what
-     * emits.
-     */
+    /** All of the initial mesh as shots, with what it matters for light to come as radiosity. */
     List<Shot> importance() {
-        double[] mean = new double[Weights.count(rooms, faces.layers())];
-        double[] area = new double[mean.length];
-        for (int f = 0; f < faces.count(); f++) {
-            for (int layer = 0; layer < faces.layers(); layer++) {
-                mean[of(f, layer, mean)] += faces.area(f) * brightest(f, layer);
-                area[of(f, layer, mean)] += faces.area(f);
-            }
-        }
-        Arrays.setAll(mean, i -> mean[i] == 0 ? 0 : mean[i] / area[i]);
-        return shooters().map(tops -> Shot.of(nodes, tops, 0, (node, k, c) ->
-                mesh.rounded(1 + brightness(nodes.face(node), mean))))
-                .toList();
+        Importance importance = new Importance(mesh);
+        return shooters().map(tops -> importance.of(nodes, tops)).toList();
     }
 
     /** Nodes that shoot together: those of a block, or single ones where clusters would not be exact enough. */
     private Stream<int[]> shooters() {
         return single ? IntStream.range(0, nodes.patches()).mapToObj(p -> new int[] {nodes.patch(p)})
                 : blocks.stream().map(nodes::tops);
-    }
-
-    /** Where a face's room has its values of a layer. */
-    private int of(int face, int layer, double[] values) {
-        return Weights.at(rooms, face, layer, faces.layers(), values.length);
-    }
-
-    /** Of the layer in which a face is brightest, relative to the layer's mean in its room. */
-    private double brightness(int face, double[] mean) {
-        double most = 0;
-        for (int layer = 0; layer < faces.layers(); layer++) {
-            double all = mean[of(face, layer, mean)];
-            most = Math.max(most, all == 0 ? 0 : brightest(face, layer) / all);
-        }
-        return most;
-    }
-
-    private double brightest(int face, int layer) {
-        double e = 0;
-        for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
-            e = Math.max(e, faces.exitance(face, c));
-        }
-        return e;
     }
 
     /**
@@ -165,83 +79,10 @@ final class CoarseSystem {
      */
     double[] irradiance(double[] unshot, BooleanSupplier goOn) {
         if (equations == null) {
-            close();
-            equations = equations();
+            rows.close(rooms);
+            equations = rows.equations();
         }
-        return equations.solve(direct(unshot), goOn);
-    }
-
-    /** In a closed room all that a vertex sees adds up to 1. */
-    private void close() {
-        for (int v = 0; v < entry.length; v++) {
-            double seen = 0;
-            for (float part : entry[v]) {
-                seen += part;
-            }
-            boolean closed = rooms.room(nodes.vertexFace(v)) >= 0 && seen > 0;
-            for (int i = 0; i < entry[v].length && closed; i++) {
-                entry[v][i] /= (float) seen;
-            }
-        }
-    }
-
-    /** What arrives at each vertex from unshot radiosity. */
-    private double[] direct(double[] unshot) {
-        double[] sum = new double[channels * column.length];
-        for (int v = 0; v < column.length; v++) {
-            for (int i = 0; i < column[v].length; i++) {
-                double seen = (double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2];
-                for (int c = 0; c < channels; c++) {
-                    sum[channels * v + c] += seen * unshot[channels * column[v][i] + c];
-                }
-            }
-        }
-        return sum;
-    }
-
-    /** What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners. */
-    private GaussSeidel equations() {
-        int[][] unknown = new int[column.length][];
-        float[][] value = new float[column.length][];
-        int[] place = new int[column.length];
-        int colours = faces.colours();
-        for (int v = 0; v < column.length; v++) {
-            int[] vertices = new int[3 * column[v].length];
-            float[] sum = new float[colours * vertices.length];
-            int size = 0;
-            for (int i = 0; i < column[v].length; i++) {
-                int patch = column[v][i];
-                for (int k = 0; k < 3; k++) {
-                    int at = nodes.corner(patch, k);
-                    float weight = weight(patch, k, v, i);
-                    if (place[at] >= size || vertices[place[at]] != at) {
-                        place[at] = size;
-                        vertices[size++] = at;
-                    }
-                    for (int c = 0; c < colours; c++) {
-                        sum[colours * place[at] + c] += weight * (float) nodes.reflectance(patch, c);
-                    }
-                }
-            }
-            unknown[v] = Arrays.copyOf(vertices, size);
-            value[v] = Arrays.copyOf(sum, colours * size);
-        }
-        return new GaussSeidel(channels, colours, unknown, value);
-    }
-
-    /** What counts for corner k of a patch in a row; that of a buried one is shared by the others. */
-    private float weight(int patch, int k, int v, int i) {
-        if (nodes.isBuried(nodes.corner(patch, k))) {
-            return 0;
-        }
-        float buried = 0;
-        int seen = 0;
-        for (int j = 0; j < 3; j++) {
-            boolean hidden = nodes.isBuried(nodes.corner(patch, j));
-            buried += hidden ? entry[v][3 * i + j] : 0;
-            seen += hidden ? 0 : 1;
-        }
-        return entry[v][3 * i + k] + buried / seen;
+        return equations.solve(rows.direct(unshot), goOn);
     }
 
     /** A buried corner takes the mean of the others. */

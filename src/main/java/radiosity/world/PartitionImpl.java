@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.PriorityQueue;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
@@ -150,11 +149,13 @@ final class PartitionImpl implements Partition {
     }
 
     private List<Shot> totals() {
-        return Stream.of(shooters).map(tops -> Shot.total(nodes, tops)).toList();
+        Shot[] totals = new Shot[shooters.length];
+        crew.run(totals.length, i -> totals[i] = Shot.total(nodes, shooters[i]));
+        return List.of(totals);
     }
 
     private List<Shot> trees() {
-        return Stream.of(shooters).map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> 0)).toList();
+        return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> 0)).toList();
     }
 
     private void gather(Order order, int split) {
@@ -208,8 +209,9 @@ final class PartitionImpl implements Partition {
     private Shooter[] shooters(Order order) {
         Ambient ambient = ambient(order);
         Weights weights = weights(order);
-        return order.shots().stream().map(shot -> shot.shooter(faces, weights, ambient))
-                .toArray(Shooter[]::new);
+        Shooter[] made = new Shooter[order.shots().size()];
+        crew.run(made.length, i -> made[i] = order.shots().get(i).shooter(faces, weights, ambient));
+        return made;
     }
 
     private void gather(FormFactorCalculator calculator, Shooter shooter, int[] run) {
@@ -296,9 +298,11 @@ final class PartitionImpl implements Partition {
         for (Answer part : parts) {
             answer.addSums(part);
         }
-        for (int p : largest(most)) {
-            answer.candidates.add(Shot.of(nodes, shooters[p], flux[p], (node, k, c) -> mesh.rounded(nodes.unshot(node, k, c))));
-        }
+        int[] named = largest(most);
+        Shot[] candidates = new Shot[named.length];
+        crew.run(named.length, i -> candidates[i] = Shot.of(nodes, shooters[named[i]], flux[named[i]],
+                (node, k, c) -> mesh.rounded(nodes.unshot(node, k, c))));
+        answer.candidates.addAll(List.of(candidates));
         return answer;
     }
 

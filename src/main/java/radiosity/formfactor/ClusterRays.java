@@ -1,0 +1,91 @@
+package radiosity.formfactor;
+
+import radiosity.patch.Hash;
+
+/** Rays into clusters of triangles. */
+final class ClusterRays {
+
+    private final Sight sight;
+
+    ClusterRays(Sight sight) {
+        this.sight = sight;
+    }
+
+    /**
+     * One ray into a cluster of triangles: a few of them are drawn in proportion to what they shoot, and of these one
+     * in proportion to how it stands.
+     */
+    void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, int draws,
+                               Shooter s, int cluster, Gathering gathering) {
+        int u = (int) (rotation >>> 32);
+        int v = (int) rotation;
+        int lot = R2.lot(rotation);
+        double pick = (Hash.mix(rotation, 1) >>> 11) * 0x1p-53;
+        double sum = 0;
+        int found = -1;
+        float fb = 0;
+        float fc = 0;
+        for (int draw = 0; draw < draws; draw++) {
+            u += R2.U;
+            v += R2.V;
+            lot = R2.next(lot);
+            int node = pick(s, cluster, (pick + draw) / draws);
+            int fold = R2.fold(u, v);
+            float b = R2.unit(u ^ fold);
+            float c = R2.unit(v ^ fold);
+            float[] corner = s.corner;
+            int at = 9 * node;
+            float a = 1 - b - c;
+            float dx = a * corner[at] + b * corner[at + 3] + c * corner[at + 6] - px;
+            float dy = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7] - py;
+            float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - pz;
+            double up = nx * dx + ny * dy + nz * dz;
+            double down = -(s.normal[3 * node] * dx + s.normal[3 * node + 1] * dy + s.normal[3 * node + 2] * dz);
+            if (up <= 0 || down <= Sight.IN_PLANE) {
+                continue;
+            }
+            double d2 = (double) dx * dx + (double) dy * dy + (double) dz * dz;
+            double k = up * down / (d2 * d2);
+            sum += k;
+            if (R2.unit(lot) * sum < k) {
+                found = node;
+                fb = b;
+                fc = c;
+            }
+        }
+        if (found < 0) {
+            return;
+        }
+        float[] corner = s.corner;
+        int at = 9 * found;
+        float fa = 1 - fb - fc;
+        float tx = fa * corner[at] + fb * corner[at + 3] + fc * corner[at + 6];
+        float ty = fa * corner[at + 1] + fb * corner[at + 4] + fc * corner[at + 7];
+        float tz = fa * corner[at + 2] + fb * corner[at + 5] + fc * corner[at + 8];
+        float[] normal = s.normal;
+        if (sight.sees(px, py, pz, nx, ny, nz, tx - px, ty - py, tz - pz, normal[3 * found], normal[3 * found + 1],
+                normal[3 * found + 2])) {
+            double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
+            Sight.reach(s, found, fa, fb, fc, power * sum, gathering);
+        }
+        gathering.close(1 / (draws * Math.PI));
+    }
+
+    /** The triangle at a place in [0, 1) of a cluster, where each takes as much room as it shoots. */
+    private static int pick(Shooter s, int cluster, double place) {
+        double x = place;
+        int node = cluster;
+        while (s.face[node] < 0) {
+            int a = s.child[node];
+            double share = s.share[node];
+            if (x < share) {
+                x /= share;
+                node = a;
+            } else {
+                x = Math.min((x - share) / (1 - share), 0x1.fffffffffffffp-1);
+                node = a + 1;
+            }
+        }
+        return node;
+    }
+}

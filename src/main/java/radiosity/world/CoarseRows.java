@@ -1,0 +1,160 @@
+package radiosity.world;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import radiosity.patch.Faces;
+import radiosity.patch.LongIndex;
+import radiosity.patch.RadiosityNodes;
+import radiosity.patch.Rooms;
+
+/** What each vertex of a coarse mesh sees of its patches: the rows of a {@link CoarseSystem}. */
+final class CoarseRows {
+
+    /** What an empty row takes on the wire, and what one entry of a row. */
+    private static final int ROW_BYTES = 13;
+    private static final int ENTRY_BYTES = 24;
+
+    private final Faces faces;
+    private final RadiosityNodes nodes;
+    private final int channels;
+    /** Number of a vertex by its key. */
+    private final LongIndex index;
+    /** Per vertex: the patches that it sees, as far as they are known. */
+    private final int[][] column;
+    /** Per vertex: weights of the three corners of each of them. */
+    private final float[][] entry;
+    /** Shots of which the rows are known. */
+    private int taken;
+    /** Per vertex: up to which of them its own row is; several partitions may have it, and say the same. */
+    private final int[] parts;
+
+    /** @param nodes the coarse mesh; vertices that are told to be buried are marked in it */
+    CoarseRows(RadiosityNodes nodes) {
+        this.nodes = nodes;
+        faces = nodes.faces();
+        channels = faces.channels();
+        index = new LongIndex(nodes.vertices());
+        for (int v = 0; v < nodes.vertices(); v++) {
+            index.findOrAdd(nodes.vertexKey(v), v);
+        }
+        column = new int[nodes.vertices()][];
+        entry = new float[nodes.vertices()][];
+        Arrays.fill(column, new int[0]);
+        Arrays.fill(entry, new float[0]);
+        parts = new int[nodes.vertices()];
+    }
+
+    /**
+     * The next part of all rows: what is seen of the shots of {@link Importance} that come next.
+     *
+     * @param shots how many
+     * @param rows  of each partition: number of vertices, then for each its key, whether it is buried, its elements
+     */
+    void take(int shots, List<byte[]> rows) throws IOException {
+        taken += shots;
+        for (byte[] part : rows) {
+            read(Wire.input(part));
+        }
+    }
+
+    /** Shots of which the rows are known. */
+    int taken() {
+        return taken;
+    }
+
+    /** For each vertex its key, whether it is buried, and its {@link Rows}. */
+    private void read(DataInputStream in) throws IOException {
+        for (int n = Wire.count(in, ROW_BYTES); n > 0; n--) {
+            int v = index.find(in.readLong());
+            if (in.readBoolean()) {
+                nodes.bury(v);
+            }
+            int size = Wire.count(in, ENTRY_BYTES);
+            int from = parts[v] == taken ? column[v].length - size : column[v].length;
+            parts[v] = taken;
+            column[v] = Arrays.copyOf(column[v], from + size);
+            entry[v] = Arrays.copyOf(entry[v], 3 * (from + size));
+            for (int i = from; i < from + size; i++) {
+                column[v][i] = nodes.find(in.readInt(), in.readLong());
+                for (int k = 0; k < 3; k++) {
+                    entry[v][3 * i + k] = in.readFloat();
+                }
+            }
+        }
+    }
+
+    /** In a closed room all that a vertex sees adds up to 1. */
+    void close(Rooms rooms) {
+        for (int v = 0; v < entry.length; v++) {
+            double seen = 0;
+            for (float part : entry[v]) {
+                seen += part;
+            }
+            boolean closed = rooms.room(nodes.vertexFace(v)) >= 0 && seen > 0;
+            for (int i = 0; i < entry[v].length && closed; i++) {
+                entry[v][i] /= (float) seen;
+            }
+        }
+    }
+
+    /** What arrives at each vertex from unshot radiosity. */
+    double[] direct(double[] unshot) {
+        double[] sum = new double[channels * column.length];
+        for (int v = 0; v < column.length; v++) {
+            for (int i = 0; i < column[v].length; i++) {
+                double seen = (double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2];
+                for (int c = 0; c < channels; c++) {
+                    sum[channels * v + c] += seen * unshot[channels * column[v][i] + c];
+                }
+            }
+        }
+        return sum;
+    }
+
+    /** What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners. */
+    GaussSeidel equations() {
+        int[][] unknown = new int[column.length][];
+        float[][] value = new float[column.length][];
+        int[] place = new int[column.length];
+        int colours = faces.colours();
+        for (int v = 0; v < column.length; v++) {
+            int[] vertices = new int[3 * column[v].length];
+            float[] sum = new float[colours * vertices.length];
+            int size = 0;
+            for (int i = 0; i < column[v].length; i++) {
+                int patch = column[v][i];
+                for (int k = 0; k < 3; k++) {
+                    int at = nodes.corner(patch, k);
+                    float weight = weight(patch, k, v, i);
+                    if (place[at] >= size || vertices[place[at]] != at) {
+                        place[at] = size;
+                        vertices[size++] = at;
+                    }
+                    for (int c = 0; c < colours; c++) {
+                        sum[colours * place[at] + c] += weight * (float) nodes.reflectance(patch, c);
+                    }
+                }
+            }
+            unknown[v] = Arrays.copyOf(vertices, size);
+            value[v] = Arrays.copyOf(sum, colours * size);
+        }
+        return new GaussSeidel(channels, colours, unknown, value);
+    }
+
+    /** What counts for corner k of a patch in a row; that of a buried one is shared by the others. */
+    private float weight(int patch, int k, int v, int i) {
+        if (nodes.isBuried(nodes.corner(patch, k))) {
+            return 0;
+        }
+        float buried = 0;
+        int seen = 0;
+        for (int j = 0; j < 3; j++) {
+            boolean hidden = nodes.isBuried(nodes.corner(patch, j));
+            buried += hidden ? entry[v][3 * i + j] : 0;
+            seen += hidden ? 0 : 1;
+        }
+        return entry[v][3 * i + k] + buried / seen;
+    }
+}
