@@ -239,6 +239,11 @@ public final class RadiosityNodes {
         return path[node];
     }
 
+    /** What a node is a part of, or -1. */
+    public int parent(int node) {
+        return parent[node];
+    }
+
     /** First of four consecutive children, or -1. */
     public int child(int node) {
         return child[node];

@@ -12,8 +12,10 @@ public final class Accuracy {
     /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
     private static final double TOLERANCE = 0.04;
     private static final double MESH_ERROR = 8e-4;
-    /** Both fall faster than the error: sampling and meshing each leave their part of it. */
+    /** Rays fall faster than the error, as sampling and meshing each leave their part of it. */
     private static final double POWER = 1.25;
+    /** Elements too, as a small one may be far off at a point without adding much to the whole. */
+    private static final double MESH_POWER = 2;
 
     private Accuracy() { }
 
@@ -29,6 +31,6 @@ public final class Accuracy {
 
     /** @param error above 0 */
     static double meshError(double error) {
-        return MESH_ERROR * StrictMath.pow(error / DEFAULT, POWER);
+        return MESH_ERROR * StrictMath.pow(error / DEFAULT, MESH_POWER);
     }
 }

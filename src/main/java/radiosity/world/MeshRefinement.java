@@ -49,19 +49,38 @@ final class MeshRefinement {
     }
 
     private void splitChildren(int parent, int round) {
-        int first = nodes.child(parent);
-        double largest = 0;
-        double[] error = new double[3];
-        for (int k = 0; k < 3; k++) {
-            error[k] = ofMiddle(parent, nodes.corner(first + 3, k), k);
-            largest = Math.max(largest, error[k]);
-        }
+        double[] error = ofMiddles(parent);
+        double before = fromAbove(parent);
         for (int k = 0; k < 4; k++) {
-            double touched = k == 3 ? largest : Math.max(error[(k + 1) % 3], error[(k + 2) % 3]);
-            if (nodes.isElement(first + k) && wants(first + k, touched)) {
-                nodes.split(first + k, round);
+            int child = nodes.child(parent) + k;
+            if (nodes.isElement(child) && wants(child, Math.max(before, touching(error, k)))) {
+                nodes.split(child, round);
             }
         }
+    }
+
+    /** Of a node's three edges. */
+    private double[] ofMiddles(int node) {
+        double[] error = new double[3];
+        for (int k = 0; k < 3; k++) {
+            error[k] = ofMiddle(node, nodes.corner(nodes.child(node) + 3, k), k);
+        }
+        return error;
+    }
+
+    /** The largest error at a middle that child k has as a corner. */
+    private static double touching(double[] error, int k) {
+        double all = Math.max(error[0], Math.max(error[1], error[2]));
+        return k == 3 ? all : Math.max(error[(k + 1) % 3], error[(k + 2) % 3]);
+    }
+
+    /**
+     * What a node's own middles should differ by after what its parent's did: a quarter where light is smooth. At the
+     * edge of a shadow they may happen not to differ at all.
+     */
+    private double fromAbove(int node) {
+        int parent = nodes.parent(node);
+        return parent < 0 ? 0 : touching(ofMiddles(parent), node - nodes.child(parent)) / 4;
     }
 
     private boolean wants(int element, double error) {
