@@ -14,7 +14,7 @@ final class SceneChecks {
     /** From so many elements on, memory and time are worth a word. */
     static final long MANY = 10_000_000;
     /** An element takes more than this, bytes. */
-    private static final double LEAST_BYTES = 64;
+    private static final double LEAST_BYTES = 128;
 
     private final Scene scene;
     private final Consumer<String> warnings;

@@ -17,7 +17,8 @@ final class Parts {
         }
     }
 
-    private void join(int a, int b) {
+    /** Makes one of two vertices' parts. */
+    void join(int a, int b) {
         int p = of(a);
         int q = of(b);
         parent[Math.max(p, q)] = Math.min(p, q);

@@ -2,6 +2,7 @@ package radiosity.output;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -43,6 +44,19 @@ final class TextureBake {
         this.origin = origin;
         this.samples = samples;
         parts = new Parts(solution.vertices(), solution.corners());
+        joinFaces();
+    }
+
+    /** A face is one triangle here, even if it was cut and its pieces have vertices of their own. */
+    private void joinFaces() {
+        Map<Integer, Integer> vertexOf = new HashMap<>();
+        for (int e = 0; e < solution.elements(); e++) {
+            int vertex = solution.corners()[3 * e];
+            Integer other = vertexOf.putIfAbsent(solution.faceOf()[e], vertex);
+            if (other != null) {
+                parts.join(other, vertex);
+            }
+        }
     }
 
     /** The sides of all surfaces, in the order of {@link Mesh#of}. */

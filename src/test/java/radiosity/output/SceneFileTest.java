@@ -376,12 +376,4 @@ class SceneFileTest {
             assertFalse(scene.meshes().isEmpty());
         }
     }
-
-    @Test
-    void lightThatIsNotANumber_isRefusedBeforeTheFileIsTouched() throws IOException {
-        Files.writeString(file, "old");
-        Solution broken = Handmade.room(Vec3.ZERO, 1, p -> Rgb.grey(Double.NaN)).solution();
-        assertThrows(IllegalArgumentException.class, () -> write(broken));
-        assertEquals("old", Files.readString(file));
-    }
 }
