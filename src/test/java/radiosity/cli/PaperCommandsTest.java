@@ -70,7 +70,7 @@ class PaperCommandsTest {
     @Test
     void tooLittleMemory_isToldInOneLine() throws Exception {
         Program program = new Program(directory);
-        List<String> command = Program.command("-q -pa 6 foobar.lws foobar.scene");
+        List<String> command = Program.command("-q -pa 9 foobar.lws foobar.scene");
         command.add(1, "-Xmx32m");
         Process render = program.start(command);
         String printed = Program.rest(render);
