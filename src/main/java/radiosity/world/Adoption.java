@@ -12,9 +12,10 @@ import java.util.TreeMap;
  *
  * @param states by id; empty for one that is as in the initial mesh
  * @param orders to be done again on all of them, in their order
+ * @param said   how many of the last of those are to be answered
  * @param leave  blocks that it gives up
  */
-record Adoption(Map<Integer, byte[]> states, List<byte[]> orders, List<Integer> leave) {
+record Adoption(Map<Integer, byte[]> states, List<byte[]> orders, int said, List<Integer> leave) {
 
     /** What stands for a block as it is in the initial mesh. */
     static final byte[] INITIAL = new byte[0];
@@ -39,6 +40,7 @@ record Adoption(Map<Integer, byte[]> states, List<byte[]> orders, List<Integer> 
             for (byte[] order : orders) {
                 Wire.write(out, order);
             }
+            out.writeInt(said);
             out.writeInt(leave.size());
             for (int block : leave) {
                 out.writeInt(block);
@@ -56,10 +58,11 @@ record Adoption(Map<Integer, byte[]> states, List<byte[]> orders, List<Integer> 
         for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
             orders.add(Wire.bytes(in));
         }
+        int said = in.readInt();
         List<Integer> leave = new ArrayList<>();
         for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
             leave.add(in.readInt());
         }
-        return new Adoption(states, orders, leave);
+        return new Adoption(states, orders, said, leave);
     }
 }

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import radiosity.patch.Faces;
 
 /** What a partition says after a round: its best candidates for the next one, and its part of the ledger. */
@@ -63,6 +65,15 @@ final class Answer {
     boolean namesAllOf(Answer best, int named, int most) {
         return named >= most || candidates.size() < named || best.candidates.size() == most
                 && best.candidates.get(most - 1).compareTo(candidates.get(named - 1)) < 0;
+    }
+
+    /** The same without those candidates whose place is that of one of these. */
+    Answer without(List<Shot> shots, Faces faces, double scale) {
+        Set<Shot.Place> places = shots.stream().map(Shot::place).collect(Collectors.toSet());
+        Answer rest = new Answer(faces, scale);
+        rest.addSums(this);
+        candidates.stream().filter(shot -> !places.contains(shot.place())).forEach(rest.candidates::add);
+        return rest;
     }
 
     void addSums(Answer other) {

@@ -19,8 +19,13 @@ final class BlockTransfer {
         this.calls = calls;
     }
 
-    /** Deals all blocks without an owner, and brings them up to date; returns to how many hosts. */
-    int adopt(List<Host> hosts) {
+    /**
+     * Deals all blocks without an owner, and brings them up to date.
+     *
+     * @param said how many of the last orders are to be answered again
+     * @return what each host answers to those that has got some
+     */
+    Map<Host, List<byte[]>> adopt(List<Host> hosts, int said) {
         List<Integer> orphans = dealing.orphans();
         dealing.deal(hosts);
         Map<Host, List<Integer>> heirs = new LinkedHashMap<>();
@@ -31,8 +36,7 @@ final class BlockTransfer {
                 heirs.put(host, blocks);
             }
         }
-        calls.onAll(heirs.keySet(), host -> host.take(log.adoption(heirs.get(host))));
-        return heirs.size();
+        return calls.onAll(heirs.keySet(), host -> host.take(log.adoption(heirs.get(host), said)));
     }
 
     /** From host to host, as they are; what a lost host had stays its own until it is adopted. */
@@ -50,7 +54,7 @@ final class BlockTransfer {
             }
         }
         calls.onAll(to.keySet(), host ->
-                host.take(new Adoption(to.get(host), List.of(), from.getOrDefault(host, List.of()))));
+                host.take(new Adoption(to.get(host), List.of(), 0, from.getOrDefault(host, List.of()))));
     }
 
     /** The states of all blocks, by id; fewer where a host is lost. */
@@ -67,6 +71,6 @@ final class BlockTransfer {
 
     /** Puts all blocks back to what is in the log. */
     void restore(List<Host> hosts) {
-        calls.onAll(hosts, host -> host.take(log.adoption(dealing.blocks(host))));
+        calls.onAll(hosts, host -> host.take(log.adoption(dealing.blocks(host), 0)));
     }
 }

@@ -134,10 +134,12 @@ final class Host implements AutoCloseable {
         return Reply.decode(bytes);
     }
 
-    Void take(Adoption adoption) throws IOException {
+    /** What it answers to the orders that it was to answer. */
+    List<byte[]> take(Adoption adoption) throws IOException {
         send(adoption.encode());
-        remote.take(session);
-        return null;
+        byte[] answers = remote.take(session);
+        load.bytes += answers.length;
+        return Wire.list(answers);
     }
 
     /** @param totals see {@link Totals} */
@@ -155,9 +157,7 @@ final class Host implements AutoCloseable {
             byte[] some = twice(() -> remote.blocks(session, wanted));
             load.bytes += some.length;
             int before = states.size();
-            for (var in = Wire.input(some); in.available() > 0;) {
-                states.add(Wire.bytes(in));
-            }
+            states.addAll(Wire.list(some));
             if (states.size() == before) {
                 throw new IOException("expected states of blocks, got none");
             }

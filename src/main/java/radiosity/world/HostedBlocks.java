@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -40,33 +41,44 @@ final class HostedBlocks {
         return List.of(partition.costs().report(cpu));
     }
 
-    /** Does on the newcomers what was done since their states were taken, then joins them with the others. */
-    void take(Adoption adoption) throws IOException {
+    /**
+     * Does on the newcomers what was done since their states were taken, then joins them with the others.
+     *
+     * @return what the newcomers answer to the orders that are to be answered
+     */
+    List<byte[]> take(Adoption adoption) throws IOException {
+        List<byte[]> answers = new ArrayList<>();
         owned.removeAll(adoption.leave());
         Map<Integer, byte[]> states = states(owned, partition);
         owned.addAll(adoption.states().keySet());
         if (adoption.isUpToDate()) {
             states.putAll(adoption.states());
         } else {
-            PartitionImpl newcomers = upToDate(adoption);
+            PartitionImpl newcomers = upToDate(adoption, answers);
             if (states.isEmpty()) {
                 partition = newcomers;
-                return;
+                return answers;
             }
             states.putAll(states(adoption.states().keySet(), newcomers));
         }
         partition = of(owned, true);
         states.forEach(partition::restore);
+        return answers;
     }
 
-    private PartitionImpl upToDate(Adoption adoption) throws IOException {
+    private PartitionImpl upToDate(Adoption adoption, List<byte[]> answers) throws IOException {
         boolean restored = adoption.isWhole();
         PartitionImpl newcomers = of(adoption.states().keySet(), restored);
         if (restored) {
             adoption.states().forEach(newcomers::restore);
         }
-        for (byte[] order : adoption.orders()) {
-            newcomers.round(Order.decode(order).naming(0));
+        int silent = adoption.orders().size() - adoption.said();
+        for (int i = 0; i < adoption.orders().size(); i++) {
+            Order order = Order.decode(adoption.orders().get(i));
+            byte[] answer = newcomers.round(i < silent ? order.naming(-1) : order);
+            if (i >= silent) {
+                answers.add(answer);
+            }
         }
         return newcomers;
     }

@@ -1,8 +1,10 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
 import radiosity.patch.Block;
 import radiosity.scene.Scene;
 
@@ -10,6 +12,7 @@ import radiosity.scene.Scene;
 public final class LocalWorld extends World {
 
     private final List<Partition> partitions = new ArrayList<>();
+    private final Queue<Answered> unread = new ArrayDeque<>();
 
     /** @param threads at least 1; more than there are processors are not used */
     public LocalWorld(Scene scene, RadiositySettings settings, int threads) {
@@ -39,8 +42,21 @@ public final class LocalWorld extends World {
     @Override
     void begin(Order step, StepTimes times) throws IOException {
         long begin = now();
-        round(step);
+        List<byte[]> answers = round(step);
+        if (step.isAnswered()) {
+            unread.add(new Answered(step, answers));
+        }
         times.took(step.shots().size(), (now() - begin) * 1e-9);
+    }
+
+    @Override
+    int unread() {
+        return unread.size();
+    }
+
+    @Override
+    Answered next(StepTimes times) {
+        return unread.remove();
     }
 
     @Override

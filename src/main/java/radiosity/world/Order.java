@@ -19,9 +19,10 @@ import java.util.List;
  * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
  * @param begun     whether a part of the round is done: the ambient light has been received
  * @param most      how many candidates for the next round to name; -1: nobody reads the answer
+ * @param least     unshot flux that a candidate has at least, W
  */
 record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
-             double meshError, double[] ambient, double[] givenBack, boolean begun, int most) {
+             double meshError, double[] ambient, double[] givenBack, boolean begun, int most, double least) {
 
     private static final double[] NONE = {};
 
@@ -45,30 +46,30 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** An order without shots. */
     static Order plain(Kind kind, int most) {
-        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, NONE, NONE, false, most);
+        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, NONE, NONE, false, most, 0);
     }
 
     /** An order without ambient light. */
     static Order of(Kind kind, List<Shot> shots, double tolerance, double[] weight, double meshError, int most) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, NONE, NONE, false, most);
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, NONE, NONE, false, most, 0);
     }
 
     Order numbered(int round) {
         return new Order(kind, round, more, shots, tolerance, weight, meshError, ambient, givenBack, begun,
-                most);
+                most, least);
     }
 
     /** The first shots of this round; candidates are named when it ends. */
     Order first(int size) {
         boolean all = size == shots.size();
         return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, ambient, givenBack,
-                begun, all ? most : 0);
+                begun, all ? most : 0, least);
     }
 
     /** What is left of this round without its first shots. */
     Order after(int size) {
         return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, ambient,
-                givenBack, true, most);
+                givenBack, true, most, least);
     }
 
     /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
@@ -84,12 +85,13 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
     /** The same, naming other numbers of candidates. */
     Order naming(int candidates) {
         return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack, begun,
-                candidates);
+                candidates, least);
     }
 
     /** The same, and all receive this besides. */
     Order givingBack(double[] even) {
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, even, begun, most);
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, even, begun, most,
+                least);
     }
 
     boolean isAnswered() {
@@ -98,7 +100,13 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** The same with these shots. */
     Order shooting(List<Shot> others) {
-        return new Order(kind, number, more, others, tolerance, weight, meshError, ambient, givenBack, begun, most);
+        return new Order(kind, number, more, others, tolerance, weight, meshError, ambient, givenBack, begun, most,
+                least);
+    }
+
+    /** The same, naming candidates with so much unshot flux only, W. */
+    Order from(double flux) {
+        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack, begun, most, flux);
     }
 
     byte[] encode() {
@@ -127,6 +135,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         write(givenBack, out);
         out.writeBoolean(begun);
         out.writeInt(most);
+        out.writeDouble(least);
     }
 
     static Order decode(byte[] bytes) throws IOException {
@@ -141,7 +150,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         double[] ambient = doubles(in);
         double[] givenBack = doubles(in);
         return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack,
-                in.readBoolean(), in.readInt());
+                in.readBoolean(), in.readInt(), in.readDouble());
     }
 
     private static void write(double[] numbers, DataOutputStream out) throws IOException {

@@ -114,7 +114,7 @@ final class PartitionImpl implements Partition {
             }
             default -> { }
         }
-        Answer answer = order.isAnswered() ? answer(order.most()) : new Answer(faces, scale);
+        Answer answer = order.isAnswered() ? answer(order) : new Answer(faces, scale);
         return Wire.bytes(answer::write);
     }
 
@@ -282,7 +282,7 @@ final class PartitionImpl implements Partition {
         bury(nodes, known);
     }
 
-    private Answer answer(int most) {
+    private Answer answer(Order order) {
         int runs = (shooters.length + RUN - 1) / RUN;
         Answer[] parts = new Answer[runs];
         crew.run(runs, i -> {
@@ -298,7 +298,7 @@ final class PartitionImpl implements Partition {
         for (Answer part : parts) {
             answer.addSums(part);
         }
-        int[] named = largest(most);
+        int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
         crew.run(named.length, i -> candidates[i] = Shot.of(nodes, shooters[named[i]], flux[named[i]],
                 (node, k, c) -> mesh.rounded(nodes.unshot(node, k, c))));
@@ -344,11 +344,12 @@ final class PartitionImpl implements Partition {
         return total;
     }
 
-    private int[] largest(int most) {
+    /** Of those with so much flux at least, W. */
+    private int[] largest(int most, double least) {
         boolean all = mesh.predicts() && mesh.rooms.count() > 0;
         PriorityQueue<Integer> best = new PriorityQueue<>((p, q) -> -order(p, q));
         for (int p = 0; p < flux.length && most > 0; p++) {
-            if ((flux[p] > 0 || all) && (best.size() < most || order(p, best.peek()) < 0)) {
+            if ((flux[p] > 0 || all) && flux[p] >= least && (best.size() < most || order(p, best.peek()) < 0)) {
                 best.add(p);
                 if (best.size() > most) {
                     best.poll();

@@ -22,8 +22,10 @@ sealed interface Planner permits ShootAndSort, Prediction, Unsorted, MatrixSolut
     /** Told what the partitions answered to an order for {@link Order.Kind#ROWS}, or to a part of one. */
     default void take(int shots, List<byte[]> rows) throws IOException { }
 
-    /** Told that so many patches have shot. */
-    default void shot(int patches) { }
+    /** Whether rounds overlap: the next one is chosen from what was known before the present one. */
+    default boolean looksAhead() {
+        return false;
+    }
 
     /** Whether so little unshot flux, relative to the emitted, is the end. */
     default boolean isEnough(double unsent, double wanted) {

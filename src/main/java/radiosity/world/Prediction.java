@@ -196,7 +196,7 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, EvenLight.of(world.mesh, shots), new double[0], false, 0);
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, EvenLight.of(world.mesh, shots), new double[0], false, 0, 0);
     }
 
     @Override

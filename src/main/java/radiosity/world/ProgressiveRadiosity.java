@@ -26,6 +26,12 @@ public final class ProgressiveRadiosity {
     private final Flux flux;
     /** What is left of the present round; null where there is none. */
     private Order pending;
+    /** Who shoots in the round that was begun last. */
+    private List<Shot> shooters = List.of();
+    /** What was left to shoot when the present round was chosen, relative to what was emitted. */
+    private double unsent = Double.POSITIVE_INFINITY;
+    /** The round after the present one; null where it is not chosen yet. */
+    private Choice following;
     private Planner planner;
     private Answer answer;
     /** Whether that is the answer to the last order. */
@@ -37,6 +43,9 @@ public final class ProgressiveRadiosity {
     /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
     private Answer beforeDark;
     private final Pace pace;
+
+    /** @param unsent when it was chosen */
+    private record Choice(Order round, double unsent) { }
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this(world, stop, Pace.STEP_SECONDS);
@@ -65,12 +74,11 @@ public final class ProgressiveRadiosity {
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (pending == null) {
-                pending = planner.next(answer, flux.unsent(answer), nowAndThen(listener));
+                unsent = flux.unsent(answer);
+                pending = planner.next(answer, unsent, nowAndThen(listener));
                 if (pending == null) {
                     return;
                 }
-                pending = pending.changes() ? pending.numbered(++rounds) : pending;
-                pending = pending.kind() == Order.Kind.SHOOT ? pending.givingBack(missing()) : pending;
             }
             step();
             goOn = listener.afterRound(progress());
@@ -80,6 +88,7 @@ public final class ProgressiveRadiosity {
 
     /** Asks how things stand, where the last order wanted no answer. */
     private void know() throws IOException {
+        readAll();
         if (!isKnown) {
             answer = world.answer(Order.plain(Order.Kind.ASK, 0));
             isKnown = true;
@@ -105,31 +114,89 @@ public final class ProgressiveRadiosity {
     }
 
     private boolean isDone() {
-        return shots >= stop.shots() || pending == null && planner.isEnough(flux.unsent(answer), stop.unsent());
+        double left = pending == null ? flux.unsent(answer) : unsent;
+        boolean between = pending == null || !pending.begun();
+        return shots >= stop.shots() || between && planner.isEnough(left, stop.unsent());
+    }
+
+    /*---- Rounds that overlap ----*/
+
+    /** All of a round was begun: what comes then, where that is chosen before the round is over. */
+    private void turn(Order done) throws IOException {
+        if (following == null && done.changes() && planner.looksAhead()) {
+            while (world.unread() > 1) {
+                read();
+            }
+            following = choose();
+        }
+        if (following != null) {
+            pending = following.round();
+            unsent = following.unsent();
+            following = null;
+        }
+    }
+
+    /** From the last answer, which knows nothing of the round after it; where too little is left, all is asked for. */
+    private Choice choose() throws IOException {
+        double left = flux.unsent(answer);
+        List<Shot> before = pending == null || pending.begun() ? shooters : pending.shots();
+        Order next = planner.next(answer.without(before, world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
+        return new Choice(next == null ? Order.plain(Order.Kind.ASK, Integer.MAX_VALUE) : next, left);
+    }
+
+    private void read() throws IOException {
+        answer = world.read(pace::took);
+        known = world.now();
+        isKnown = world.unread() == 0 && (pending == null || !pending.begun());
+    }
+
+    /** Reads what is answered by now, and chooses by it what was to be chosen by it. */
+    private void readAll() throws IOException {
+        while (world.unread() > 0) {
+            read();
+        }
+        if (pending != null && pending.changes() && following == null && planner.looksAhead()) {
+            following = choose();
+        }
     }
 
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
     private void step() throws IOException {
+        if (!pending.begun()) {
+            begin();
+        }
         boolean counts = pending.kind() == Order.Kind.SHOOT;
         int size = Math.min(pending.shots().size(), pace.size(pending.kind(), answer.elements, pending.shots().size()));
         if (counts) {
             size = Math.min(size, stop.shots() - shots);
         }
         Order now = pending.first(size);
-        boolean answered = !now.more() || world.now() - known > ANSWER_SECONDS * 1e9;
-        now = answered ? now : now.naming(-1);
+        if (now.more() && world.now() - known <= ANSWER_SECONDS * 1e9) {
+            now = now.naming(-1);
+        } else if (now.more()) {
+            readAll();
+        }
         carryOut(now);
         pending = now.more() ? pending.after(size) : null;
         if (counts) {
             shots += size;
             now.shots().forEach(flux::count);
-            planner.shot(size);
         }
+        if (pending == null) {
+            turn(now);
+        }
+    }
+
+    private void begin() throws IOException {
+        pending = pending.changes() ? pending.numbered(++rounds) : pending;
+        pending = pending.kind() == Order.Kind.SHOOT ? pending.givingBack(missing()) : pending;
+        shooters = pending.shots();
     }
 
     private void carryOut(Order now) throws IOException {
         Answer before = answer;
-        if (now.kind() == Order.Kind.ROWS || now.isAnswered()) {
+        boolean isRead = now.isAnswered() && (now.more() || !planner.looksAhead() || !now.changes());
+        if (now.kind() == Order.Kind.ROWS || isRead) {
             world.finish(pace::took);
             long begin = world.now();
             await(now);
@@ -208,6 +275,7 @@ public final class ProgressiveRadiosity {
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */
     public byte[] state() throws IOException {
+        readAll();
         return state(world.blocks());
     }
 
@@ -224,6 +292,9 @@ public final class ProgressiveRadiosity {
             planner.write(out);
             byte[] rest = pending == null || !pending.changes() ? new byte[0] : pending.encode();
             Wire.write(out, rest);
+            out.writeDouble(unsent);
+            Wire.write(out, following == null ? new byte[0] : following.round().encode());
+            out.writeDouble(following == null ? 0 : following.unsent());
             for (byte[] block : blocks) {
                 Wire.write(out, block);
             }
@@ -256,6 +327,10 @@ public final class ProgressiveRadiosity {
             planner.read(in);
             byte[] rest = Wire.bytes(in);
             pending = rest.length == 0 ? null : Order.decode(rest);
+            unsent = in.readDouble();
+            byte[] next = Wire.bytes(in);
+            double left = in.readDouble();
+            following = next.length == 0 ? null : new Choice(Order.decode(next), left);
             List<byte[]> blocks = new ArrayList<>();
             for (int b = 0; b < world.mesh.blocks.size(); b++) {
                 blocks.add(Wire.bytes(in));

@@ -30,8 +30,12 @@ public interface RemotePartition extends Remote {
     /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}; answers its fingerprint as UTF-8. */
     byte[] mesh(long session) throws RemoteException;
 
-    /** Makes the blocks its own that were sent, see {@link Adoption}, and brings them up to date; gives others up. */
-    void take(long session) throws RemoteException;
+    /**
+     * Makes the blocks its own that were sent, see {@link Adoption}, and brings them up to date; gives others up.
+     *
+     * @return for each order that was to be answered: number of bytes, then an {@link Answer}
+     */
+    byte[] take(long session) throws RemoteException;
 
     /** Takes all that was ever shot from the message that was sent. */
     void know(long session) throws RemoteException;

@@ -98,19 +98,21 @@ public final class RemoteWorld extends World {
     @Override
     List<byte[]> round(Order order) throws IOException {
         finish(NOBODY);
+        order = order.isAnswered() ? order : order.naming(0);
         byte[] bytes = prepare(order);
         while (true) {
             underWay.begin(hosts, order, bytes, now());
             totals.count(order);
-            Map<Host, Reply> replies = await(NOBODY);
-            if (!calls.isAnyLost()) {
-                balance.settle(hosts);
-                return replies.values().stream().map(Reply::answer).toList();
+            await(NOBODY);
+            boolean isLost = calls.isAnyLost();
+            if (isLost && !order.changes()) {
+                underWay.forget();
             }
             recover();
-            order = order.changes() ? Order.plain(Order.Kind.ASK, order.most()) : order;
-            // the log has done the order on blocks that were lost, and the others have done it
-            bytes = order.encode();
+            if (!isLost || order.changes()) {
+                balance.settle(hosts);
+                return underWay.last();
+            }
         }
     }
 
@@ -125,11 +127,31 @@ public final class RemoteWorld extends World {
 
     @Override
     void finish(StepTimes told) throws IOException {
+        awaitAll(told);
+        recover();
+        balance.settle(hosts);
+    }
+
+    private void awaitAll(StepTimes told) {
         while (underWay.count() > 0) {
             await(told);
         }
-        recover();
-        balance.settle(hosts);
+    }
+
+    @Override
+    int unread() {
+        return underWay.unread();
+    }
+
+    @Override
+    Answered next(StepTimes told) throws IOException {
+        while (!underWay.isAnyAnswered()) {
+            await(told);
+            if (calls.isAnyLost()) {
+                finish(told);
+            }
+        }
+        return underWay.next();
     }
 
     /** Twice a fair share: blocks are dealt so that who has much to shoot is spread. */
@@ -189,6 +211,10 @@ public final class RemoteWorld extends World {
 
     /** Gives the blocks of lost hosts to others, until all of them have an owner that is alive. */
     private void recover() throws IOException {
+        if (!calls.isAnyLost()) {
+            return;
+        }
+        awaitAll(NOBODY);
         while (calls.isAnyLost()) {
             Map<Host, HostLostException> now = calls.takeLost();
             Map<Host, Integer> blocks = new LinkedHashMap<>();
@@ -204,10 +230,12 @@ public final class RemoteWorld extends World {
                     blocks.get(host), alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts",
                     seconds)));
         }
+        underWay.mended();
     }
 
     private void lose(Host host, HostLostException why) throws IOException {
         host.abandon();
+        underWay.lose(host);
         gone.add(host.load.statistics(host.name(), "lost", 0));
         hosts.remove(host);
         dealing.lose(host);
@@ -225,7 +253,9 @@ public final class RemoteWorld extends World {
         if (hosts.isEmpty()) {
             goOnAlone();
         }
-        return transfer.adopt(hosts);
+        Map<Host, List<byte[]>> answers = transfer.adopt(hosts, underWay.torn());
+        underWay.add(answers);
+        return answers.size();
     }
 
     private void goOnAlone() throws IOException {

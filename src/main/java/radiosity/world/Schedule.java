@@ -25,7 +25,7 @@ public enum Schedule {
     Planner planner(World world) {
         return switch (this) {
             case PREDICT -> new Prediction(world);
-            case PAPER -> new ShootAndSort(world.channels());
+            case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new Unsorted(world.channels(), false);
             case GATHERING -> new Unsorted(world.channels(), true);
             case MATRIX -> new MatrixSolution(world);

@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
+import java.util.List;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -149,11 +150,12 @@ final class ServedPartition implements RemotePartition {
     }
 
     @Override
-    public void take(long id) throws SessionEndedException {
+    public byte[] take(long id) throws SessionEndedException {
         Session session = session(id);
         synchronized (session) {
             try {
-                session.blocks.take(Adoption.decode(message(session)));
+                List<byte[]> answers = session.blocks.take(Adoption.decode(message(session)));
+                return Wire.bytes(out -> Wire.write(out, answers));
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }

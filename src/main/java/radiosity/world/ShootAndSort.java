@@ -4,23 +4,33 @@ import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
  * Shooting and sorting (section 2.2 of the paper): whoever has most unshot flux shoots.
  *
- * <p>A round may hold several shots: as many as a sixteenth of those already done, so that the first are single and
- * later ones do not wait for each other.
+ * <p>A round may hold several shots: a part of those already done and a part of all patches, so that the first are
+ * single. Later rounds overlap: who shoots in one is chosen by what was known before the last, so nobody waits for
+ * anybody.
  */
 final class ShootAndSort implements Planner {
 
-    private static final int MOST_IN_ROUND = 256;
-    private static final int SHOTS_PER_SHOT = 16;
+    private static final int MOST_IN_ROUND = 64;
+    private static final int SHOTS_PER_SHOT = 32;
+    private static final int PATCHES_PER_SHOT = 32;
+    /** From so many shots on, rounds overlap. */
+    private static final int ONE_BY_ONE = 64;
+    /** Where they do, those are named that have this part of the flux of the last one that was chosen. */
+    private static final double NAMED = 0.5;
 
     private final double[] weight;
+    private final int most;
+    /** How many were chosen so far. */
     private int shots;
 
-    ShootAndSort(int channels) {
+    ShootAndSort(long patches, int channels) {
+        most = (int) Math.min(MOST_IN_ROUND, patches / PATCHES_PER_SHOT);
         weight = new double[channels];
         Arrays.fill(weight, 1);
     }
@@ -28,18 +38,29 @@ final class ShootAndSort implements Planner {
     @Override
     public Order next(Answer last, double unsent, BooleanSupplier goOn) {
         int size = Math.min(last.candidates.size(), batch(shots));
-        return size == 0 ? null : Order.of(Order.Kind.SHOOT, last.candidates.subList(0, size),
-                Double.POSITIVE_INFINITY, weight, 0, batch(shots + size));
+        if (size == 0) {
+            return null;
+        }
+        List<Shot> best = last.candidates.subList(0, size);
+        shots += size;
+        int next = batch(shots);
+        return looksAhead()
+                ? order(best, 2 * (next + batch(shots + next))).from(NAMED * best.get(size - 1).flux())
+                : order(best, next);
+    }
+
+    private Order order(List<Shot> best, int named) {
+        return Order.of(Order.Kind.SHOOT, best, Double.POSITIVE_INFINITY, weight, 0, named);
     }
 
     @Override
-    public void shot(int patches) {
-        shots += patches;
+    public boolean looksAhead() {
+        return shots >= ONE_BY_ONE;
     }
 
-    /** How many may shoot in the next round; follows from the number of shots done, so that everybody agrees. */
-    private static int batch(int shots) {
-        return Math.max(1, Math.min(MOST_IN_ROUND, shots / SHOTS_PER_SHOT));
+    /** How many may shoot in the next round; follows from the scene and the number of shots done, so everybody agrees. */
+    private int batch(int shots) {
+        return Math.max(1, Math.min(most, shots / SHOTS_PER_SHOT));
     }
 
     @Override

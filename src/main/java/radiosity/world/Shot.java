@@ -37,6 +37,14 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return new Shot(trees, flux);
     }
 
+    /** Of the first tree. */
+    record Place(int face, long path) { }
+
+    /** Tells shooters apart. */
+    Place place() {
+        return new Place(trees.get(0).face(), trees.get(0).path());
+    }
+
     int channels() {
         return trees.get(0).channels();
     }

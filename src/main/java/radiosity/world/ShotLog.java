@@ -31,11 +31,12 @@ final class ShotLog {
         return bytes;
     }
 
-    Adoption adoption(List<Integer> blocks) {
+    /** @param said how many of the last orders are to be answered again */
+    Adoption adoption(List<Integer> blocks, int said) {
         Map<Integer, byte[]> wanted = new TreeMap<>();
         for (int block : blocks) {
             wanted.put(block, states.isEmpty() ? Adoption.INITIAL : states.get(block));
         }
-        return new Adoption(wanted, orders.stream().map(Supplier::get).toList(), List.of());
+        return new Adoption(wanted, orders.stream().map(Supplier::get).toList(), said, List.of());
     }
 }

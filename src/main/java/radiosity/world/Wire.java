@@ -76,9 +76,24 @@ final class Wire {
         out.write(bytes);
     }
 
+    static void write(DataOutputStream out, List<byte[]> all) throws IOException {
+        for (byte[] bytes : all) {
+            write(out, bytes);
+        }
+    }
+
     /** What {@link #write} wrote. */
     static byte[] bytes(DataInputStream in) throws IOException {
         return in.readNBytes(count(in, 1));
+    }
+
+    /** All of a message that is made of such. */
+    static List<byte[]> list(byte[] message) throws IOException {
+        List<byte[]> all = new ArrayList<>();
+        for (DataInputStream in = input(message); in.available() > 0;) {
+            all.add(bytes(in));
+        }
+        return all;
     }
 
     /**

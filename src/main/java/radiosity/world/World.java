@@ -57,12 +57,27 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     }
 
     /**
-     * A step of a round whose answer nobody reads. It may still be under way afterwards, and others with it: what is
-     * asked for later waits for them.
+     * A step of a round that may still be under way afterwards, and others with it. Where it is answered, that is kept
+     * to be {@linkplain #read read}.
      *
      * @param times told about every step that is done by now
      */
     abstract void begin(Order step, StepTimes times) throws IOException;
+
+    /** How many answers to steps are still to be read. */
+    abstract int unread();
+
+    /** Waits for the first answer to a step that was not read yet. */
+    abstract Answered next(StepTimes times) throws IOException;
+
+    /** What each partition answers to a step. */
+    record Answered(Order step, List<byte[]> answers) { }
+
+    /** The first answer that was not read yet, added up. */
+    final Answer read(StepTimes times) throws IOException {
+        Answered next = next(times);
+        return sum(decode(next.answers()), next.step().most());
+    }
 
     /** Waits for what is under way. */
     abstract void finish(StepTimes times) throws IOException;
@@ -81,15 +96,16 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     /** One round on all partitions: their answers added up. */
     final Answer answer(Order order) throws IOException {
         int most = order.most();
-        List<Answer> some = answers(order.naming(named(most)));
+        int named = order.least() > 0 ? most : named(most);
+        List<Answer> some = decode(round(order.naming(named)));
         Answer all = sum(some, most);
-        boolean complete = some.stream().allMatch(one -> one.namesAllOf(all, named(most), most));
-        return complete ? all : sum(answers(Order.plain(Order.Kind.ASK, most)), most);
+        boolean complete = some.stream().allMatch(one -> one.namesAllOf(all, named, most));
+        return complete ? all : sum(decode(round(Order.plain(Order.Kind.ASK, most))), most);
     }
 
-    private List<Answer> answers(Order order) throws IOException {
+    private List<Answer> decode(List<byte[]> encoded) throws IOException {
         List<Answer> answers = new ArrayList<>();
-        for (byte[] bytes : round(order)) {
+        for (byte[] bytes : encoded) {
             Answer one = new Answer(mesh.faces, mesh.fluxScale());
             one.read(Wire.input(bytes));
             answers.add(one);
