@@ -26,10 +26,10 @@ public final class RemoteWorld extends World {
     private static final int LEAST_NAMED = 4;
     private static final StepTimes NOBODY = (shots, seconds) -> { };
     /**
-     * A checkpoint is taken when the rounds since the last one took so many times as long as it: 3 % of the time at
+     * A checkpoint is taken when the rounds since the last one took so many times as long as it: 1 % of the time at
      * most, and what n hosts lose with one of them is an n-th of those rounds.
      */
-    private static final double CHECKPOINT_PATIENCE = 30;
+    private static final double CHECKPOINT_PATIENCE = 100;
     private static final double CHECKPOINT_SECONDS = 0.02;
     /** What the first one is taken to cost: per patch, s. */
     private static final double CHECKPOINT_SECONDS_PER_PATCH = 1e-6;

@@ -8,6 +8,7 @@ import java.rmi.Remote;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.registry.Registry;
 import java.rmi.server.UnicastRemoteObject;
+import java.util.Collections;
 import java.util.concurrent.locks.LockSupport;
 
 /**
@@ -18,10 +19,14 @@ final class IdealHost {
 
     /** What a round takes on every host. */
     static final double SECONDS = 0.05;
+    /** In so many rounds all candidates are named. */
+    private static final int TURNS = 4;
 
     private final RemotePartition real = new ServedPartition(1, line -> { });
     private InitialMesh mesh;
     private Reply first;
+    /** The number of the last round; one is done after another. */
+    private long done;
 
     private IdealHost() { }
 
@@ -52,10 +57,15 @@ final class IdealHost {
         Thread.currentThread().join();
     }
 
-    /** The first question is answered truly; from that answer as many candidates as are asked for serve for all rounds. */
-    private byte[] round(long session, long number, byte[] bytes) throws IOException {
+    /** The first question is answered truly; candidates of that answer serve in turn for all rounds. */
+    private synchronized byte[] round(long session, long number, byte[] bytes) throws IOException, InterruptedException {
+        while (number > done + 1) {
+            wait();
+        }
+        done = number;
+        notifyAll();
         Order order = Order.decode(bytes);
-        if (order.kind() == Order.Kind.ASK) {
+        if (first == null) {
             byte[] answer = real.round(session, number, bytes);
             first = Reply.decode(answer);
             return answer;
@@ -63,7 +73,9 @@ final class IdealHost {
         long end = System.nanoTime() + (long) (SECONDS * 1e9);
         Answer answer = new Answer(mesh.faces, mesh.fluxScale());
         answer.read(Wire.input(first.answer()));
-        answer.candidates.subList(Math.max(0, Math.min(order.most(), answer.candidates.size())), answer.candidates.size()).clear();
+        int all = answer.candidates.size();
+        Collections.rotate(answer.candidates, (int) (number % TURNS) * all / TURNS);
+        answer.candidates.subList(Math.max(0, Math.min(order.most(), all / TURNS)), all).clear();
         byte[] reply = new Reply(Wire.bytes(answer::write), SECONDS, SECONDS, first.work().stream().map(IdealHost::done).toList())
                 .encode();
         for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
