@@ -24,11 +24,14 @@ final class CutMesh {
     private final Faces faces;
     private final CutPoints points;
     private final double near;
+    private final int most;
     private final List<CutPolygon> polygons = new ArrayList<>();
     /** By an edge, which runs counter-clockwise about it. */
     private final Map<Long, CutPolygon> beside = new HashMap<>();
 
-    CutMesh(Faces faces, CutPoints points) {
+    /** @param most with more polygons than this nothing is divided */
+    CutMesh(Faces faces, CutPoints points, int most) {
+        this.most = most;
         this.faces = faces;
         this.points = points;
         near = NEAR * faces.size();
@@ -66,7 +69,7 @@ final class CutMesh {
 
     /** Those made on the way are looked at too. */
     private void each(int face, Predicate<CutPolygon> wanted, Consumer<CutPolygon> todo) {
-        for (int i = 0; i < polygons.size(); i++) {
+        for (int i = 0; i < polygons.size() && polygons.size() <= most; i++) {
             CutPolygon p = polygons.get(i);
             if (p.face == face && wanted.test(p)) {
                 polygons.remove(i--);

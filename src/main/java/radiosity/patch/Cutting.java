@@ -22,6 +22,8 @@ final class Cutting {
     private static final double LEAST_AREA = 2e-4;
     /** Points nearer to each other are one, of the scene's size. */
     private static final double SAME = 1e-7;
+    /** Pieces of all faces: more of them would be the mesh, and not what the mesh needs. */
+    private static final int MOST = 20_000;
 
     private final Faces faces;
     private final Contacts contacts;
@@ -30,12 +32,27 @@ final class Cutting {
     final Map<Integer, List<int[]>> pieces = new HashMap<>();
     /** Edges along contacts: two points, the lower number first. */
     final Set<Long> edges = new HashSet<>();
+    private int count;
 
     Cutting(Faces faces) {
         this.faces = faces;
         points = new CutPoints(faces.scene(), SAME * faces.size());
         contacts = new Contacts(faces, points);
-        parts().values().forEach(this::cut);
+        for (List<Integer> part : parts().values()) {
+            if (!isTooFine()) {
+                cut(part);
+            }
+        }
+    }
+
+    /** Pieces of all faces that are cut. */
+    int count() {
+        return count;
+    }
+
+    /** Whether so much stands on faces or comes through them that it was given up. */
+    boolean isTooFine() {
+        return count > MOST;
     }
 
     private Map<Integer, List<Integer>> parts() {
@@ -57,7 +74,7 @@ final class Cutting {
 
     private void cut(List<Integer> part) {
         Map<Integer, List<Contact>> on = new TreeMap<>();
-        CutMesh mesh = new CutMesh(faces, points);
+        CutMesh mesh = new CutMesh(faces, points, MOST);
         for (int f : part) {
             on.put(f, contacts.on(f));
             mesh.add(f);
@@ -70,6 +87,7 @@ final class Cutting {
             mark(polygon, on.get(polygon.face));
         }
         part.forEach(this::leaveWhole);
+        count += part.stream().filter(pieces::containsKey).mapToInt(f -> pieces.get(f).size()).sum();
     }
 
     private void take(CutPolygon polygon) {

@@ -70,7 +70,7 @@ public final class Faces {
 
     private Faces(Faces whole, Cutting cutting) {
         this(whole.scene, whole.box, whole.kinds, cutting.points,
-                whole.count + cutting.pieces.values().stream().mapToInt(List::size).sum());
+                whole.count + cutting.count());
         dropped = whole.dropped;
         for (int f = 0; f < whole.count; f++) {
             List<int[]> some = cutting.pieces.get(f);
@@ -109,10 +109,13 @@ public final class Faces {
         shine = new Shine(this, kinds);
     }
 
-    /** The same with large faces cut where others stand on them or come through. */
+    /**
+     * The same with large faces cut where others stand on them or come through; as it is where nothing does, and where
+     * so many do that there would be more pieces than elements.
+     */
     public Faces cut() {
         Cutting cutting = new Cutting(this);
-        return cutting.edges.isEmpty() ? this : new Faces(this, cutting);
+        return cutting.edges.isEmpty() || cutting.isTooFine() ? this : new Faces(this, cutting);
     }
 
     private void add(Faces whole, int face, int p, int q, int r) {

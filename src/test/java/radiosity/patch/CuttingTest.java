@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
@@ -102,5 +103,17 @@ class CuttingTest {
             }
         }
         throw new AssertionError("expected a vertex at the foot of the wall, found none");
+    }
+
+    @Test
+    void whatWouldBePiecesOnly_staysAsItIs() {
+        Random random = new Random(1);
+        SceneBuilder soup = new SceneBuilder();
+        for (int t = 0; t < 1000; t++) {
+            soup.polygon(GREY, IntStream.range(0, 3).mapToObj(k -> new Vec3(random.nextDouble(), random.nextDouble(),
+                    random.nextDouble())).toArray(Vec3[]::new));
+        }
+        Faces whole = new Faces(soup.scene("soup"));
+        assertSame(whole, whole.cut());
     }
 }
