@@ -71,16 +71,7 @@ public final class RayCaster implements FormFactorCalculator {
         }
         float d2 = ex * ex + ey * ey + ez * ez;
         if (s.face[node] < 0) {
-            double gap = Math.sqrt(d2) - Math.sqrt(r2);
-            double most = strength * s.area[node] * (1 + NEAR * r2 / d2);
-            double may = tolerance * Math.PI * gap * gap;
-            if (gap > 0 && most <= may) {
-                int draws = (int) Math.ceil(CLUSTER_DRAWS * most / may);
-                clusters.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), draws, s, node, gathering);
-            } else {
-                enter(px, py, pz, nx, ny, nz, key, s, s.child[node], gathering);
-                enter(px, py, pz, nx, ny, nz, key, s, s.child[node] + 1, gathering);
-            }
+            cluster(px, py, pz, nx, ny, nz, key, s, node, ex, ey, ez, up, (float) Math.sqrt(d2), gathering);
             return;
         }
         float above = -(s.normal[3 * node] * ex + s.normal[3 * node + 1] * ey + s.normal[3 * node + 2] * ez);
@@ -103,5 +94,31 @@ public final class RayCaster implements FormFactorCalculator {
         int wanted = carried > tolerance ? (int) Math.min(mostRays, rays * Math.ceil(carried / tolerance)) : rays;
         int choices = near > NEAR_8 ? Math.max(1, 8 / wanted) : near > NEAR_4 ? Math.max(1, 4 / wanted) : 1;
         triangles.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), factor, wanted, choices, s, node, gathering);
+    }
+
+    /**
+     * One ray stands for a cluster that carries no more than a ray may, by the largest cosines at which it and the
+     * receiver may stand to each other and the smallest distance.
+     */
+    private void cluster(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter s, int node,
+                         float ex, float ey, float ez, float up, float d, Gathering gathering) {
+        float r = (float) Math.sqrt(s.extent[4 * node + 3]);
+        if (r < d) {
+            float sin = r / d;
+            float cos = (float) Math.sqrt(1 - sin * sin);
+            float out = s.cones.most(node, ex, ey, ez, d, sin, cos);
+            if (out <= 0) {
+                return;
+            }
+            double most = s.strength[node] * s.area[node] * out * NormalCones.most(up / d, sin, cos);
+            double may = tolerance * Math.PI * (d - r) * (d - r);
+            if (most <= may) {
+                int draws = (int) Math.ceil(CLUSTER_DRAWS * most / may);
+                clusters.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), draws, s, node, gathering);
+                return;
+            }
+        }
+        enter(px, py, pz, nx, ny, nz, key, s, s.child[node], gathering);
+        enter(px, py, pz, nx, ny, nz, key, s, s.child[node] + 1, gathering);
     }
 }

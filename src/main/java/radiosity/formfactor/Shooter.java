@@ -38,6 +38,8 @@ public final class Shooter {
     final float[] extent;
     /** 1 per node: mean over the node of the largest channel of weight times |radiosity|. */
     final double[] strength;
+    /** Of clusters. */
+    final NormalCones cones;
     /** 1 per node, of clusters: what of its flux, counted by strength, its first child shoots. */
     final double[] share;
     /** 3 x channels per node: radiosity to shoot at the corners, of elements. W/m². */
@@ -74,6 +76,7 @@ public final class Shooter {
         extent = new float[4 * most];
         strength = new double[most];
         share = new double[most];
+        cones = new NormalCones(most);
         radiosity = new double[3 * channels * most];
         nodes = 1;
         build(0, 0, trees.size());
@@ -92,6 +95,7 @@ public final class Shooter {
         build(child[node], from, middle);
         build(child[node] + 1, middle, to);
         enclose(node, child[node], child[node] + 1);
+        cones.enclose(node, child[node], child[node] + 1);
         key[node] = Hash.mix(key[child[node]], key[child[node] + 1]);
     }
 
@@ -134,6 +138,7 @@ public final class Shooter {
         for (int i = at.length - 1; i >= 0; i--) {
             summarize(at[i]);
         }
+        cones.set(top, normal, 3 * top);
     }
 
     private void grow(PatchTree tree, int i, int[] at) {

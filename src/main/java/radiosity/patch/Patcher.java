@@ -1,5 +1,6 @@
 package radiosity.patch;
 
+import java.util.BitSet;
 import java.util.List;
 
 /**
@@ -13,22 +14,33 @@ public final class Patcher {
 
     /** How far a receiving point is pulled inside, of the height of an element. */
     static final double PULL = 0.03;
+    /** A patch smaller than this receives at its middle only, of the area of all faces; see {@link #isPoint}. */
+    private static final double POINT = 0x1p-16;
+    /** Largest of {@link #slack}. */
+    public static final int MOST_SLACK = 3;
+    /** In a part of so many faces or more they have fewer shared corners than middles. */
+    private static final int SHARED = 6;
 
     private final Faces faces;
     private final double patchArea;
     private final byte[] level;
+    private final BitSet point;
     /** 9 per face: displacement of the receiving point at each of its corners. */
     private final float[] cornerPull;
 
-    /** @param patchArea largest area of a patch, of the scene's squared size, above 0 */
-    public Patcher(Faces faces, double patchArea) {
-        this(faces, patchArea, levels(faces, patchArea));
+    /**
+     * @param patchArea largest area of a patch, of the scene's squared size, above 0
+     * @param points    whether small patches may receive at one point
+     */
+    public Patcher(Faces faces, double patchArea, boolean points) {
+        this(faces, patchArea, levels(faces, patchArea), points ? points(faces) : new BitSet());
     }
 
-    private Patcher(Faces faces, double patchArea, byte[] level) {
+    private Patcher(Faces faces, double patchArea, byte[] level, BitSet point) {
         this.faces = faces;
         this.patchArea = patchArea;
         this.level = level;
+        this.point = point;
         cornerPull = new CornerPull(faces, level).displacements();
     }
 
@@ -42,6 +54,18 @@ public final class Patcher {
         return level;
     }
 
+    private static BitSet points(Faces faces) {
+        int[] size = new int[faces.count()];
+        for (int f = 0; f < size.length; f++) {
+            size[faces.part[f]]++;
+        }
+        BitSet points = new BitSet();
+        for (int f = 0; f < size.length; f++) {
+            points.set(f, size[faces.part[f]] < SHARED && faces.area(f) < POINT * faces.area());
+        }
+        return points;
+    }
+
     /** A mesh of about so many patches or of fewer, but with all the subtrees of these blocks. */
     public Patcher coarser(List<Block> blocks, int patches) {
         double largest = Math.max(patchArea, areaFor(faces, patches));
@@ -52,7 +76,7 @@ public final class Patcher {
                 coarse[f] = (byte) Math.max(coarse[f], Path.level(block.path()[i]));
             }
         }
-        return new Patcher(faces, largest, coarse);
+        return new Patcher(faces, largest, coarse, point);
     }
 
     /** A patch area that gives about so many patches. */
@@ -72,6 +96,27 @@ public final class Patcher {
     /** Divisions in four from face to patch. */
     public int level(int face) {
         return level[face];
+    }
+
+    /**
+     * Whether a face is a patch that receives at its middle only: what was modelled finer than light needs, and shares
+     * no corners in one plane with others, would have three points where one tells as much.
+     */
+    public boolean isPoint(int face) {
+        return level[face] == 0 && point.get(face);
+    }
+
+    /**
+     * By how many powers of two the light at a face's vertex may be less exact than elsewhere. A given error of the whole
+     * costs least where more work would gain the same everywhere: work at a point goes with about 1 / error, what it is
+     * good for with the area that the point stands for.
+     */
+    public int slack(int face) {
+        if (!isPoint(face)) {
+            return 0;
+        }
+        double share = faces.area(face) / faces.area();
+        return share > POINT / 4 ? 1 : share > POINT / 32 ? 2 : 3;
     }
 
     /** Number of patches in the whole scene. */

@@ -68,7 +68,8 @@ public final class RadiosityNodes {
         int node = addNode(f, top, -1, 0);
         int depth = patcher.level(f);
         for (int k = 0; k < 3; k++) {
-            corner[3 * node + k] = points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
+            corner[3 * node + k] = patcher.isPoint(f) ? points.middle(f, at)
+                    : points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
         }
         elements++;
         names.findOrAdd(name(f, top), node);
@@ -256,6 +257,11 @@ public final class RadiosityNodes {
 
     public boolean isElement(int node) {
         return child[node] < 0;
+    }
+
+    /** Whether all corners of a node are one vertex, in its middle; it is not to be split. */
+    public boolean isPoint(int node) {
+        return corner[3 * node] == corner[3 * node + 1];
     }
 
     /** Vertex at corner k of a node. */

@@ -6,6 +6,9 @@ import java.util.stream.IntStream;
 /** The vertices of some patch trees, in arrays: where light is gathered, and what has arrived there. */
 final class ReceivingPoints {
 
+    /** Weights of a face's corners in its middle. */
+    private static final int[] MIDDLE = {Path.ONE / 3, Path.ONE / 3, Path.ONE - 2 * (Path.ONE / 3)};
+
     private final Patcher patcher;
     private final int channels;
     private int count;
@@ -41,6 +44,15 @@ final class ReceivingPoints {
      */
     int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with) {
         return vertex(f, w, wAt, depth, at, from, with, with);
+    }
+
+    /** The vertex in the middle of a face. */
+    int middle(int f, float[] corners) {
+        float[] at = new float[3];
+        for (int a = 0; a < 3; a++) {
+            at[a] = (corners[a] + corners[3 + a] + corners[6 + a]) / 3;
+        }
+        return vertex(f, MIDDLE, 0, 0, at, 0, 0);
     }
 
     /** @param shared 0 where all of this place are one vertex, else what those that are one have in common */

@@ -108,7 +108,7 @@ final class AuditPoint {
             node = nodes.child(node) + step(w);
         }
         int nearest = w[0] >= w[1] && w[0] >= w[2] ? 0 : w[1] >= w[2] ? 1 : 2;
-        spread = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+        spread = nodes.isPoint(node) ? 1 : w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
         for (int c = 0; c < interpolated.length; c++) {
             for (int k = 0; k < 3; k++) {
                 interpolated[c] += w[k] * nodes.irradiance(node, k, c);

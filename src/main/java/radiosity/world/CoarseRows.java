@@ -3,9 +3,12 @@ package radiosity.world;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import java.util.List;
 import radiosity.patch.Faces;
+import radiosity.patch.Fellows;
 import radiosity.patch.LongIndex;
+import radiosity.patch.Path;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Rooms;
 
@@ -29,10 +32,13 @@ final class CoarseRows {
     private int taken;
     /** Per vertex: up to which of them its own row is; several partitions may have it, and say the same. */
     private final int[] parts;
+    /** Per vertex: the one that stands for it. */
+    private final int[] unknown;
 
     /** @param nodes the coarse mesh; vertices that are told to be buried are marked in it */
-    CoarseRows(RadiosityNodes nodes) {
+    CoarseRows(RadiosityNodes nodes, Fellows fellows) {
         this.nodes = nodes;
+        unknown = IntStream.range(0, nodes.vertices()).map(v -> leader(v, fellows)).toArray();
         faces = nodes.faces();
         channels = faces.channels();
         index = new LongIndex(nodes.vertices());
@@ -44,6 +50,16 @@ final class CoarseRows {
         Arrays.fill(column, new int[0]);
         Arrays.fill(entry, new float[0]);
         parts = new int[nodes.vertices()];
+    }
+
+    private int leader(int v, Fellows fellows) {
+        int f = nodes.vertexFace(v);
+        return fellows.leader(f) == f ? v : nodes.corner(nodes.find(fellows.leader(f), Path.FACE), 0);
+    }
+
+    /** The vertex whose irradiance stands for that of a vertex. */
+    int unknown(int vertex) {
+        return unknown[vertex];
     }
 
     /**
@@ -126,7 +142,7 @@ final class CoarseRows {
             for (int i = 0; i < column[v].length; i++) {
                 int patch = column[v][i];
                 for (int k = 0; k < 3; k++) {
-                    int at = nodes.corner(patch, k);
+                    int at = this.unknown[nodes.corner(patch, k)];
                     float weight = weight(patch, k, v, i);
                     if (place[at] >= size || vertices[place[at]] != at) {
                         place[at] = size;

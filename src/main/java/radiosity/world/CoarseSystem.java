@@ -40,7 +40,7 @@ final class CoarseSystem {
         blocks = mesh.blocks;
         single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
-        rows = new CoarseRows(nodes);
+        rows = new CoarseRows(nodes, mesh.fellows);
     }
 
     /**
@@ -88,14 +88,14 @@ final class CoarseSystem {
     /** A buried corner takes the mean of the others. */
     private double corner(int patch, int k, double[] h, int c) {
         if (!nodes.isBuried(nodes.corner(patch, k))) {
-            return h[channels * nodes.corner(patch, k) + c];
+            return h[channels * rows.unknown(nodes.corner(patch, k)) + c];
         }
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
             int v = nodes.corner(patch, j);
             if (!nodes.isBuried(v)) {
-                sum += h[channels * v + c];
+                sum += h[channels * rows.unknown(v) + c];
                 seen++;
             }
         }

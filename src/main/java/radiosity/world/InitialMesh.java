@@ -5,6 +5,7 @@ import java.util.Locale;
 import radiosity.formfactor.FormFactors;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
+import radiosity.patch.Fellows;
 import radiosity.patch.Hash;
 import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
@@ -43,6 +44,8 @@ final class InitialMesh {
     final List<Block> blocks;
     /** A mesh that goes no deeper than is needed to foresee what light will become. */
     final Patcher coarse;
+    /** Whose light stands for whose in that. */
+    final Fellows fellows;
     /** Flux that surfaces emit, one per channel, W. */
     final double[] emitted;
 
@@ -60,9 +63,10 @@ final class InitialMesh {
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, patches());
-        patcher = new Patcher(faces, area);
+        patcher = new Patcher(faces, area, predicts());
         blocks = Partitioner.blocks(patcher, predicts() ? CLUSTERS : BLOCKS);
         coarse = solvesAtOnce() ? patcher : patcher.coarser(blocks, COARSE_PATCHES);
+        fellows = new Fellows(coarse, blocks);
         white = scene.surfaces().stream()
                 .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
         emitted = new double[faces.channels()];

@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.util.Arrays;
 import java.util.List;
+import radiosity.patch.Hash;
 import radiosity.patch.LongIndex;
 import radiosity.patch.RadiosityNodes;
 
@@ -47,7 +48,7 @@ final class Merger {
             }
             for (int k = 0; k < 3; k++) {
                 int v = nodes.corner(node, k);
-                if (number[v] < 0) {
+                if (number[v] < 0 || nodes.isPoint(node)) {
                     number[v] = vertex(nodes, node, k);
                 }
                 corner[3 * elements + k] = number[v];
@@ -58,7 +59,8 @@ final class Merger {
 
     private int vertex(RadiosityNodes nodes, int node, int k) {
         int from = nodes.corner(node, k);
-        int v = index.findOrAdd(nodes.vertexKey(from), index.size());
+        long key = nodes.vertexKey(from);
+        int v = index.findOrAdd(nodes.isPoint(node) ? Hash.mix(key, k) : key, index.size());
         if (v == copies.length) {
             copies = Arrays.copyOf(copies, 2 * v);
             position = Arrays.copyOf(position, 6 * v);

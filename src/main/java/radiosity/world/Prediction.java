@@ -61,7 +61,7 @@ final class Prediction implements Planner {
         meshError = settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
         weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
-        coarse = world.mesh.coarse.patches() <= MOST_FORESEEN ? new CoarseSystem(world.mesh) : null;
+        coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN ? new CoarseSystem(world.mesh) : null;
     }
 
     /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */

@@ -177,7 +177,7 @@ public final class Deviations {
     /*---- 5: single triangles dealt ----*/
 
     private void dealing() {
-        Patcher patcher = new Patcher(faces, Patcher.areaFor(faces, PATCHES));
+        Patcher patcher = new Patcher(faces, Patcher.areaFor(faces, PATCHES), false);
         List<Block> blocks = Partitioner.blocks(patcher, BLOCKS);
         RadiosityNodes whole = new RadiosityNodes(patcher, blocks);
         List<Block> single = new ArrayList<>();

@@ -1,0 +1,117 @@
+package radiosity.world;
+
+import java.util.List;
+import java.util.PriorityQueue;
+import radiosity.patch.Faces;
+import radiosity.patch.RadiosityNodes;
+
+/** How things stand with a partition's shooters: sums over their elements, and who has most to shoot. */
+final class Candidates {
+
+    /** Shooters that a thread looks at at a time. */
+    private static final int RUN = 64;
+
+    private final InitialMesh mesh;
+    private final Faces faces;
+    private final double squaredSize;
+    private final RadiosityNodes nodes;
+    private final int[][] shooters;
+    private final Crew crew;
+    /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
+    private final double[] flux;
+
+    /** @param shooters nodes that shoot together */
+    Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, Crew crew) {
+        this.mesh = mesh;
+        faces = mesh.faces;
+        squaredSize = faces.size() * faces.size();
+        this.nodes = nodes;
+        this.shooters = shooters;
+        this.crew = crew;
+        flux = new double[shooters.length];
+    }
+
+    /** What an order wants to know. */
+    Answer answer(Order order) {
+        int runs = (shooters.length + RUN - 1) / RUN;
+        Answer[] parts = new Answer[runs];
+        crew.run(runs, i -> {
+            parts[i] = new Answer(faces, mesh.fluxScale());
+            for (int p = i * RUN; p < Math.min(shooters.length, (i + 1) * RUN); p++) {
+                flux[p] = 0;
+                for (int top : shooters[p]) {
+                    flux[p] += measure(top, parts[i]);
+                }
+            }
+        });
+        Answer answer = new Answer(faces, mesh.fluxScale());
+        for (Answer part : parts) {
+            answer.addSums(part);
+        }
+        int[] named = largest(order.most(), order.least());
+        Shot[] candidates = new Shot[named.length];
+        crew.run(named.length, i -> candidates[i] = Shot.of(nodes, shooters[named[i]], flux[named[i]],
+                (node, k, c) -> mesh.rounded(nodes.unshot(node, k, c))));
+        answer.candidates.addAll(List.of(candidates));
+        return answer;
+    }
+
+    /** Adds what lies below a node to the sums; returns its |U| A over the channels, W. */
+    private double measure(int node, Answer sums) {
+        double total = 0;
+        if (!nodes.isElement(node)) {
+            for (int k = 0; k < 4; k++) {
+                total += measure(nodes.child(node) + k, sums);
+            }
+            return total;
+        }
+        for (int layer = 0; layer < faces.layers(); layer++) {
+            total += measure(node, layer, sums);
+        }
+        sums.elements++;
+        return total;
+    }
+
+    /** The same of one layer of an element. */
+    private double measure(int node, int layer, Answer sums) {
+        double total = 0;
+        double area = nodes.area(node) * squaredSize;
+        for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
+            double u = 0;
+            double h = 0;
+            for (int k = 0; k < 3; k++) {
+                u += nodes.unshot(node, k, c);
+                h += nodes.irradiance(node, k, c);
+            }
+            u *= area / 3;
+            h = (h / 3 + nodes.bulge(node, c)) * area;
+            total += Math.abs(u);
+            sums.unshot[c].add(u);
+            sums.received[c].add(h);
+            sums.absorbed[c].add(h - h * nodes.reflectance(node, c));
+        }
+        sums.unshotFlux[layer].add(total);
+        return total;
+    }
+
+    /** Of those with so much flux at least, W. */
+    private int[] largest(int most, double least) {
+        boolean all = mesh.predicts() && mesh.rooms.count() > 0;
+        PriorityQueue<Integer> best = new PriorityQueue<>((p, q) -> -order(p, q));
+        for (int p = 0; p < flux.length && most > 0; p++) {
+            if ((flux[p] > 0 || all) && flux[p] >= least && (best.size() < most || order(p, best.peek()) < 0)) {
+                best.add(p);
+                if (best.size() > most) {
+                    best.poll();
+                }
+            }
+        }
+        return best.stream().sorted(this::order).mapToInt(Integer::intValue).toArray();
+    }
+
+    private int order(int p, int q) {
+        int order = Double.compare(flux[q], flux[p]);
+        order = order != 0 ? order : Integer.compare(nodes.face(shooters[p][0]), nodes.face(shooters[q][0]));
+        return order != 0 ? order : Long.compare(nodes.path(shooters[p][0]), nodes.path(shooters[q][0]));
+    }
+}

@@ -1,0 +1,57 @@
+package radiosity.world;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.RayCaster;
+import radiosity.formfactor.Shooter;
+import radiosity.patch.Block;
+import radiosity.patch.RadiosityNodes;
+
+/** Makes the rows of a {@link CoarseSystem} for the vertices that some blocks have in it, a part at a time. */
+final class CoarseReceivers {
+
+    private final InitialMesh mesh;
+    private final Receivers receivers;
+    private final Crew crew;
+    private final RadiosityNodes nodes;
+    /** Vertices that have a row: those that stand for themselves. */
+    private final int[] asked;
+
+    CoarseReceivers(InitialMesh mesh, List<Block> blocks, Receivers receivers, Crew crew) {
+        this.mesh = mesh;
+        this.receivers = receivers;
+        this.crew = crew;
+        nodes = new RadiosityNodes(mesh.coarse, blocks);
+        receivers.bury(nodes, 0);
+        asked = IntStream.range(0, nodes.vertices())
+                .filter(v -> mesh.fellows.leader(nodes.vertexFace(v)) == nodes.vertexFace(v)).toArray();
+    }
+
+    /** @return number of rows, then each as {@link CoarseRows#take} reads it */
+    byte[] rows(Order order) {
+        Shooter[] all = receivers.shooters(order);
+        FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]
+                : new RayCaster(mesh.bounds(), 1, order.tolerance(), 1);
+        byte[][] row = new byte[asked.length][];
+        crew.run(row.length, i -> row[i] = row(asked[i], all, calculator));
+        return Wire.bytes(out -> {
+            out.writeInt(row.length);
+            for (byte[] bytes : row) {
+                out.write(bytes);
+            }
+        });
+    }
+
+    private byte[] row(int v, Shooter[] all, FormFactorCalculator calculator) {
+        Rows seen = new Rows();
+        for (int i = 0; i < all.length && !nodes.isBuried(v); i++) {
+            receivers.gather(calculator, all[i], nodes, v, seen);
+        }
+        return Wire.bytes(out -> {
+            out.writeLong(nodes.vertexKey(v));
+            out.writeBoolean(nodes.isBuried(v));
+            seen.write(out);
+        });
+    }
+}
