@@ -34,10 +34,7 @@ public final class RadiosityNodes {
     /** 3 x channels per node: radiosity S that has been shot at each corner; of leaves only. W/m². */
     private double[] shot;
 
-    /** Patches and tops of subtrees by name. */
-    private final LongIndex names = new LongIndex(64);
-    private int[] tops = new int[64];
-    private int topCount;
+    private final Roots roots;
     private int[] patches = new int[64];
     private int patchCount;
     private final int[] weights = new int[9];
@@ -49,6 +46,7 @@ public final class RadiosityNodes {
         channels = faces.channels();
         shot = new double[3 * channels * 64];
         points = new ReceivingPoints(patcher);
+        roots = new Roots(blocks.stream().mapToInt(block -> block.face().length).sum());
         for (Block block : blocks) {
             for (int i = 0; i < block.face().length; i++) {
                 plant(block.face()[i], block.path()[i]);
@@ -72,11 +70,7 @@ public final class RadiosityNodes {
                     : points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
         }
         elements++;
-        names.findOrAdd(name(f, top), node);
-        if (topCount == tops.length) {
-            tops = Arrays.copyOf(tops, 2 * topCount);
-        }
-        tops[topCount++] = node;
+        roots.add(f, top, node);
         grow(node, depth);
     }
 
@@ -86,7 +80,6 @@ public final class RadiosityNodes {
                 patches = Arrays.copyOf(patches, 2 * patchCount);
             }
             patches[patchCount++] = node;
-            names.findOrAdd(name(face[node], path[node]), node);
             return;
         }
         int first = divide(node, depth, 0);
@@ -195,7 +188,7 @@ public final class RadiosityNodes {
 
     /** The top nodes of all blocks, in their order. */
     public int[] tops() {
-        return Arrays.copyOf(tops, topCount);
+        return roots.all();
     }
 
     /** The top nodes of one block. */
@@ -223,13 +216,19 @@ public final class RadiosityNodes {
         }
     }
 
-    /** The patch or top of a block's subtree of this name, or -1. */
+    /** The node of this name, or -1. */
     public int find(int onFace, long atPath) {
-        return names.find(name(onFace, atPath));
-    }
-
-    private static long name(int onFace, long atPath) {
-        return Hash.mix(Hash.mix(4, onFace), atPath);
+        int levels = Path.level(atPath);
+        int up = levels;
+        int node = roots.find(onFace, atPath);
+        while (node < 0 && up > 0) {
+            up--;
+            node = roots.find(onFace, atPath >> 2 * (levels - up));
+        }
+        for (int level = up + 1; level <= levels && node >= 0; level++) {
+            node = child[node] < 0 ? -1 : child[node] + Path.step(atPath, level);
+        }
+        return node;
     }
 
     public int face(int node) {

@@ -35,7 +35,7 @@ class DynamicRangeTest {
     private static List<Figure> figures(double bright) {
         Scene first = room(bright, Vec3.ZERO);
         Scene second = room(1, BESIDE);
-        Solve solve = Solve.byDefault().accurate(0.05).unsent(1e-4).patches(first, PATCHES);
+        Solve solve = Solve.byDefault().unsent(1e-4).patches(first, PATCHES);
         Solution both = solve.solution(together(first, second));
         return List.of(figure("bright room", solve.solution(first), both, true),
                 figure("dim room", solve.solution(second), both, false));
