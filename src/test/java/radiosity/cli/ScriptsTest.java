@@ -1,6 +1,7 @@
 package radiosity.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -108,6 +109,27 @@ class ScriptsTest {
         String output = run(host.resolve("RadiosityRenderer"), "a", "b c");
         assertTrue(output.startsWith("java ") && output.endsWith(" -cp " + host.toRealPath()
                 + "/radiosity.jar radiosity.cli.RadiosityRenderer a b c\n"), output);
+    }
+
+    @Test
+    void whatIsCompiledSlowly_isNamedToTheJvm_butNotToOneWithItsOwnOptions() throws Exception {
+        Files.copy(Path.of("scripts", "compiler.json"), project.resolve("scripts/compiler.json"));
+        String named = "-XX:CompilerDirectivesFile=" + project.toRealPath() + "/scripts/compiler.json";
+        run(script());
+        assertTrue(run(script()).contains(named));
+        environment.put("JAVA_OPTS", "-Xmx1g");
+        assertFalse(run(script()).contains("Directives"));
+    }
+
+    @Test
+    void whatIsCompiledSlowly_isUnderstoodByThisJvm_withoutAWord() throws Exception {
+        Process java = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UnlockDiagnosticVMOptions", "-XX:-DisplayVMOutput",
+                "-XX:CompilerDirectivesFile=" + Path.of("scripts", "compiler.json"), "--version").start();
+        String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals("", new String(java.getErrorStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals(0, java.waitFor());
+        assertFalse(output.contains("directive"), output);
     }
 
     @Test
