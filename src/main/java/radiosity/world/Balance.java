@@ -16,8 +16,10 @@ final class Balance {
     /** Blocks move when hosts have waited for each other so many times as long as a move takes, or will. */
     private static final double PATIENCE = 1;
     private static final double FIRST_COST = 0.005;
+    /** What a second that will be waited by the forecast counts for, which is often wrong. */
+    private static final double TRUST = 0.25;
     /** What a move is taken to cost before the first one: per patch of the scene, s. */
-    private static final double FIRST_COST_PER_PATCH = 1e-6;
+    private static final double FIRST_COST_PER_PATCH = 4e-6;
 
     private final Forecast forecast;
     private final Dealing dealing;
@@ -34,7 +36,6 @@ final class Balance {
     /** After a round, or a part of one. */
     void add(Map<Host, Reply> replies, Order order) {
         replies.forEach((host, reply) -> {
-            host.load.add(reply);
             note(host, reply, order.shots().size());
         });
         judge(replies.keySet());
@@ -42,15 +43,14 @@ final class Balance {
 
     /** All hosts have waited for the slowest. */
     void settle(Collection<Host> hosts) {
-        double cpu = hosts.stream().mapToDouble(host -> host.load.sinceWait).max().orElse(0);
         waiting.add(behind(hosts));
-        hosts.forEach(host -> host.load.waited(cpu));
+        hosts.forEach(host -> host.load.sinceWait = 0);
     }
 
     /** How much longer the slowest has taken since the last wait than all on average, s. */
     private static double behind(Collection<Host> hosts) {
-        double slowest = hosts.stream().mapToDouble(host -> host.load.secondsSinceWait).max().orElse(0);
-        return slowest - hosts.stream().mapToDouble(host -> host.load.secondsSinceWait).average().orElse(0);
+        double slowest = hosts.stream().mapToDouble(host -> host.load.sinceWait).max().orElse(0);
+        return slowest - hosts.stream().mapToDouble(host -> host.load.sinceWait).average().orElse(0);
     }
 
     private void note(Host host, Reply reply, int shooters) {
@@ -97,7 +97,8 @@ final class Balance {
         if (order.number() != looked && order.gathers() && forecast.isMeasured()) {
             looked = order.number();
             int shooters = order.more() ? Math.max(order.shots().size(), forecast.blocks()) : order.shots().size();
-            return waiting.isDue(behind(hosts) + shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER));
+            double ahead = shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER);
+            return waiting.isDue(behind(hosts) + TRUST * ahead);
         }
         return waiting.isDue(behind(hosts));
     }

@@ -50,8 +50,8 @@ final class Candidates {
         }
         int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
-        crew.run(named.length, i -> candidates[i] = Shot.of(nodes, shooters[named[i]], flux[named[i]],
-                (node, k, c) -> mesh.rounded(nodes.unshot(node, k, c))));
+        crew.run(named.length, i -> candidates[i] = mesh.rounding.of(
+                Shot.of(nodes, shooters[named[i]], flux[named[i]], nodes::unshot)));
         answer.candidates.addAll(List.of(candidates));
         return answer;
     }

@@ -129,7 +129,7 @@ final class CoarseSystem {
 
     /** Adds to a shot what its patches will reflect of an irradiance, linear between the vertices. */
     Shot with(Shot shot, double[] h) {
-        return new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
+        return mesh.rounding.of(new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux()));
     }
 
     private PatchTree with(PatchTree tree, double[] h) {
@@ -154,7 +154,7 @@ final class CoarseSystem {
         int first = tree.child()[node];
         if (first < 0) {
             for (int i = 0; i < 3 * channels; i++) {
-                radiosity[3 * channels * node + i] = mesh.rounded(radiosity[3 * channels * node + i] + here[i]);
+                radiosity[3 * channels * node + i] += here[i];
             }
             return;
         }

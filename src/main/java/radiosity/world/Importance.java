@@ -32,7 +32,7 @@ final class Importance {
 
     /** What some nodes matter, as a shot. */
     Shot of(RadiosityNodes nodes, int[] tops) {
-        return Shot.of(nodes, tops, 0, (node, k, c) -> mesh.rounded(1 + brightness(nodes.face(node))));
+        return mesh.rounding.of(Shot.of(nodes, tops, 0, (node, k, c) -> 1 + brightness(nodes.face(node))));
     }
 
     /** Where a face's room has its values of a layer. */

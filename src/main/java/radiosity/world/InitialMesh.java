@@ -28,8 +28,6 @@ final class InitialMesh {
     private static final int CLUSTERS = 128;
     /** Reflectance above which the rounding of floats would show. */
     private static final double WHITE = 0.98;
-    /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
-    private static final double LEAST_FLOAT = 1e-30;
     /** Sample points per shooter where no number is given, likewise. */
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
@@ -49,7 +47,9 @@ final class InitialMesh {
     /** Flux that surfaces emit, one per channel, W. */
     final double[] emitted;
 
-    private final boolean white;
+    /** How a radiosity to be shot is sent. */
+    final Rounding rounding;
+
     private RadiosityBounds bounds;
 
     InitialMesh(Scene scene, RadiositySettings settings) {
@@ -67,8 +67,9 @@ final class InitialMesh {
         blocks = Partitioner.blocks(patcher, predicts() ? CLUSTERS : BLOCKS);
         coarse = solvesAtOnce() ? patcher : patcher.coarser(blocks, COARSE_PATCHES);
         fellows = new Fellows(coarse, blocks);
-        white = scene.surfaces().stream()
+        boolean white = scene.surfaces().stream()
                 .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
+        rounding = new Rounding(white, shootsBlocks());
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {
@@ -125,16 +126,6 @@ final class InitialMesh {
     /** Largest area of a patch, square scene units. */
     double patchArea() {
         return patcher.patchArea() * faces.size() * faces.size();
-    }
-
-    /**
-     * A radiosity to be shot, as it is sent: a float takes half the room, and what rounding leaves over is not shot and
-     * so not lost. Among white surfaces it would be a part of what is emitted: there it is sent as it is, and so is
-     * what is near a float's limits.
-     */
-    double rounded(double radiosity) {
-        double size = Math.abs(radiosity);
-        return white || size < LEAST_FLOAT || size > 1 / LEAST_FLOAT ? radiosity : (float) radiosity;
     }
 
     /** About as much flux as there is, W: what sums of flux are counted in. */

@@ -101,7 +101,7 @@ public final class RemoteWorld extends World {
         order = order.isAnswered() ? order : order.naming(0);
         byte[] bytes = prepare(order);
         while (true) {
-            underWay.begin(hosts, order, bytes, now());
+            underWay.begin(hosts, order, bytes, now(), times.criticalPath());
             totals.count(order);
             await(NOBODY);
             boolean isLost = calls.isAnyLost();
@@ -118,7 +118,7 @@ public final class RemoteWorld extends World {
 
     @Override
     void begin(Order step, StepTimes told) throws IOException {
-        underWay.begin(hosts, step, prepare(step), now());
+        underWay.begin(hosts, step, prepare(step), now(), times.criticalPath());
         totals.count(step);
         while (underWay.count() >= STEPS_AHEAD) {
             await(told);
@@ -198,7 +198,7 @@ public final class RemoteWorld extends World {
         told.took(step.order().shots().size(), step.seconds());
         if (!calls.isAnyLost()) {
             failures = 0;
-            times.add(step.replies().values(), step.seconds());
+            times.add(step);
             balance.add(step.replies(), step.order());
             if (step.order().changes()) {
                 checkpoints.add(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
@@ -236,7 +236,7 @@ public final class RemoteWorld extends World {
     private void lose(Host host, HostLostException why) throws IOException {
         host.abandon();
         underWay.lose(host);
-        gone.add(host.load.statistics(host.name(), "lost", 0));
+        gone.add(host.load.statistics(host.name(), "lost", 0, times.criticalPath()));
         hosts.remove(host);
         dealing.lose(host);
         if (why.inComputation()) {
@@ -293,7 +293,7 @@ public final class RemoteWorld extends World {
     private void leave(Host host) throws IOException {
         blocks();
         hosts.remove(host);
-        gone.add(host.load.statistics(host.name(), "left", 0));
+        gone.add(host.load.statistics(host.name(), "left", 0, times.criticalPath()));
         dealing.lose(host);
         host.close();
         alone = null;
@@ -340,7 +340,8 @@ public final class RemoteWorld extends World {
     /** What was computed where so far. */
     public WorldStatistics statistics() {
         List<HostStatistics> all = new ArrayList<>(gone);
-        hosts.forEach(host -> all.add(host.load.statistics(host.name(), "working", dealing.blocks(host).size())));
+        hosts.forEach(host -> all.add(host.load.statistics(host.name(), "working", dealing.blocks(host).size(),
+                times.criticalPath())));
         return times.statistics(all);
     }
 

@@ -21,13 +21,22 @@ final class RoundTimes {
         begin = clock.getAsLong();
     }
 
-    /** @param seconds wall time of the round */
-    void add(Collection<Reply> replies, double seconds) {
+    /** A step is done. */
+    void add(StepsUnderWay.Done step) {
+        Collection<Reply> replies = step.replies().values();
         rounds++;
-        criticalPath += replies.stream().mapToDouble(Reply::cpu).max().orElse(0);
+        step.replies().forEach((host, reply) -> {
+            host.load.add(reply, step.given());
+            criticalPath = Math.max(criticalPath, host.load.reached());
+        });
         cpu += replies.stream().mapToDouble(Reply::cpu).sum();
         slowest += replies.stream().mapToDouble(Reply::seconds).max().orElse(0);
-        wall += seconds;
+        wall += step.seconds();
+    }
+
+    /** What the slowest host has reached, s; see {@link Workload}. */
+    double criticalPath() {
+        return criticalPath;
     }
 
     WorldStatistics statistics(List<HostStatistics> hosts) {

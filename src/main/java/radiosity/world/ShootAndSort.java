@@ -17,7 +17,7 @@ import java.util.function.BooleanSupplier;
 final class ShootAndSort implements Planner {
 
     private static final int MOST_IN_ROUND = 64;
-    private static final int SHOTS_PER_SHOT = 32;
+    private static final int SHOTS_PER_SHOT = 16;
     private static final int PATCHES_PER_SHOT = 32;
     /** From so many shots on, rounds overlap. */
     private static final int ONE_BY_ONE = 64;

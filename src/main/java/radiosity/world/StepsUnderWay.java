@@ -33,10 +33,14 @@ final class StepsUnderWay {
         this.calls = calls;
     }
 
-    private record Step(Order order, long begin, Map<Host, FutureTask<Reply>> running) { }
+    private record Step(Order order, long begin, double given, Map<Host, FutureTask<Reply>> running) { }
 
-    /** @param replies of hosts that were not lost, in their order */
-    record Done(Order order, double seconds, Map<Host, Reply> replies) { }
+    /**
+     * @param seconds wall time since it was begun, or the one before was done
+     * @param given   see {@link Workload}
+     * @param replies of hosts that were not lost, in their order
+     */
+    record Done(Order order, double seconds, double given, Map<Host, Reply> replies) { }
 
     /** What hosts have said that are still there; one that has made blocks again has said several things. */
     private record Torn(Order order, Map<Host, List<byte[]>> answers) { }
@@ -52,14 +56,17 @@ final class StepsUnderWay {
                 .filter(Order::isAnswered).count();
     }
 
-    /** @param now ns */
-    void begin(Collection<Host> hosts, Order order, byte[] bytes, long now) {
+    /**
+     * @param now   ns
+     * @param given see {@link Workload}
+     */
+    void begin(Collection<Host> hosts, Order order, byte[] bytes, long now, double given) {
         Map<Host, FutureTask<Reply>> running = new LinkedHashMap<>();
         for (Host host : hosts) {
             long number = host.nextRound();
             running.put(host, host.begin(() -> host.round(number, bytes)));
         }
-        steps.add(new Step(order, now, running));
+        steps.add(new Step(order, now, given, running));
     }
 
     /** Waits for the first one. */
@@ -75,7 +82,7 @@ final class StepsUnderWay {
         if (!calls.isAnyLost()) {
             mended();
         }
-        return new Done(first.order(), seconds, replies);
+        return new Done(first.order(), seconds, first.given(), replies);
     }
 
     /** The first answer that was not read; all that was begun has to be done. */

@@ -10,32 +10,40 @@ import radiosity.patch.PatchTree;
 
 /**
  * A {@link PatchTree} as bytes: face, path, number of nodes, a bit for each that is divided, then the radiosities of
- * its elements, as floats where that loses nothing, or not at all. Most of what goes between hosts is this.
+ * its elements, in the shortest {@link Numbers} that lose nothing, or not at all. Most of what goes between hosts is
+ * this.
+ *
+ * <p>What the four parts of a triangle have in common, the middles of its edges, is written once where it is the same.
  */
 final class TreeBytes {
 
     /** What the smallest takes: one element that is grey. */
     static final int LEAST = 4 + 8 + 4 + 1 + 1;
 
-    /** How radiosities are written. */
-    private enum Values { DOUBLES, FLOATS, NONE }
-
     private TreeBytes() { }
 
     static void write(PatchTree tree, int channels, DataOutput out) throws IOException {
         writeShape(tree, out);
-        boolean exact = true;
-        for (double u : tree.radiosity()) {
-            exact &= (float) u == u;
+        double[] radiosity = tree.radiosity();
+        int[] same = same(tree.child());
+        boolean once = isSame(radiosity, same, channels);
+        Numbers numbers = Numbers.of(radiosity);
+        out.writeByte(numbers.form().ordinal());
+        out.writeBoolean(once);
+        out.writeShort(numbers.exponent());
+        ByteBuffer bytes = ByteBuffer.allocate(corners(tree.child(), same, once) * channels * numbers.bytes());
+        for (int corner = 0; corner < same.length; corner++) {
+            for (int c = 0; c < channels && isWritten(corner, tree.child(), same, once); c++) {
+                numbers.put(radiosity[channels * corner + c], bytes);
+            }
         }
-        out.writeByte((exact ? Values.FLOATS : Values.DOUBLES).ordinal());
-        out.write(values(tree, 3 * channels, exact));
+        out.write(bytes.array());
     }
 
     /** Without radiosities. */
     static void writeTree(PatchTree tree, DataOutput out) throws IOException {
         writeShape(tree, out);
-        out.writeByte(Values.NONE.ordinal());
+        out.writeByte(Numbers.Form.NONE.ordinal());
     }
 
     private static void writeShape(PatchTree tree, DataOutput out) throws IOException {
@@ -54,47 +62,72 @@ final class TreeBytes {
         return (bits + Byte.SIZE - 1) / Byte.SIZE;
     }
 
-    private static byte[] values(PatchTree tree, int perNode, boolean floats) {
-        int[] child = tree.child();
-        ByteBuffer values = ByteBuffer.allocate((child.length - child.length / 4) * perNode * size(floats));
-        for (int i = 0; i < perNode * child.length; i++) {
-            if (child[i / perNode] >= 0) {
-                continue;
-            }
-            if (floats) {
-                values.putFloat((float) tree.radiosity()[i]);
-            } else {
-                values.putDouble(tree.radiosity()[i]);
-            }
-        }
-        return values.array();
-    }
-
-    private static int size(boolean floats) {
-        return floats ? Float.BYTES : Double.BYTES;
-    }
-
     static PatchTree read(DataInputStream in, int channels) throws IOException {
         int face = in.readInt();
         long path = in.readLong();
         int[] child = children(in);
-        int values = in.readByte();
-        if (values == Values.NONE.ordinal()) {
-            return new PatchTree(face, path, child, new double[0]);
-        }
-        return new PatchTree(face, path, child, radiosity(in, child, channels, values == Values.FLOATS.ordinal()));
+        int form = in.readByte();
+        double[] radiosity = form == Numbers.Form.NONE.ordinal() ? new double[0]
+                : radiosity(in, child, channels, form);
+        return new PatchTree(face, path, child, radiosity);
     }
 
-    private static double[] radiosity(DataInputStream in, int[] child, int channels, boolean floats) throws IOException {
-        int perNode = 3 * channels;
-        double[] radiosity = new double[perNode * child.length];
-        ByteBuffer values = ByteBuffer.wrap(Wire.exactly(in, (child.length - child.length / 4) * perNode * size(floats)));
-        for (int i = 0; i < radiosity.length; i++) {
-            if (child[i / perNode] < 0) {
-                radiosity[i] = floats ? values.getFloat() : values.getDouble();
+    private static double[] radiosity(DataInputStream in, int[] child, int channels, int form) throws IOException {
+        int[] same = same(child);
+        boolean once = in.readBoolean();
+        Numbers numbers = Numbers.of(form, in.readShort());
+        double[] radiosity = new double[channels * same.length];
+        int written = corners(child, same, once);
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, written * channels * numbers.bytes()));
+        for (int corner = 0; corner < same.length; corner++) {
+            for (int c = 0; c < channels && isWritten(corner, child, same, once); c++) {
+                radiosity[channels * corner + c] = numbers.get(bytes);
             }
         }
+        for (int corner = 0; corner < same.length && once; corner++) {
+            System.arraycopy(radiosity, channels * same[corner], radiosity, channels * corner, channels);
+        }
         return radiosity;
+    }
+
+    /*---- Corners that elements have in common ----*/
+
+    /**
+     * 3 per node: the corner that stands for it, one of the part in the middle or itself. Parts are numbered as
+     * {@link radiosity.patch.RadiosityNodes#split} does.
+     */
+    private static int[] same(int[] child) {
+        int[] same = new int[3 * child.length];
+        Arrays.setAll(same, i -> i);
+        for (int first : child) {
+            for (int k = 0; k < 3 && first >= 0 && child[first + 3] < 0 && child[first + k] < 0; k++) {
+                same[3 * (first + k) + (k + 1) % 3] = 3 * (first + 3) + (k + 2) % 3;
+                same[3 * (first + k) + (k + 2) % 3] = 3 * (first + 3) + (k + 1) % 3;
+            }
+        }
+        return same;
+    }
+
+    private static boolean isSame(double[] radiosity, int[] same, int channels) {
+        for (int i = 0; i < radiosity.length; i++) {
+            if (radiosity[i] != radiosity[channels * same[i / channels] + i % channels]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isWritten(int corner, int[] child, int[] same, boolean once) {
+        return child[corner / 3] < 0 && (!once || same[corner] == corner);
+    }
+
+    /** How many are written. */
+    private static int corners(int[] child, int[] same, boolean once) {
+        int count = 0;
+        for (int corner = 0; corner < same.length; corner++) {
+            count += isWritten(corner, child, same, once) ? 1 : 0;
+        }
+        return count;
     }
 
     /** Breadth first: the next node that is divided has the next four as its children. */

@@ -1,6 +1,9 @@
 package radiosity.world;
 
-/** What a host has to do and has done. */
+/**
+ * What a host has to do and has done. Its time is counted as if nothing took any but the hosts' processors: a step
+ * begins when the host has done the one before, and the master has seen done what it had seen when it gave the step.
+ */
 final class Workload {
 
     /** Elements it owns, by the last reply. */
@@ -8,30 +11,31 @@ final class Workload {
     int rounds;
     /** s. */
     double cpu;
-    /** Processor time of the slowest host between two times when all waited for it, s. */
-    private double slowest;
-    /** Since then: processor time, and time; s. */
+    /** When its first step began and its last one ended, s. */
+    private double begun = Double.NaN;
+    private double reached;
+    /** Time that it took since all were waited for, s. */
     double sinceWait;
-    double secondsSinceWait;
     volatile long bytes;
 
-    void add(Reply reply) {
-        rounds++;
+    /** @param given what the slowest host had reached when the master gave this step */
+    void add(Reply reply, double given) {
+        if (rounds++ == 0) {
+            begun = given;
+        }
         cpu += reply.cpu();
-        sinceWait += reply.cpu();
-        secondsSinceWait += reply.seconds();
+        sinceWait += reply.seconds();
+        reached = Math.max(reached, given) + reply.cpu();
         elements = reply.elements();
     }
 
-    /** @param ofSlowest processor time of the slowest host since it was waited for before, s */
-    void waited(double ofSlowest) {
-        slowest += ofSlowest;
-        sinceWait = 0;
-        secondsSinceWait = 0;
+    double reached() {
+        return reached;
     }
 
-    HostStatistics statistics(String name, String state, int blocks) {
-        return new HostStatistics(name, state, blocks, elements, rounds, cpu, slowest == 0 ? 0 : 1 - cpu / slowest,
+    /** @param end when it was not needed any more, s */
+    HostStatistics statistics(String name, String state, int blocks, double end) {
+        return new HostStatistics(name, state, blocks, elements, rounds, cpu, rounds == 0 ? 0 : 1 - cpu / (end - begun),
                 bytes);
     }
 }

@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param hosts        one per host that is or was there
  * @param rounds       orders to all hosts, questions among them
- * @param criticalPath processor time of the slowest host, summed over rounds, s
+ * @param criticalPath processor time of the slowest host, where one waits for another, s
  * @param cpu          processor time of all hosts, s
  * @param waiting      wall time that rounds took beyond the slowest host's own: network and calls, s
  * @param master       wall time between rounds: the master's own work, s

@@ -18,6 +18,7 @@ import radiosity.scene.Scene;
 public final class ScalingTable {
 
     private static final double WARM_UP_SECONDS = 5;
+    private static final int WARM_UP_HOSTS = 4;
 
     private ScalingTable() { }
 
@@ -29,6 +30,9 @@ public final class ScalingTable {
                 Integer.parseInt(arguments[2]), meshing, Schedule.valueOf(arguments[5].toUpperCase(Locale.ROOT)));
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
         warmUp(new LocalWorld(scene, settings, 1), stop);
+        try (RemoteWorld world = world(scene, settings, WARM_UP_HOSTS, new LogicalClock())) {
+            warmUp(world, stop);
+        }
         double local = alone(scene, settings, stop);
         System.out.printf(Locale.ROOT, "in one process, CPU s: %.2f%n", local);
         System.out.println("hosts  elements  calls   CPU s busiest s  master s       MB   wall s  speedup  efficiency  worst idle %");
@@ -45,6 +49,11 @@ public final class ScalingTable {
         }
     }
 
+    private static RemoteWorld world(Scene scene, RadiositySettings settings, int hosts, LogicalClock clock)
+            throws IOException {
+        return new RemoteWorld(scene, settings, 1, System.err::println, clock.links(hosts), clock::now);
+    }
+
     /** Processor time of one process on one thread, s. */
     private static double alone(Scene scene, RadiositySettings settings, StopRule stop) throws IOException {
         long begin = BlockCosts.now();
@@ -55,7 +64,7 @@ public final class ScalingTable {
     private static void print(Scene scene, RadiositySettings settings, StopRule stop, int hosts, double local)
             throws IOException {
         LogicalClock clock = new LogicalClock();
-        try (RemoteWorld world = new RemoteWorld(scene, settings, 1, System.err::println, clock.links(hosts), clock::now)) {
+        try (RemoteWorld world = world(scene, settings, hosts, clock)) {
             clock.reset();
             double begin = clock.seconds();
             new ProgressiveRadiosity(world, stop).run(progress -> true);
