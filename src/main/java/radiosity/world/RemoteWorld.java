@@ -1,11 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import radiosity.scene.Scene;
@@ -19,7 +15,6 @@ import radiosity.scene.Scene;
  */
 public final class RemoteWorld extends World {
 
-    private static final int MOST_FAILURES = 2;
     /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
     private static final int STEPS_AHEAD = 4;
     /** Candidates that every host names at least where so many are wanted. */
@@ -36,25 +31,17 @@ public final class RemoteWorld extends World {
     /** Orders that are kept in memory for the next loss. */
     private static final long MOST_LOGGED = 128L << 20;
 
-    private final Consumer<String> notices;
-    private final int threads;
-    private final byte[] task;
-    private final HostFinder finder;
     private final Dealing dealing;
     private final ShotLog log = new ShotLog();
     private final SharedTotals totals;
     private final Cadence checkpoints;
     private final RoundTimes times;
     private final Balance balance;
-    private final List<Host> hosts = new ArrayList<>();
-    private final List<HostStatistics> gone = new ArrayList<>();
+    private final Hosts hosts;
     private final HostCalls calls = new HostCalls();
     private final StepsUnderWay underWay = new StepsUnderWay(calls);
     private final LongSupplier clock;
     private final BlockTransfer transfer;
-    /** This process as a host, while there is no other. */
-    private Host alone;
-    private int failures;
 
     /**
      * Opens a session with every host that can be reached.
@@ -75,23 +62,15 @@ public final class RemoteWorld extends World {
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);
-        this.notices = notices;
-        this.threads = threads;
-        task = SceneBytes.write(scene, settings);
-        finder = new HostFinder(task, mesh.fingerprint(), notices);
         Borders borders = new Borders(mesh);
         Forecast forecast = new Forecast(borders);
         dealing = new Dealing(forecast, borders);
         balance = new Balance(forecast, dealing, patches());
         checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS, patches() * CHECKPOINT_SECONDS_PER_PATCH);
         transfer = new BlockTransfer(dealing, log, calls);
-        hosts.addAll(finder.open(links));
-        hosts.forEach(totals::welcome);
-        if (hosts.isEmpty()) {
-            finder.close();
-            throw new NoWorkerException("hosts: expected at least one that can be used, got none");
-        }
-        adopt();
+        hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
+                new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
+        hosts.open(links);
         recover();
     }
 
@@ -101,7 +80,7 @@ public final class RemoteWorld extends World {
         order = order.isAnswered() ? order : order.naming(0);
         byte[] bytes = prepare(order);
         while (true) {
-            underWay.begin(hosts, order, bytes, now(), times.criticalPath());
+            underWay.begin(hosts.present(), order, bytes, now(), times.criticalPath());
             totals.count(order);
             await(NOBODY);
             boolean isLost = calls.isAnyLost();
@@ -110,7 +89,7 @@ public final class RemoteWorld extends World {
             }
             recover();
             if (!isLost || order.changes()) {
-                balance.settle(hosts);
+                balance.settle(hosts.present());
                 return underWay.last();
             }
         }
@@ -118,7 +97,7 @@ public final class RemoteWorld extends World {
 
     @Override
     void begin(Order step, StepTimes told) throws IOException {
-        underWay.begin(hosts, step, prepare(step), now(), times.criticalPath());
+        underWay.begin(hosts.present(), step, prepare(step), now(), times.criticalPath());
         totals.count(step);
         while (underWay.count() >= STEPS_AHEAD) {
             await(told);
@@ -129,7 +108,7 @@ public final class RemoteWorld extends World {
     void finish(StepTimes told) throws IOException {
         awaitAll(told);
         recover();
-        balance.settle(hosts);
+        balance.settle(hosts.present());
     }
 
     private void awaitAll(StepTimes told) {
@@ -157,7 +136,7 @@ public final class RemoteWorld extends World {
     /** Twice a fair share: blocks are dealt so that who has much to shoot is spread. */
     @Override
     int named(int most) {
-        return (int) Math.min(most, LEAST_NAMED + 2L * most / hosts.size());
+        return (int) Math.min(most, LEAST_NAMED + 2L * most / hosts.present().size());
     }
 
     @Override
@@ -177,7 +156,7 @@ public final class RemoteWorld extends World {
             blocks();
         }
         if (order.kind() == Order.Kind.GATHER) {
-            totals.tell(hosts);
+            totals.tell(hosts.present());
         }
         byte[] bytes = order.encodeShort();
         if (order.changes()) {
@@ -193,111 +172,44 @@ public final class RemoteWorld extends World {
     }
 
     /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
-    private Map<Host, Reply> await(StepTimes told) {
+    private void await(StepTimes told) {
         StepsUnderWay.Done step = underWay.await(clock);
         told.took(step.order().shots().size(), step.seconds());
         if (!calls.isAnyLost()) {
-            failures = 0;
+            hosts.haveDone();
             times.add(step);
             balance.add(step.replies(), step.order());
             if (step.order().changes()) {
                 checkpoints.add(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
             }
         }
-        return step.replies();
     }
 
     /*---- Losing hosts, and finding them again ----*/
 
-    /** Gives the blocks of lost hosts to others, until all of them have an owner that is alive. */
+    /** All steps are done, by hosts that are there, on all blocks. */
     private void recover() throws IOException {
-        if (!calls.isAnyLost()) {
-            return;
+        if (calls.isAnyLost()) {
+            awaitAll(NOBODY);
+            hosts.recover();
+            underWay.mended();
         }
-        awaitAll(NOBODY);
-        while (calls.isAnyLost()) {
-            Map<Host, HostLostException> now = calls.takeLost();
-            Map<Host, Integer> blocks = new LinkedHashMap<>();
-            for (Map.Entry<Host, HostLostException> one : now.entrySet()) {
-                blocks.put(one.getKey(), dealing.blocks(one.getKey()).size());
-                lose(one.getKey(), one.getValue());
-            }
-            long begin = now();
-            int heirs = adopt();
-            double seconds = (now() - begin) * 1e-9;
-            now.forEach((host, why) -> notices.accept(String.format(Locale.ROOT,
-                    "host %s lost (%s); its %d blocks move to %s, rebuilt in %.1f s", host.name(), why.getMessage(),
-                    blocks.get(host), alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts",
-                    seconds)));
-        }
-        underWay.mended();
-    }
-
-    private void lose(Host host, HostLostException why) throws IOException {
-        host.abandon();
-        underWay.lose(host);
-        gone.add(host.load.statistics(host.name(), "lost", 0, times.criticalPath()));
-        hosts.remove(host);
-        dealing.lose(host);
-        if (why.inComputation()) {
-            if (host == alone || ++failures == MOST_FAILURES) {
-                throw new IOException("host " + host.name() + ": expected the round to be computed there or elsewhere, got "
-                        + why.getMessage(), why);
-            }
-        } else {
-            finder.lookFor(host.link());
-        }
-    }
-
-    private int adopt() throws IOException {
-        if (hosts.isEmpty()) {
-            goOnAlone();
-        }
-        Map<Host, List<byte[]>> answers = transfer.adopt(hosts, underWay.torn());
-        underWay.add(answers);
-        return answers.size();
-    }
-
-    private void goOnAlone() throws IOException {
-        OwnLink link = new OwnLink(threads);
-        alone = new Host(link, link.connect(), threads, notices);
-        alone.open("this process");
-        alone.load(task, mesh.fingerprint());
-        totals.welcome(alone);
-        hosts.add(alone);
     }
 
     /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
     private void admit(Order order) throws IOException {
-        boolean due = balance.isDue(order, hosts);
-        if (calls.isAnyLost() || finder.hasCome() || due) {
+        boolean due = balance.isDue(order, hosts.present());
+        if (calls.isAnyLost() || hosts.isAnyOutside() || due) {
             finish(NOBODY);
         }
-        boolean come = false;
-        for (Host host = finder.next(); host != null; host = finder.next()) {
-            host.speed = balance.speed(hosts, host);
-            totals.welcome(host);
-            hosts.add(host);
-            notices.accept("host " + host.name() + " joined");
-            come = true;
-        }
-        if (come && alone != null) {
-            leave(alone);
+        boolean come = hosts.admit(host -> balance.speed(hosts.present(), host));
+        if (come && hosts.isAlone()) {
+            blocks();
+            hosts.leaveAlone();
         } else if (come || due) {
-            move(dealing.moves(hosts, order.kind() == Order.Kind.GATHER));
+            move(dealing.moves(hosts.present(), order.kind() == Order.Kind.GATHER));
         }
         recover();
-    }
-
-    /** The process that went on alone gives its blocks to hosts that have come. */
-    private void leave(Host host) throws IOException {
-        blocks();
-        hosts.remove(host);
-        gone.add(host.load.statistics(host.name(), "left", 0, times.criticalPath()));
-        dealing.lose(host);
-        host.close();
-        alone = null;
-        adopt();
     }
 
     private void move(List<Dealing.Move> moves) {
@@ -318,7 +230,7 @@ public final class RemoteWorld extends World {
         long begin = now();
         while (true) {
             recover();
-            List<byte[]> all = transfer.states(hosts);
+            List<byte[]> all = transfer.states(hosts.present());
             if (!calls.isAnyLost()) {
                 log.checkpoint(all);
                 checkpoints.done((now() - begin) * 1e-9);
@@ -330,24 +242,20 @@ public final class RemoteWorld extends World {
     @Override
     void restore(List<byte[]> states) throws IOException {
         log.checkpoint(states);
-        transfer.restore(hosts);
+        transfer.restore(hosts.present());
         recover();
         if (mesh.predicts()) {
-            totals.set(super.totals(), hosts);
+            totals.set(super.totals(), hosts.present());
         }
     }
 
     /** What was computed where so far. */
     public WorldStatistics statistics() {
-        List<HostStatistics> all = new ArrayList<>(gone);
-        hosts.forEach(host -> all.add(host.load.statistics(host.name(), "working", dealing.blocks(host).size(),
-                times.criticalPath())));
-        return times.statistics(all);
+        return times.statistics(hosts.statistics());
     }
 
     @Override
     public void close() {
-        finder.close();
-        HostCalls.close(hosts);
+        hosts.close();
     }
 }
