@@ -24,14 +24,7 @@ public final class ProgressiveRadiosity {
     private int shots;
     private int rounds;
     private final Flux flux;
-    /** What is left of the present round; null where there is none. */
-    private Order pending;
-    /** Who shoots in the round that was begun last. */
-    private List<Shot> shooters = List.of();
-    /** What was left to shoot when the present round was chosen, relative to what was emitted. */
-    private double unsent = Double.POSITIVE_INFINITY;
-    /** The round after the present one; null where it is not chosen yet. */
-    private Choice following;
+    private final Agenda agenda = new Agenda();
     private Planner planner;
     private Answer answer;
     /** Whether that is the answer to the last order. */
@@ -43,9 +36,6 @@ public final class ProgressiveRadiosity {
     /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
     private Answer beforeDark;
     private final Pace pace;
-
-    /** @param unsent when it was chosen */
-    private record Choice(Order round, double unsent) { }
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this(world, stop, Pace.STEP_SECONDS);
@@ -73,12 +63,12 @@ public final class ProgressiveRadiosity {
         }
         boolean goOn = true;
         while (goOn && !isDone()) {
-            if (pending == null) {
-                unsent = flux.unsent(answer);
-                pending = planner.next(answer, unsent, nowAndThen(listener));
-                if (pending == null) {
+            if (agenda.isEmpty()) {
+                Order next = planner.next(answer, flux.unsent(answer), nowAndThen(listener));
+                if (next == null) {
                     return;
                 }
+                agenda.add(next, flux.unsent(answer));
             }
             step();
             goOn = listener.afterRound(progress());
@@ -114,40 +104,33 @@ public final class ProgressiveRadiosity {
     }
 
     private boolean isDone() {
-        double left = pending == null ? flux.unsent(answer) : unsent;
-        boolean between = pending == null || !pending.begun();
-        return shots >= stop.shots() || between && planner.isEnough(left, stop.unsent());
+        double left = agenda.isEmpty() ? flux.unsent(answer) : agenda.unsent();
+        return shots >= stop.shots() || agenda.isBetweenRounds() && planner.isEnough(left, stop.unsent());
     }
 
     /*---- Rounds that overlap ----*/
 
-    /** All of a round was begun: what comes then, where that is chosen before the round is over. */
-    private void turn(Order done) throws IOException {
-        if (following == null && done.changes() && planner.looksAhead()) {
+    /** All of a round was begun: what comes then may be chosen before the round is over. */
+    private void lookAhead(Order done) throws IOException {
+        if (agenda.isEmpty() && done.changes() && planner.looksAhead()) {
             while (world.unread() > 1) {
                 read();
             }
-            following = choose();
-        }
-        if (following != null) {
-            pending = following.round();
-            unsent = following.unsent();
-            following = null;
+            choose();
         }
     }
 
-    /** From the last answer, which knows nothing of the round after it; where too little is left, all is asked for. */
-    private Choice choose() throws IOException {
+    /** From the last answer, which knows nothing of the last round; where too little is left, all is asked for. */
+    private void choose() throws IOException {
         double left = flux.unsent(answer);
-        List<Shot> before = pending == null || pending.begun() ? shooters : pending.shots();
-        Order next = planner.next(answer.without(before, world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
-        return new Choice(next == null ? Order.plain(Order.Kind.ASK, Integer.MAX_VALUE) : next, left);
+        Order next = planner.next(answer.without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
+        agenda.add(next == null ? Order.plain(Order.Kind.ASK, Integer.MAX_VALUE) : next, left);
     }
 
     private void read() throws IOException {
         answer = world.read(pace::took);
         known = world.now();
-        isKnown = world.unread() == 0 && (pending == null || !pending.begun());
+        isKnown = world.unread() == 0 && agenda.isBetweenRounds();
     }
 
     /** Reads what is answered by now, and chooses by it what was to be chosen by it. */
@@ -155,16 +138,17 @@ public final class ProgressiveRadiosity {
         while (world.unread() > 0) {
             read();
         }
-        if (pending != null && pending.changes() && following == null && planner.looksAhead()) {
-            following = choose();
+        if (agenda.wantsNext() && planner.looksAhead()) {
+            choose();
         }
     }
 
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
     private void step() throws IOException {
-        if (!pending.begun()) {
+        if (agenda.isBetweenRounds()) {
             begin();
         }
+        Order pending = agenda.round();
         boolean counts = pending.kind() == Order.Kind.SHOOT;
         int size = Math.min(pending.shots().size(), pace.size(pending.kind(), answer.elements, pending.shots().size()));
         if (counts) {
@@ -177,20 +161,20 @@ public final class ProgressiveRadiosity {
             readAll();
         }
         carryOut(now);
-        pending = now.more() ? pending.after(size) : null;
+        agenda.done(size);
         if (counts) {
             shots += size;
             now.shots().forEach(flux::count);
         }
-        if (pending == null) {
-            turn(now);
+        if (!now.more()) {
+            lookAhead(now);
         }
     }
 
     private void begin() throws IOException {
-        pending = pending.changes() ? pending.numbered(++rounds) : pending;
-        pending = pending.kind() == Order.Kind.SHOOT ? pending.givingBack(missing()) : pending;
-        shooters = pending.shots();
+        Order next = agenda.round();
+        next = next.changes() ? next.numbered(++rounds) : next;
+        agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next);
     }
 
     private void carryOut(Order now) throws IOException {
@@ -290,11 +274,7 @@ public final class ProgressiveRadiosity {
             }
             flux.write(out);
             planner.write(out);
-            byte[] rest = pending == null || !pending.changes() ? new byte[0] : pending.encode();
-            Wire.write(out, rest);
-            out.writeDouble(unsent);
-            Wire.write(out, following == null ? new byte[0] : following.round().encode());
-            out.writeDouble(following == null ? 0 : following.unsent());
+            agenda.write(out);
             for (byte[] block : blocks) {
                 Wire.write(out, block);
             }
@@ -325,12 +305,7 @@ public final class ProgressiveRadiosity {
             flux.read(in);
             prepare();
             planner.read(in);
-            byte[] rest = Wire.bytes(in);
-            pending = rest.length == 0 ? null : Order.decode(rest);
-            unsent = in.readDouble();
-            byte[] next = Wire.bytes(in);
-            double left = in.readDouble();
-            following = next.length == 0 ? null : new Choice(Order.decode(next), left);
+            agenda.read(in);
             List<byte[]> blocks = new ArrayList<>();
             for (int b = 0; b < world.mesh.blocks.size(); b++) {
                 blocks.add(Wire.bytes(in));

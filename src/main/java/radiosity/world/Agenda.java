@@ -1,0 +1,97 @@
+package radiosity.world;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.List;
+
+/** The rounds that were chosen: what is left of the present one, and the one after it where rounds overlap. */
+final class Agenda {
+
+    private static final Choice NONE = new Choice(null, 0);
+
+    private Choice present = NONE;
+    private Choice following = NONE;
+    /** Who shoots in the round that was begun last. */
+    private List<Shot> begun = List.of();
+
+    /** @param unsent what was left to shoot when it was chosen, relative to what was emitted */
+    private record Choice(Order round, double unsent) {
+
+        void write(DataOutputStream out) throws IOException {
+            Wire.write(out, round == null ? new byte[0] : round.encode());
+            out.writeDouble(unsent);
+        }
+
+        static Choice read(DataInputStream in) throws IOException {
+            byte[] round = Wire.bytes(in);
+            return new Choice(round.length == 0 ? null : Order.decode(round), in.readDouble());
+        }
+    }
+
+    /** Whether it is not known what comes next. */
+    boolean isEmpty() {
+        return present.round == null;
+    }
+
+    /** Whether all of the last round was begun, and nothing of the next one. */
+    boolean isBetweenRounds() {
+        return isEmpty() || !present.round.begun();
+    }
+
+    /** Whether what is known belongs to a choice that was not made: of the round after the next that shoots. */
+    boolean wantsNext() {
+        return !isEmpty() && present.round.changes() && following.round == null;
+    }
+
+    /** What is left of the present round. */
+    Order round() {
+        return present.round;
+    }
+
+    /** What was left to shoot when the present round was chosen, relative to what was emitted. */
+    double unsent() {
+        return present.unsent;
+    }
+
+    /** Who shoots in the last round that was chosen. */
+    List<Shot> shooters() {
+        return isBetweenRounds() && !isEmpty() ? present.round.shots() : begun;
+    }
+
+    /** What comes after all that was chosen. */
+    void add(Order round, double unsent) {
+        if (isEmpty()) {
+            present = new Choice(round, unsent);
+        } else {
+            following = new Choice(round, unsent);
+        }
+    }
+
+    /** @param round the present one, as it is carried out */
+    void begin(Order round) {
+        present = new Choice(round, present.unsent);
+        begun = round.shots();
+    }
+
+    /** So many of the shots that were left are under way. */
+    void done(int shots) {
+        if (shots < present.round.shots().size()) {
+            present = new Choice(present.round.after(shots), present.unsent);
+        } else {
+            present = following;
+            following = NONE;
+        }
+    }
+
+    /** A question is left out: who goes on later asks anew. */
+    void write(DataOutputStream out) throws IOException {
+        (isEmpty() || present.round.changes() ? present : NONE).write(out);
+        following.write(out);
+    }
+
+    void read(DataInputStream in) throws IOException {
+        present = Choice.read(in);
+        following = Choice.read(in);
+    }
+}

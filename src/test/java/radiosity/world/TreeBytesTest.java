@@ -1,0 +1,90 @@
+package radiosity.world;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import radiosity.patch.PatchTree;
+
+/** What is shot is read as it was written, to the last bit, in as little room as it needs. */
+class TreeBytesTest {
+
+    private static final int[] FOUR_PARTS = {1, -1, -1, -1, -1};
+
+    /** What 12 corners have of 6 vertices: those of the triangle, then the middles of its edges. */
+    private static final int[] VERTEX = {0, 5, 4, 5, 1, 3, 4, 3, 2, 3, 4, 5};
+
+    private static PatchTree tree(double[] atVertices) {
+        double[] radiosity = new double[3 * FOUR_PARTS.length];
+        for (int i = 0; i < VERTEX.length; i++) {
+            radiosity[3 + i] = atVertices[VERTEX[i]];
+        }
+        return new PatchTree(7, 1, FOUR_PARTS, radiosity);
+    }
+
+    private static double[] random(int seed) {
+        return new Random(seed).doubles(6, -40, 1000).toArray();
+    }
+
+    private static byte[] written(PatchTree tree) {
+        return Wire.bytes(out -> TreeBytes.write(tree, 1, out));
+    }
+
+    private static int checked(PatchTree tree) throws IOException {
+        byte[] bytes = written(tree);
+        DataInputStream in = Wire.input(bytes);
+        assertArrayEquals(tree.radiosity(), TreeBytes.read(in, 1).radiosity());
+        assertEquals(0, in.available());
+        return bytes.length;
+    }
+
+    @Test
+    void everyForm_losesNothing() throws IOException {
+        PatchTree exact = tree(random(1));
+        PatchTree floats = new Rounding(false, false).of(new Shot(List.of(exact), 0)).trees().get(0);
+        PatchTree shorts = new Rounding(false, true).of(new Shot(List.of(exact), 0)).trees().get(0);
+        int inDoubles = checked(exact);
+        assertEquals(6 * (Double.BYTES - Float.BYTES), inDoubles - checked(floats));
+        assertEquals(6 * (Double.BYTES - Short.BYTES), inDoubles - checked(shorts));
+    }
+
+    @Test
+    void cornersThatDiffer_areAllWritten() throws IOException {
+        PatchTree same = tree(random(2));
+        double[] other = same.radiosity().clone();
+        other[5] += 1;
+        assertEquals(6 * Double.BYTES, checked(new PatchTree(7, 1, FOUR_PARTS, other)) - checked(same));
+    }
+
+    @Test
+    void extremeNumbers_loseNothing() throws IOException {
+        checked(tree(new double[6]));
+        checked(tree(new double[] {Double.MIN_VALUE, 1, -1, 1e300, -1e-300, 0}));
+        checked(tree(new double[] {Double.MAX_VALUE, Double.MIN_NORMAL, 0, 1, 2, 3}));
+        checked(tree(new double[] {1e-310, 2e-310, 0, 0, 0, 0}));
+    }
+
+    /** What is left over is small beside the largest, and is not lost: it stays to be shot. */
+    @Test
+    void rounding_leavesLittle() {
+        double[] before = tree(random(3)).radiosity();
+        double[] after = new Rounding(false, true).of(new Shot(List.of(tree(random(3))), 0)).trees().get(0).radiosity();
+        double most = Rounding.largest(before);
+        for (int i = 0; i < before.length; i++) {
+            assertTrue(Math.abs(before[i] - after[i]) <= most * 0x1p-14, before[i] + " became " + after[i]);
+        }
+    }
+
+    @Test
+    void unknownForm_isRefused() {
+        byte[] bytes = written(tree(random(4)));
+        bytes[4 + 8 + 4 + 1] = 9;
+        assertThrows(IOException.class, () -> TreeBytes.read(Wire.input(bytes), 1));
+    }
+}
