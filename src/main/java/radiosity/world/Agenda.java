@@ -39,7 +39,7 @@ final class Agenda {
         return isEmpty() || !present.round.begun();
     }
 
-    /** Whether what is known belongs to a choice that was not made: of the round after the next that shoots. */
+    /** Whether there is a round that shoots, and the one after it is still to be chosen. */
     boolean wantsNext() {
         return !isEmpty() && present.round.changes() && following.round == null;
     }
