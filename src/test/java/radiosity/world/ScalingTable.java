@@ -13,7 +13,7 @@ import radiosity.scene.Scene;
  *
  * <p>All hosts are in this process, each with one thread, on a {@link LogicalClock}: the wall time is that of the
  * slowest host in every call, what the calls cost on a network, and the master's own processor time. Speedup is over
- * a calculation in one process, on one thread.
+ * a calculation in one process, on one thread, just before: a busy machine is not always as busy.
  */
 public final class ScalingTable {
 
@@ -33,11 +33,9 @@ public final class ScalingTable {
         try (RemoteWorld world = world(scene, settings, WARM_UP_HOSTS, new LogicalClock())) {
             warmUp(world, stop);
         }
-        double local = alone(scene, settings, stop);
-        System.out.printf(Locale.ROOT, "in one process, CPU s: %.2f%n", local);
-        System.out.println("hosts  elements  calls   CPU s busiest s  master s       MB   wall s  speedup  efficiency  worst idle %");
+        System.out.println("hosts  elements  alone s  calls   CPU s busiest s  master s       MB   wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
-            print(scene, settings, stop, Integer.parseInt(arguments[i]), local);
+            print(scene, settings, stop, Integer.parseInt(arguments[i]), alone(scene, settings, stop));
         }
     }
 
@@ -72,8 +70,8 @@ public final class ScalingTable {
             List<HostStatistics> all = world.statistics().hosts();
             double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
             int elements = all.stream().mapToInt(HostStatistics::elements).sum();
-            System.out.printf(Locale.ROOT, "%5d %,9d %6d %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", hosts,
-                    elements, clock.calls() / hosts, clock.cpu(), clock.busiest(), wall - clock.waited(),
+            System.out.printf(Locale.ROOT, "%5d %,9d %8.2f %6d %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", hosts,
+                    elements, local, clock.calls() / hosts, clock.cpu(), clock.busiest(), wall - clock.waited(),
                     clock.bytes() / 1e6, wall, local / wall, local / wall / hosts, 100 * idle);
         }
     }
