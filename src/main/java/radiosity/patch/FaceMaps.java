@@ -56,6 +56,10 @@ final class FaceMaps {
         return weights;
     }
 
+    boolean has(int face) {
+        return maps != null && maps[face] != null;
+    }
+
     /** In the mean over a face; the surface's where it has no picture. */
     double mean(int face, int colour, Rgb everywhere) {
         return at(face, Path.FACE, colour, everywhere.channel(colour));

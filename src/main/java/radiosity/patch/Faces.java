@@ -323,6 +323,11 @@ public final class Faces {
         return shine.reflectance(face, channel);
     }
 
+    /** Whether a picture tells what is where on a face. */
+    boolean isMapped(int face) {
+        return shine.isMapped(face);
+    }
+
     /** E in W/m², in the mean over a node. */
     public double exitance(int face, long path, int channel) {
         return shine.exitance(face, path, channel);

@@ -121,7 +121,9 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         double[] here = ends ? Arrays.copyOfRange(radiosity, n * i, n * i + n) : values;
         if (nodes.isElement(node)) {
             for (int j = 0; j < n; j++) {
-                nodes.shot()[n * node + j] += here[j];
+                int k = j / nodes.channels();
+                int c = j % nodes.channels();
+                nodes.setShot(node, k, c, nodes.shot(node, k, c) + here[j]);
             }
             return;
         }

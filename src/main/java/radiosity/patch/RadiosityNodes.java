@@ -17,25 +17,11 @@ public final class RadiosityNodes {
     private final int channels;
     private final ReceivingPoints points;
 
-    private int nodes;
-    private int elements;
-    /** 1 per node. */
-    private int[] face = new int[64];
-    /** 1 per node, see {@link Path}. */
-    private long[] path = new long[64];
-    /** 1 per node: what it is a part of, or -1. */
-    private int[] parent = new int[64];
-    /** 1 per node: first of four consecutive children, or -1. */
-    private int[] child = new int[64];
-    /** 1 per node: with which others it shares vertices; 0 in the initial mesh. */
-    private int[] share = new int[64];
-    /** 3 per node: vertices. */
-    private int[] corner = new int[3 * 64];
-    /** 3 x channels per node: radiosity S that has been shot at each corner; of leaves only. W/m². */
+    private final NodeTree tree;
+    /** 3 x channels per element, by its place: radiosity S that has been shot at each corner. W/m². */
     private double[] shot;
-
-    private final Roots roots;
-    private int[] patches = new int[64];
+    /** Leaves of the initial mesh. */
+    private final int[] patches;
     private int patchCount;
     private final int[] weights = new int[9];
 
@@ -44,14 +30,24 @@ public final class RadiosityNodes {
         this.patcher = patcher;
         faces = patcher.faces();
         channels = faces.channels();
-        shot = new double[3 * channels * 64];
         points = new ReceivingPoints(patcher);
-        roots = new Roots(blocks.stream().mapToInt(block -> block.face().length).sum());
+        int tops = 0;
+        int leaves = 0;
+        for (Block block : blocks) {
+            tops += block.face().length;
+            for (int i = 0; i < block.face().length; i++) {
+                leaves += 1 << 2 * (patcher.level(block.face()[i]) - Path.level(block.path()[i]));
+            }
+        }
+        tree = new NodeTree(tops, (4 * leaves - tops) / 3);
+        patches = new int[leaves];
         for (Block block : blocks) {
             for (int i = 0; i < block.face().length; i++) {
                 plant(block.face()[i], block.path()[i]);
             }
         }
+        points.trim();
+        shot = new double[3 * channels * leaves];
     }
 
     private void plant(int f, long top) {
@@ -63,22 +59,17 @@ public final class RadiosityNodes {
             Subdivision.descend(at, Path.step(top, level));
         }
         Path.weights(top, weights);
-        int node = addNode(f, top, -1, 0);
+        int node = tree.addRoot(f, top);
         int depth = patcher.level(f);
         for (int k = 0; k < 3; k++) {
-            corner[3 * node + k] = patcher.isPoint(f) ? points.middle(f, at)
-                    : points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0);
+            tree.setCorner(node, k, patcher.isPoint(f) ? points.middle(f, at)
+                    : points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0));
         }
-        elements++;
-        roots.add(f, top, node);
         grow(node, depth);
     }
 
     private void grow(int node, int depth) {
-        if (Path.level(path[node]) == depth) {
-            if (patchCount == patches.length) {
-                patches = Arrays.copyOf(patches, 2 * patchCount);
-            }
+        if (tree.level(node) == depth) {
             patches[patchCount++] = node;
             return;
         }
@@ -95,56 +86,48 @@ public final class RadiosityNodes {
      * @return the first of the four
      */
     public int split(int node, int with) {
-        return divide(node, Path.level(path[node]) + 1, with);
+        int first = divide(node, tree.level(node) + 1, with);
+        shareShot(node, first);
+        return first;
+    }
+
+    /** To be called before splits with a number that there was none with: nobody asks for other shared vertices again. */
+    public void beginSplits() {
+        points.forget();
     }
 
     private int divide(int node, int depth, int with) {
-        int[] w = new int[9];
-        Path.weights(path[node], w);
+        Path.weights(tree.path(node), weights);
         int[] mid = new int[3];
         for (int k = 0; k < 3; k++) {
             int p = (k + 1) % 3;
             int q = (k + 2) % 3;
             int[] between = new int[3];
             for (int a = 0; a < 3; a++) {
-                between[a] = (w[3 * p + a] + w[3 * q + a]) >> 1;
+                between[a] = (weights[3 * p + a] + weights[3 * q + a]) >> 1;
             }
-            mid[k] = points.between(corner[3 * node + p], corner[3 * node + q], face[node], between, depth, with);
+            mid[k] = points.between(corner(node, p), corner(node, q), face(node), between, depth, with);
         }
-        int first = nodes;
-        for (int k = 0; k < 4; k++) {
-            addNode(face[node], Path.child(path[node], k), node, with);
-        }
+        int first = tree.addChildren(node);
         for (int k = 0; k < 3; k++) {
-            int c = 3 * (first + k);
-            corner[c + k] = corner[3 * node + k];
-            corner[c + (k + 1) % 3] = mid[(k + 2) % 3];
-            corner[c + (k + 2) % 3] = mid[(k + 1) % 3];
-            corner[3 * (first + 3) + k] = mid[k];
+            tree.setCorner(first + k, k, corner(node, k));
+            tree.setCorner(first + k, (k + 1) % 3, mid[(k + 2) % 3]);
+            tree.setCorner(first + k, (k + 2) % 3, mid[(k + 1) % 3]);
+            tree.setCorner(first + 3, k, mid[k]);
         }
-        Subdivision.shareShot(shot, channels, node, first);
-        child[node] = first;
-        elements += 3;
         return first;
     }
 
-    private int addNode(int f, long where, int under, int with) {
-        if (nodes == face.length) {
-            int more = nodes + nodes / 2;
-            face = Arrays.copyOf(face, more);
-            path = Arrays.copyOf(path, more);
-            parent = Arrays.copyOf(parent, more);
-            child = Arrays.copyOf(child, more);
-            share = Arrays.copyOf(share, more);
-            corner = Arrays.copyOf(corner, 3 * more);
-            shot = Arrays.copyOf(shot, 3 * channels * more);
+    /** Gives four children what their parent had shot. */
+    private void shareShot(int node, int first) {
+        int n = 3 * channels;
+        double[] before = Arrays.copyOfRange(shot, n * tree.place(node), n * (tree.place(node) + 1));
+        if (n * tree.elements() > shot.length) {
+            shot = Arrays.copyOf(shot, Math.max(n * tree.elements(), shot.length / 4 * 5));
         }
-        face[nodes] = f;
-        path[nodes] = where;
-        share[nodes] = with;
-        parent[nodes] = under;
-        child[nodes] = -1;
-        return nodes++;
+        for (int k = 0; k < 4; k++) {
+            System.arraycopy(Subdivision.values(before, channels, k), 0, shot, n * tree.place(first + k), n);
+        }
     }
 
     /*---- What is there ----*/
@@ -159,12 +142,12 @@ public final class RadiosityNodes {
 
     /** Number of nodes, inner ones and elements. */
     public int nodes() {
-        return nodes;
+        return tree.count();
     }
 
     /** Number of leaves. */
     public int elements() {
-        return elements;
+        return tree.elements();
     }
 
     public int vertices() {
@@ -183,12 +166,12 @@ public final class RadiosityNodes {
 
     /** Levels between a node and the patch that it lies below. */
     int depthBelowPatch(int node) {
-        return Path.level(path[node]) - patcher.level(face[node]);
+        return tree.level(node) - patcher.level(face(node));
     }
 
     /** The top nodes of all blocks, in their order. */
     public int[] tops() {
-        return roots.all();
+        return tree.roots();
     }
 
     /** The top nodes of one block. */
@@ -206,11 +189,11 @@ public final class RadiosityNodes {
      * @param to modified: x, y, z in scene units, 3 from {@code at}
      */
     public void position(int node, int k, double[] to, int at) {
-        Path.weights(path[node], weights);
+        Path.weights(tree.path(node), weights);
         for (int a = 0; a < 3; a++) {
             double sum = 0;
             for (int j = 0; j < 3; j++) {
-                sum += (double) weights[3 * k + j] / Path.ONE * faces.sceneCorner(face[node], j, a);
+                sum += (double) weights[3 * k + j] / Path.ONE * faces.sceneCorner(face(node), j, a);
             }
             to[at + a] = sum;
         }
@@ -218,59 +201,49 @@ public final class RadiosityNodes {
 
     /** The node of this name, or -1. */
     public int find(int onFace, long atPath) {
-        int levels = Path.level(atPath);
-        int up = levels;
-        int node = roots.find(onFace, atPath);
-        while (node < 0 && up > 0) {
-            up--;
-            node = roots.find(onFace, atPath >> 2 * (levels - up));
-        }
-        for (int level = up + 1; level <= levels && node >= 0; level++) {
-            node = child[node] < 0 ? -1 : child[node] + Path.step(atPath, level);
-        }
-        return node;
+        return tree.find(onFace, atPath);
     }
 
     public int face(int node) {
-        return face[node];
+        return tree.face(node);
     }
 
     public long path(int node) {
-        return path[node];
+        return tree.path(node);
     }
 
     /** What a node is a part of, or -1. */
     public int parent(int node) {
-        return parent[node];
+        return tree.parent(node);
     }
 
     /** First of four consecutive children, or -1. */
     public int child(int node) {
-        return child[node];
+        return tree.child(node);
     }
 
-    /** With which splits a node shares vertices; 0 in the initial mesh. */
-    public int share(int node) {
-        return share[node];
+    /** Number under which an inner node was divided; 0 in the initial mesh. */
+    public int dividedWith(int node) {
+        return points.made(corner(child(node) + 3, 0));
     }
 
     public boolean isElement(int node) {
-        return child[node] < 0;
+        return tree.child(node) < 0;
     }
 
     /** Whether all corners of a node are one vertex, in its middle; it is not to be split. */
     public boolean isPoint(int node) {
-        return corner[3 * node] == corner[3 * node + 1];
+        return corner(node, 0) == corner(node, 1);
     }
 
     /** Vertex at corner k of a node. */
     public int corner(int node, int k) {
-        return corner[3 * node + k];
+        return tree.corner(node, k);
     }
 
     /** Area of a node, of the scene's squared size. */
     public double area(int node) {
-        return faces.area(face[node]) / (1L << 2 * Path.level(path[node]));
+        return faces.area(face(node)) / (1L << 2 * tree.level(node));
     }
 
     /** Receiving points, 3 per vertex; not to be modified. */
@@ -311,20 +284,20 @@ public final class RadiosityNodes {
         return points.irradiance();
     }
 
-    /** S, 3 x channels per node (meaningful for leaves), W/m²; whoever owns the tree adds to it. */
-    public double[] shot() {
-        return shot;
+    /** Sets S at corner k of an element, W/m²; for whoever owns the tree. */
+    public void setShot(int element, int k, int channel, double radiosity) {
+        shot[channels * (3 * tree.place(element) + k) + channel] = radiosity;
     }
 
     /** Irradiance H at corner k of an element, W/m²: that of its vertex, or the mean of the others if it is buried. */
     public double irradiance(int node, int k, int channel) {
-        if (!points.isBuried(corner[3 * node + k])) {
-            return arrived(corner[3 * node + k], channel);
+        if (!points.isBuried(corner(node, k))) {
+            return arrived(corner(node, k), channel);
         }
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
-            int v = corner[3 * node + j];
+            int v = corner(node, j);
             if (!points.isBuried(v)) {
                 sum += arrived(v, channel);
                 seen++;
@@ -342,17 +315,18 @@ public final class RadiosityNodes {
      */
     public double bulge(int node, int channel) {
         double sum = 0;
-        for (int k = 0; k < 3 && parent[node] >= 0; k++) {
-            sum += bulge(parent[node], k, channel);
+        int parent = tree.parent(node);
+        for (int k = 0; k < 3 && parent >= 0; k++) {
+            sum += bulge(parent, k, channel);
         }
         return sum / 12;
     }
 
     /** H at the middle of the edge opposite corner k of an inner node less the mean of the edge's ends, W/m². */
     private double bulge(int node, int k, int channel) {
-        int p = corner[3 * node + (k + 1) % 3];
-        int q = corner[3 * node + (k + 2) % 3];
-        int middle = corner[3 * (child[node] + 3) + k];
+        int p = corner(node, (k + 1) % 3);
+        int q = corner(node, (k + 2) % 3);
+        int middle = corner(child(node) + 3, k);
         if (points.isBuried(p) || points.isBuried(q) || points.isBuried(middle)) {
             return 0;
         }
@@ -365,12 +339,17 @@ public final class RadiosityNodes {
 
     /** E in W/m², in the mean over a node. */
     public double exitance(int node, int channel) {
-        return faces.exitance(face[node], path[node], channel);
+        return faces.exitance(face(node), mapPath(node), channel);
     }
 
     /** rho in [0, 1), in the mean over a node. */
     public double reflectance(int node, int channel) {
-        return faces.reflectance(face[node], path[node], channel);
+        return faces.reflectance(face(node), mapPath(node), channel);
+    }
+
+    /** Where a node lies, if that matters for how it looks. */
+    private long mapPath(int node) {
+        return faces.isMapped(face(node)) ? tree.path(node) : Path.FACE;
     }
 
     /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
@@ -380,7 +359,7 @@ public final class RadiosityNodes {
 
     /** Radiosity S that was shot at corner k of an element, W/m². */
     public double shot(int node, int k, int channel) {
-        return shot[channels * (3 * node + k) + channel];
+        return shot[channels * (3 * tree.place(node) + k) + channel];
     }
 
     /** Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. */

@@ -27,7 +27,7 @@ final class ReceivingPoints {
     /** channels per vertex: H in W/m². */
     private double[] irradiance;
     /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
-    private final LongIndex index = new LongIndex(256);
+    private LongIndex index = new LongIndex(256);
 
     ReceivingPoints(Patcher patcher) {
         this.patcher = patcher;
@@ -63,7 +63,7 @@ final class ReceivingPoints {
             return v;
         }
         if (count == key.length) {
-            makeRoom(count + count / 2);
+            makeRoom(count + Math.max(64, count / 4));
         }
         System.arraycopy(at, from, position, 3 * v, 3);
         patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);
@@ -91,6 +91,17 @@ final class ReceivingPoints {
             irradiance[channels * middle + c] = 0.5 * (irradiance[channels * u + c] + irradiance[channels * v + c]);
         }
         return middle;
+    }
+
+    /** Gives back what room there is, and forgets by what vertices could be shared. */
+    void trim() {
+        makeRoom(count);
+        forget();
+    }
+
+    /** Forgets by what vertices could be shared. */
+    void forget() {
+        index = new LongIndex(256);
     }
 
     private void makeRoom(int room) {

@@ -7,20 +7,33 @@ final class Roots {
 
     private final LongIndex names;
     private int[] node;
+    private long[] path;
     private int count;
 
     /** @param expected about how many */
     Roots(int expected) {
         names = new LongIndex(expected);
         node = new int[Math.max(1, expected)];
+        path = new long[node.length];
     }
 
-    void add(int face, long path, int top) {
-        names.findOrAdd(name(face, path), top);
+    void add(int face, long at, int root) {
+        names.findOrAdd(name(face, at), root);
         if (count == node.length) {
             node = Arrays.copyOf(node, 2 * count);
+            path = Arrays.copyOf(path, 2 * count);
         }
-        node[count++] = top;
+        path[count] = at;
+        node[count++] = root;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** Of root i, see {@link Path}. */
+    long path(int i) {
+        return path[i];
     }
 
     /** In the order of the blocks. */
@@ -28,12 +41,12 @@ final class Roots {
         return Arrays.copyOf(node, count);
     }
 
-    /** The top node of this name, or -1. */
-    int find(int face, long path) {
-        return names.find(name(face, path));
+    /** The root of this name, or -1. */
+    int find(int face, long at) {
+        return names.find(name(face, at));
     }
 
-    private static long name(int face, long path) {
-        return Hash.mix(Hash.mix(4, face), path);
+    private static long name(int face, long at) {
+        return Hash.mix(Hash.mix(4, face), at);
     }
 }

@@ -48,6 +48,10 @@ final class Shine {
         return reflectance[channels * face + channel];
     }
 
+    boolean isMapped(int face) {
+        return exitanceMaps.has(face) || reflectanceMaps.has(face);
+    }
+
     double exitance(int face, long path, int channel) {
         double whole = exitance[channels * face + channel];
         return whole == 0 ? 0 : exitanceMaps.at(face, path, channel % colours, whole);

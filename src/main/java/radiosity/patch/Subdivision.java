@@ -1,7 +1,5 @@
 package radiosity.patch;
 
-import java.util.Arrays;
-
 /** A triangle in four: its corners, and what stands at them. */
 public final class Subdivision {
 
@@ -52,13 +50,5 @@ public final class Subdivision {
             }
         }
         return of;
-    }
-
-    /** Gives four children at {@code first} what their parent had shot, 3 x channels per node in {@code shot}. */
-    static void shareShot(double[] shot, int channels, int node, int first) {
-        double[] parent = Arrays.copyOfRange(shot, 3 * channels * node, 3 * channels * (node + 1));
-        for (int k = 0; k < 4; k++) {
-            System.arraycopy(values(parent, channels, k), 0, shot, 3 * channels * (first + k), 3 * channels);
-        }
     }
 }

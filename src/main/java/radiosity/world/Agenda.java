@@ -12,7 +12,7 @@ final class Agenda {
 
     private Choice present = NONE;
     private Choice following = NONE;
-    /** Who shoots in the round that was begun last. */
+    /** Who shoots in the round that was begun last, as long as another one may be chosen. */
     private List<Shot> begun = List.of();
 
     /** @param unsent what was left to shoot when it was chosen, relative to what was emitted */
@@ -68,10 +68,13 @@ final class Agenda {
         }
     }
 
-    /** @param round the present one, as it is carried out */
-    void begin(Order round) {
+    /**
+     * @param round   the present one, as it is carried out
+     * @param another whether another one will be chosen before all of it is done
+     */
+    void begin(Order round, boolean another) {
         present = new Choice(round, present.unsent);
-        begun = round.shots();
+        begun = another ? round.shots() : List.of();
     }
 
     /** So many of the shots that were left are under way. */

@@ -27,7 +27,7 @@ final class BlockState {
 
     private static void write(RadiosityNodes nodes, int node, BitSet met, DataOutputStream out)
             throws IOException {
-        out.writeInt(nodes.isElement(node) ? -1 : nodes.share(nodes.child(node)));
+        out.writeInt(nodes.isElement(node) ? -1 : nodes.dividedWith(node));
         if (!nodes.isElement(node)) {
             for (int k = 0; k < 4; k++) {
                 write(nodes, nodes.child(node) + k, met, out);
@@ -36,7 +36,7 @@ final class BlockState {
         }
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
-            out.writeDouble(nodes.shot()[3 * channels * node + i]);
+            out.writeDouble(nodes.shot(node, i / channels, i % channels));
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);
@@ -73,7 +73,7 @@ final class BlockState {
         }
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
-            nodes.shot()[3 * channels * node + i] = in.readDouble();
+            nodes.setShot(node, i / channels, i % channels, in.readDouble());
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);

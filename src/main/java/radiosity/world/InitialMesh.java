@@ -69,7 +69,7 @@ final class InitialMesh {
         fellows = new Fellows(coarse, blocks);
         boolean white = scene.surfaces().stream()
                 .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
-        rounding = new Rounding(white, shootsBlocks());
+        rounding = new Rounding(white, shootsBlocks() && !settings.layers());
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {

@@ -11,7 +11,7 @@ import radiosity.scene.Scene;
 /** A world whose elements are all in this process (section 4.5.2 of the paper). */
 public final class LocalWorld extends World {
 
-    private final List<Partition> partitions = new ArrayList<>();
+    private final List<PartitionImpl> partitions = new ArrayList<>();
     private final Queue<Answered> unread = new ArrayDeque<>();
 
     /** @param threads at least 1; more than there are processors are not used */
@@ -31,12 +31,16 @@ public final class LocalWorld extends World {
 
     @Override
     List<byte[]> round(Order order) throws IOException {
-        byte[] bytes = order.encode();
         List<byte[]> answers = new ArrayList<>();
-        for (Partition partition : partitions) {
-            answers.add(partition.round(bytes));
+        for (PartitionImpl partition : partitions) {
+            answers.add(partition.round(order));
         }
         return answers;
+    }
+
+    @Override
+    List<Shot> totals() {
+        return partitions.stream().flatMap(partition -> partition.totals().stream()).sorted().toList();
     }
 
     @Override

@@ -108,6 +108,7 @@ final class PartitionImpl implements Partition {
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
+        nodes.beginSplits();
         new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number());
         costs.split(order.number());
         receivers.bury(nodes, known);
@@ -126,7 +127,8 @@ final class PartitionImpl implements Partition {
         }
     }
 
-    private List<Shot> totals() {
+    /** What each shooter has ever shot. */
+    List<Shot> totals() {
         Shot[] totals = new Shot[shooters.length];
         crew.run(totals.length, i -> totals[i] = Shot.total(nodes, shooters[i]));
         return List.of(totals);
@@ -196,6 +198,7 @@ final class PartitionImpl implements Partition {
             return;
         }
         int known = nodes.vertices();
+        nodes.beginSplits();
         for (int node = 0, last = nodes.nodes(); node < last; node++) {
             if (meshing.wants(nodes, node)) {
                 nodes.split(node, round);

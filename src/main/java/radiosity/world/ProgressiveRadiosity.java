@@ -174,7 +174,7 @@ public final class ProgressiveRadiosity {
     private void begin() throws IOException {
         Order next = agenda.round();
         next = next.changes() ? next.numbered(++rounds) : next;
-        agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next);
+        agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next, planner.looksAhead());
     }
 
     private void carryOut(Order now) throws IOException {

@@ -8,7 +8,8 @@ import radiosity.patch.PatchTree;
  * shot and so not lost.
  *
  * @param exact    whether what is left over would show: among white surfaces it would be a part of what is emitted
- * @param together whether those of a tree have one exponent: many of them, which are shot again if need be
+ * @param together whether those of a tree have one exponent: many of them, which are shot again if need be.
+ *                 Not where lamps are to be mixed: each alone is then as it is among others to the digits of a float
  */
 record Rounding(boolean exact, boolean together) {
 
