@@ -24,7 +24,8 @@ public final class Performance {
     private static final StopRule STOP = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT);
     /** No element is subdivided for its light. */
     private static final double UNIFORM = 1e9;
-    private static final int[] GROWTH = {10_000, 100_000, 1_000_000};
+    /** Patches that are asked for; there are up to four times as many. */
+    private static final int[] GROWTH = {10_000, 100_000, 500_000};
     private static final int[] MESHES = {4_000, 16_000, 64_000, 256_000};
     private static final double[] FINENESS = {8, 4, 2, 1};
     private static final double MESH_ERROR = 4e-4;
