@@ -12,7 +12,7 @@ import java.util.List;
 public final class Partitioner {
 
     private static final int LEAST_PATCHES = 16;
-    private static final int MOST_PATCHES = 4096;
+    private static final int MOST_PATCHES = 16_384;
 
     private final Patcher patcher;
     private final int blockSize;
