@@ -131,7 +131,7 @@ final class CoarseRows {
 
     /** What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners. */
     GaussSeidel equations() {
-        int[][] unknown = new int[column.length][];
+        int[][] columns = new int[column.length][];
         float[][] value = new float[column.length][];
         int[] place = new int[column.length];
         int colours = faces.colours();
@@ -142,7 +142,7 @@ final class CoarseRows {
             for (int i = 0; i < column[v].length; i++) {
                 int patch = column[v][i];
                 for (int k = 0; k < 3; k++) {
-                    int at = this.unknown[nodes.corner(patch, k)];
+                    int at = unknown[nodes.corner(patch, k)];
                     float weight = weight(patch, k, v, i);
                     if (place[at] >= size || vertices[place[at]] != at) {
                         place[at] = size;
@@ -153,10 +153,10 @@ final class CoarseRows {
                     }
                 }
             }
-            unknown[v] = Arrays.copyOf(vertices, size);
+            columns[v] = Arrays.copyOf(vertices, size);
             value[v] = Arrays.copyOf(sum, colours * size);
         }
-        return new GaussSeidel(channels, colours, unknown, value);
+        return new GaussSeidel(channels, colours, columns, value);
     }
 
     /** What counts for corner k of a patch in a row; that of a buried one is shared by the others. */
