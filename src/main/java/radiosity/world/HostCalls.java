@@ -28,12 +28,17 @@ final class HostCalls {
         return running;
     }
 
-    /** What each answers to a call that was started; who does not is lost. */
+    /**
+     * What each answers to a call that was started; who does not is lost. Nobody waits for who is lost already: a host
+     * does rounds in their order, and would not come to this one if it is there and one before never reached it.
+     */
     <T> Map<Host, T> await(Map<Host, FutureTask<T>> running) {
         Map<Host, T> results = new LinkedHashMap<>();
         running.forEach((host, task) -> {
             try {
-                results.put(host, host.await(task));
+                if (!lost.containsKey(host)) {
+                    results.put(host, host.await(task));
+                }
             } catch (HostLostException e) {
                 lost.put(host, e);
             }

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -75,6 +76,17 @@ class RemoteWorldTest {
         assertSame(local(schedule), remote(schedule, with(mortal, 2)));
         assertTrue(mortal.isDead());
         assertTrue(said("host igge lost \\(no connection\\); its \\d+ blocks move to \\d hosts?, rebuilt in .* s"), notices::toString);
+    }
+
+    /** It is there, and waits for a round that never comes. */
+    @ParameterizedTest
+    @EnumSource(Schedule.class)
+    @Timeout(60)
+    void roundThatNeverReachesAHost_losesNothing(Schedule schedule) throws IOException {
+        TestLink deaf = new TestLink("igge", 1, r -> false);
+        deaf.unreached = 3;
+        assertSame(local(schedule), remote(schedule, with(deaf, 2)));
+        assertTrue(said("host igge lost \\(no connection\\); .*"), notices::toString);
     }
 
     @ParameterizedTest

@@ -18,6 +18,8 @@ final class TestLink implements Link {
     private final AtomicInteger rounds = new AtomicInteger();
     private volatile boolean dead;
     volatile RemotePartition behind;
+    /** Number of the round that never reaches it. */
+    volatile long unreached;
     /** That of the master and all hosts; null where each has its own. */
     LogicalClock clock;
 
@@ -57,6 +59,7 @@ final class TestLink implements Link {
         return (RemotePartition) java.lang.reflect.Proxy.newProxyInstance(getClass().getClassLoader(),
                 new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
                     check();
+                    checkReached(method.getName(), arguments);
                     try {
                         Object result = method.invoke(behind, arguments);
                         if (method.getName().equals("round") && dies.test(rounds.incrementAndGet())) {
@@ -68,6 +71,12 @@ final class TestLink implements Link {
                         throw e.getCause();
                     }
                 });
+    }
+
+    private void checkReached(String method, Object[] arguments) throws ConnectException {
+        if (method.equals("round") && (long) arguments[1] == unreached) {
+            throw new ConnectException("round " + unreached);
+        }
     }
 
     private void check() throws ConnectException {
