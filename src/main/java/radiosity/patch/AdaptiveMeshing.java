@@ -42,7 +42,7 @@ public final class AdaptiveMeshing {
     private static double radiosity(RadiosityNodes nodes, int node, int k, int colour) {
         double sum = 0;
         for (int c = colour; c < nodes.channels(); c += nodes.faces().colours()) {
-            sum += nodes.radiosity(node, k, c);
+            sum += nodes.light().radiosity(node, k, c);
         }
         return sum;
     }

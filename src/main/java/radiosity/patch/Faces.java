@@ -1,6 +1,5 @@
 package radiosity.patch;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.function.IntPredicate;
@@ -27,21 +26,13 @@ public final class Faces {
     private final SceneBox box;
     private final Channels kinds;
     private final int channels;
-    private int count;
-    private int dropped;
-    /** Corners of faces, those of the scene and those that cutting made. */
-    private final CutPoints points;
-    /** 1 per face: 2 * original triangle, + 1 for the back. */
+    private final FaceList list;
+    /** These six are the list's, for whoever reads one of them often. */
+    private final int count;
     final int[] side;
-    /** 9 per face: three corners, counter-clockwise seen from the side that radiates. */
     final float[] corner;
-    /** 3 per face, length 1. */
     final float[] normal;
-    /** 1 per face. */
     final double[] area;
-    /** Their sum. */
-    private double wholeArea;
-    /** 3 per face: number of the point at each corner; equal coordinates have equal numbers. */
     final int[] point;
     /** 1 per face: the lowest face of its part. */
     final int[] part;
@@ -49,9 +40,7 @@ public final class Faces {
     final int[] fan;
     /** 1 per face: bit k where the edge opposite corner k is the part's border. */
     final byte[] border;
-    /** 1 per face: whether it is a piece of a triangle that was cut. */
-    private final boolean[] piece;
-    private Shine shine;
+    private final Shine shine;
 
     /** All light of a scene as one. */
     public Faces(Scene scene) {
@@ -60,51 +49,29 @@ public final class Faces {
 
     /** @param layered whether the light of each lamp is kept apart: in channels of its own */
     public Faces(Scene scene, boolean layered) {
-        this(scene, SceneBox.of(scene), new Channels(scene, layered), new CutPoints(scene, 0), mostFaces(scene));
-        int[] numbers = PointNumbers.of(scene.points());
-        for (int t = 0; t < scene.triangles(); t++) {
-            add(t, numbers);
-        }
-        finish(Set.of());
+        this(scene, SceneBox.of(scene), new Channels(scene, layered));
     }
 
-    private Faces(Faces whole, Cutting cutting) {
-        this(whole.scene, whole.box, whole.kinds, cutting.points,
-                whole.count + cutting.count());
-        dropped = whole.dropped;
-        for (int f = 0; f < whole.count; f++) {
-            List<int[]> some = cutting.pieces.get(f);
-            if (some == null) {
-                add(whole, f, whole.point[3 * f], whole.point[3 * f + 1], whole.point[3 * f + 2]);
-                continue;
-            }
-            for (int[] p : some) {
-                piece[count] = true;
-                add(whole, f, p[0], p[1], p[2]);
-            }
-        }
-        finish(cutting.edges);
+    private Faces(Scene scene, SceneBox box, Channels kinds) {
+        this(scene, box, kinds, FaceList.of(scene, box), Set.of());
     }
 
-    /** @param most faces that there is to be room for */
-    private Faces(Scene scene, SceneBox box, Channels kinds, CutPoints points, int most) {
+    /** @param cut as {@link Parts#join} has it */
+    private Faces(Scene scene, SceneBox box, Channels kinds, FaceList list, Set<Long> cut) {
         this.scene = scene;
         this.box = box;
         this.kinds = kinds;
-        this.points = points;
+        this.list = list;
         channels = kinds.colours * kinds.layers();
-        side = new int[most];
-        corner = new float[9 * most];
-        normal = new float[3 * most];
-        area = new double[most];
-        point = new int[3 * most];
-        part = new int[most];
-        fan = new int[3 * most];
-        border = new byte[most];
-        piece = new boolean[most];
-    }
-
-    private void finish(Set<Long> cut) {
+        count = list.count;
+        side = list.side;
+        corner = list.corner;
+        normal = list.normal;
+        area = list.area;
+        point = list.point;
+        part = new int[side.length];
+        fan = new int[3 * side.length];
+        border = new byte[side.length];
         new Parts(this).join(cut);
         shine = new Shine(this, kinds);
     }
@@ -115,67 +82,8 @@ public final class Faces {
      */
     public Faces cut() {
         Cutting cutting = new Cutting(this);
-        return cutting.edges.isEmpty() || cutting.isTooFine() ? this : new Faces(this, cutting);
-    }
-
-    private void add(Faces whole, int face, int p, int q, int r) {
-        Vec3 a = unit(points.at(p));
-        Vec3 b = unit(points.at(q));
-        Vec3 c = unit(points.at(r));
-        double itsArea = b.minus(a).cross(c.minus(a)).length() / 2;
-        if (itsArea < LEAST_AREA) {
-            return;
-        }
-        add(whole.side[face], a, b, c, new Vec3(whole.normal(face, 0), whole.normal(face, 1), whole.normal(face, 2)),
-                itsArea, p, q, r);
-    }
-
-    private static int mostFaces(Scene scene) {
-        int n = 0;
-        for (int t = 0; t < scene.triangles(); t++) {
-            n += scene.surface(t).twoSided() ? 2 : 1;
-        }
-        return n;
-    }
-
-    private void add(int triangle, int[] points) {
-        Vec3 a = unit(scene.corner(triangle, 0));
-        Vec3 b = unit(scene.corner(triangle, 1));
-        Vec3 c = unit(scene.corner(triangle, 2));
-        Vec3 cross = b.minus(a).cross(c.minus(a));
-        double twice = cross.length();
-        if (twice < 2 * LEAST_AREA) {
-            dropped++;
-            return;
-        }
-        int p = scene.corners()[3 * triangle];
-        int q = scene.corners()[3 * triangle + 1];
-        int r = scene.corners()[3 * triangle + 2];
-        Vec3 n = cross.times(1 / twice);
-        add(2 * triangle, a, b, c, n, twice / 2, points[p], points[q], points[r]);
-        if (scene.surface(triangle).twoSided()) {
-            add(2 * triangle + 1, a, c, b, n.times(-1), twice / 2, points[p], points[r], points[q]);
-        }
-    }
-
-    private void add(int id, Vec3 a, Vec3 b, Vec3 c, Vec3 n, double faceArea, int p, int q, int r) {
-        side[count] = id;
-        area[count] = faceArea;
-        wholeArea += faceArea;
-        put(corner, 9 * count, a);
-        put(corner, 9 * count + 3, b);
-        put(corner, 9 * count + 6, c);
-        put(normal, 3 * count, n);
-        point[3 * count] = p;
-        point[3 * count + 1] = q;
-        point[3 * count + 2] = r;
-        count++;
-    }
-
-    private static void put(float[] to, int at, Vec3 v) {
-        to[at] = (float) v.x();
-        to[at + 1] = (float) v.y();
-        to[at + 2] = (float) v.z();
+        return cutting.edges.isEmpty() || cutting.isTooFine() ? this
+                : new Faces(scene, box, kinds, list.cut(cutting), cutting.edges);
     }
 
     /** A place in the scene, brought to size 1 around the origin. */
@@ -190,7 +98,7 @@ public final class Faces {
 
     /** Triangles that were too small to radiate. */
     public int dropped() {
-        return dropped;
+        return list.dropped;
     }
 
     public Scene scene() {
@@ -255,7 +163,7 @@ public final class Faces {
 
     /** Area of all faces, of the scene's squared size. */
     public double area() {
-        return wholeArea;
+        return list.wholeArea;
     }
 
     /** Component a of a face's normal. */
@@ -289,12 +197,12 @@ public final class Faces {
 
     /** Corner k of a face, scene units. */
     Vec3 sceneCorner(int face, int k) {
-        return points.at(point[3 * face + k]);
+        return list.points.at(point[3 * face + k]);
     }
 
     /** Where a corner with this number lies, scene units. */
     Vec3 place(int number) {
-        return points.at(number);
+        return list.points.at(number);
     }
 
     /** A face's normal as exactly as its corners tell. */
@@ -310,7 +218,7 @@ public final class Faces {
 
     /** Whether a face is a piece of a triangle that was cut: nothing stands on it or comes through, but at its border. */
     boolean isPiece(int face) {
-        return piece[face];
+        return list.piece[face];
     }
 
     /** E in W/m², in the mean over a face. */
@@ -362,7 +270,7 @@ public final class Faces {
         float[] corners = new float[9 * scene.triangles()];
         for (int t = 0; t < scene.triangles(); t++) {
             for (int k = 0; k < 3; k++) {
-                put(corners, 9 * t + 3 * k, unit(scene.corner(t, k)));
+                FaceList.put(corners, 9 * t + 3 * k, unit(scene.corner(t, k)));
             }
         }
         return corners;

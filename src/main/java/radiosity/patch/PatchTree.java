@@ -120,10 +120,11 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         boolean ends = values == null && child[i] < 0;
         double[] here = ends ? Arrays.copyOfRange(radiosity, n * i, n * i + n) : values;
         if (nodes.isElement(node)) {
+            ElementLight light = nodes.light();
             for (int j = 0; j < n; j++) {
                 int k = j / nodes.channels();
                 int c = j % nodes.channels();
-                nodes.setShot(node, k, c, nodes.shot(node, k, c) + here[j]);
+                light.setShot(node, k, c, light.shot(node, k, c) + here[j]);
             }
             return;
         }

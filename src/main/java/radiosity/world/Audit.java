@@ -11,6 +11,7 @@ import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.Block;
+import radiosity.patch.ElementLight;
 import radiosity.patch.Faces;
 import radiosity.patch.Path;
 import radiosity.patch.PatchTree;
@@ -118,7 +119,8 @@ final class Audit {
     /** What a block's elements shine with, and then as if all shone with 1. */
     private void gather(Block block) {
         RadiosityNodes nodes = nodes(block);
-        Shooter light = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> nodes.shot(node, k, c) + nodes.unshot(node, k, c))
+        ElementLight all = nodes.light();
+        Shooter light = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> all.shot(node, k, c) + all.unshot(node, k, c))
                 .shooter(faces, Weights.of(weight()));
         Shooter ones = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> 1).shooter(faces, Weights.of(ones()));
         FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, TOLERANCE);

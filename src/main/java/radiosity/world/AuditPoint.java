@@ -111,9 +111,9 @@ final class AuditPoint {
         spread = nodes.isPoint(node) ? 1 : w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
         for (int c = 0; c < interpolated.length; c++) {
             for (int k = 0; k < 3; k++) {
-                interpolated[c] += w[k] * nodes.irradiance(node, k, c);
+                interpolated[c] += w[k] * nodes.light().irradiance(node, k, c);
             }
-            atVertex[c] = nodes.irradiance(node, nearest, c);
+            atVertex[c] = nodes.light().irradiance(node, nearest, c);
         }
         int v = nodes.corner(node, nearest);
         buried = nodes.isBuried(v);

@@ -36,7 +36,7 @@ final class BlockState {
         }
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
-            out.writeDouble(nodes.shot(node, i / channels, i % channels));
+            out.writeDouble(nodes.light().shot(node, i / channels, i % channels));
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);
@@ -44,7 +44,7 @@ final class BlockState {
                 met.set(v);
                 out.writeBoolean(nodes.isBuried(v));
                 for (int c = 0; c < channels; c++) {
-                    out.writeDouble(nodes.irradiance()[channels * v + c]);
+                    out.writeDouble(nodes.light().irradiance()[channels * v + c]);
                 }
             }
         }
@@ -73,7 +73,7 @@ final class BlockState {
         }
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
-            nodes.setShot(node, i / channels, i % channels, in.readDouble());
+            nodes.light().setShot(node, i / channels, i % channels, in.readDouble());
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);
@@ -83,7 +83,7 @@ final class BlockState {
                     nodes.bury(v);
                 }
                 for (int c = 0; c < channels; c++) {
-                    nodes.irradiance()[channels * v + c] = in.readDouble();
+                    nodes.light().irradiance()[channels * v + c] = in.readDouble();
                 }
             }
         }

@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.util.List;
 import java.util.PriorityQueue;
+import radiosity.patch.ElementLight;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
 
@@ -51,7 +52,7 @@ final class Candidates {
         int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
         crew.run(named.length, i -> candidates[i] = mesh.rounding.of(
-                Shot.of(nodes, shooters[named[i]], flux[named[i]], nodes::unshot)));
+                Shot.of(nodes, shooters[named[i]], flux[named[i]], nodes.light()::unshot)));
         answer.candidates.addAll(List.of(candidates));
         return answer;
     }
@@ -76,15 +77,16 @@ final class Candidates {
     private double measure(int node, int layer, Answer sums) {
         double total = 0;
         double area = nodes.area(node) * squaredSize;
+        ElementLight light = nodes.light();
         for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
             double u = 0;
             double h = 0;
             for (int k = 0; k < 3; k++) {
-                u += nodes.unshot(node, k, c);
-                h += nodes.irradiance(node, k, c);
+                u += light.unshot(node, k, c);
+                h += light.irradiance(node, k, c);
             }
             u *= area / 3;
-            h = (h / 3 + nodes.bulge(node, c)) * area;
+            h = (h / 3 + light.bulge(node, c)) * area;
             total += Math.abs(u);
             sums.unshot[c].add(u);
             sums.received[c].add(h);

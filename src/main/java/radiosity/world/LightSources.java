@@ -38,7 +38,7 @@ final class LightSources {
 
     /** Adds what a vertex receives from all lights to its irradiance. */
     void light(RadiosityNodes nodes, int v) {
-        add(nodes.receivers(), 3 * v, nodes.vertexFace(v), nodes.irradiance(), nodes.channels() * v);
+        add(nodes.receivers(), 3 * v, nodes.vertexFace(v), nodes.light().irradiance(), nodes.channels() * v);
     }
 
     /**

@@ -70,7 +70,7 @@ final class Merger {
         if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {
             copies[v]++;
             for (int c = 0; c < channels; c++) {
-                irradiance[channels * v + c] += nodes.irradiance()[channels * from + c];
+                irradiance[channels * v + c] += nodes.light().irradiance()[channels * from + c];
             }
         }
         return v;

@@ -128,8 +128,8 @@ final class MeshRefinement {
             double low = Double.POSITIVE_INFINITY;
             double high = 0;
             for (int k = 0; k < 3; k++) {
-                low = Math.min(low, nodes.irradiance(node, k, c));
-                high = Math.max(high, nodes.irradiance(node, k, c));
+                low = Math.min(low, nodes.light().irradiance(node, k, c));
+                high = Math.max(high, nodes.light().irradiance(node, k, c));
             }
             largest = Math.max(largest, weigh(node, c, (high - low) / 4));
         }
@@ -141,6 +141,6 @@ final class MeshRefinement {
     }
 
     private double at(int vertex, int c) {
-        return nodes.irradiance()[nodes.channels() * vertex + c];
+        return nodes.light().irradiance()[nodes.channels() * vertex + c];
     }
 }

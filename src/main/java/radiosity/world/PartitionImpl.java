@@ -112,7 +112,7 @@ final class PartitionImpl implements Partition {
         new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number());
         costs.split(order.number());
         receivers.bury(nodes, known);
-        Arrays.fill(nodes.irradiance(), channels * known, channels * nodes.vertices(), 0);
+        Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(known);
     }
 
@@ -168,14 +168,14 @@ final class PartitionImpl implements Partition {
         }
         for (int v : vertices) {
             for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
-                nodes.irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
+                nodes.light().irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
                         + (back.length == 0 ? 0 : back[c]);
             }
         }
     }
 
     private void gather(FormFactorCalculator[] calculator, Shooter shooter, int[] run) {
-        double[] irradiance = nodes.irradiance();
+        double[] irradiance = nodes.light().irradiance();
         Gathering.Irradiance sum = new Gathering.Irradiance(channels);
         for (int v : run) {
             if (!nodes.isBuried(v)) {

@@ -21,9 +21,7 @@ public final class ProgressiveRadiosity {
 
     private final World world;
     private final StopRule stop;
-    private int shots;
-    private int rounds;
-    private final Flux flux;
+    private final Tally tally;
     private final Agenda agenda = new Agenda();
     private Planner planner;
     private Answer answer;
@@ -31,10 +29,6 @@ public final class ProgressiveRadiosity {
     private boolean isKnown = true;
     /** When the last answer came, ns. */
     private long known;
-    /** The round whose new vertices have not gathered yet; 0 where there is none. */
-    private int dark;
-    /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
-    private Answer beforeDark;
     private final Pace pace;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
@@ -47,7 +41,7 @@ public final class ProgressiveRadiosity {
         this.stop = stop;
         known = world.now();
         pace = new Pace(stepSeconds / world.stepsAhead());
-        flux = new Flux(world.mesh);
+        tally = new Tally(world.mesh);
     }
 
     /**
@@ -58,17 +52,15 @@ public final class ProgressiveRadiosity {
     public void run(RoundListener listener) throws IOException {
         prepare();
         answer = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE));
-        if (rounds == 0) {
-            flux.countLights(answer);
-        }
+        tally.begin(answer);
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (agenda.isEmpty()) {
-                Order next = planner.next(answer, flux.unsent(answer), nowAndThen(listener));
+                Order next = planner.next(answer, tally.flux.unsent(answer), nowAndThen(listener));
                 if (next == null) {
                     return;
                 }
-                agenda.add(next, flux.unsent(answer));
+                agenda.add(next, tally.flux.unsent(answer));
             }
             step();
             goOn = listener.afterRound(progress());
@@ -104,8 +96,8 @@ public final class ProgressiveRadiosity {
     }
 
     private boolean isDone() {
-        double left = agenda.isEmpty() ? flux.unsent(answer) : agenda.unsent();
-        return shots >= stop.shots() || agenda.isBetweenRounds() && planner.isEnough(left, stop.unsent());
+        double left = agenda.isEmpty() ? tally.flux.unsent(answer) : agenda.unsent();
+        return tally.shots() >= stop.shots() || agenda.isBetweenRounds() && planner.isEnough(left, stop.unsent());
     }
 
     /*---- Rounds that overlap ----*/
@@ -122,7 +114,7 @@ public final class ProgressiveRadiosity {
 
     /** From the last answer, which knows nothing of the last round; where too little is left, all is asked for. */
     private void choose() throws IOException {
-        double left = flux.unsent(answer);
+        double left = tally.flux.unsent(answer);
         Order next = planner.next(answer.without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
         agenda.add(next == null ? Order.plain(Order.Kind.ASK, Integer.MAX_VALUE) : next, left);
     }
@@ -149,10 +141,9 @@ public final class ProgressiveRadiosity {
             begin();
         }
         Order pending = agenda.round();
-        boolean counts = pending.kind() == Order.Kind.SHOOT;
         int size = Math.min(pending.shots().size(), pace.size(pending.kind(), answer.elements, pending.shots().size()));
-        if (counts) {
-            size = Math.min(size, stop.shots() - shots);
+        if (pending.kind() == Order.Kind.SHOOT) {
+            size = Math.min(size, stop.shots() - tally.shots());
         }
         Order now = pending.first(size);
         if (now.more() && world.now() - known <= ANSWER_SECONDS * 1e9) {
@@ -160,12 +151,10 @@ public final class ProgressiveRadiosity {
         } else if (now.more()) {
             readAll();
         }
+        Answer before = answer;
         carryOut(now);
+        tally.count(now, before, answer);
         agenda.done(size);
-        if (counts) {
-            shots += size;
-            now.shots().forEach(flux::count);
-        }
         if (!now.more()) {
             lookAhead(now);
         }
@@ -173,12 +162,11 @@ public final class ProgressiveRadiosity {
 
     private void begin() throws IOException {
         Order next = agenda.round();
-        next = next.changes() ? next.numbered(++rounds) : next;
+        next = next.changes() ? next.numbered(tally.nextRound()) : next;
         agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next, planner.looksAhead());
     }
 
     private void carryOut(Order now) throws IOException {
-        Answer before = answer;
         boolean isRead = now.isAnswered() && (now.more() || !planner.looksAhead() || !now.changes());
         if (now.kind() == Order.Kind.ROWS || isRead) {
             world.finish(pace::took);
@@ -188,12 +176,6 @@ public final class ProgressiveRadiosity {
         } else {
             isKnown = false;
             world.begin(now, pace::took);
-        }
-        if (now.kind() == Order.Kind.SPLIT && answer.elements > before.elements) {
-            dark = now.number();
-            beforeDark = before;
-        } else if (now.kind() != Order.Kind.ROWS && !now.more()) {
-            dark = 0;
         }
     }
 
@@ -209,16 +191,11 @@ public final class ProgressiveRadiosity {
 
     /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
     private double[] missing() {
-        return world.mesh.conserves() && shots > 0 ? flux.missing(answer) : new double[0];
-    }
-
-    /** What the light that is shown comes to. */
-    private Answer shown() {
-        return dark == 0 ? answer : beforeDark;
+        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(answer) : new double[0];
     }
 
     public Progress progress() {
-        return new Progress(shots, rounds, flux.unsent(shown()), answer.elements, dark != 0);
+        return tally.progress(answer);
     }
 
     /**
@@ -232,15 +209,15 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return flux.ofAllLayers(shown());
+        return tally.flux.ofAllLayers(tally.shown(answer));
     }
 
     /** Everything so far, merged from all partitions; may be asked for between rounds. */
     public Solution solution() throws IOException {
         know();
         List<byte[]> blocks = world.blocks();
-        return new Merger(world.mesh, blocks, dark).solution(shots, rounds,
-                Flux.sum(shown().unshotFlux), ledger(), state(blocks));
+        return new Merger(world.mesh, blocks, tally.dark()).solution(tally.shots(), tally.rounds(),
+                Flux.sum(tally.shown(answer).unshotFlux), ledger(), state(blocks));
     }
 
     /**
@@ -250,10 +227,10 @@ public final class ProgressiveRadiosity {
      * @return nothing where some vertices have not gathered yet, nobody has shot, or all is dark
      */
     public Optional<Certificate> certificate(int threads) throws IOException {
-        if (dark != 0 || shots == 0) {
+        if (tally.dark() != 0 || tally.shots() == 0) {
             return Optional.empty();
         }
-        return Optional.of(new Audit(world.mesh, world.blocks(), flux.byChannel(answer), answer.elements, threads)
+        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(answer), answer.elements, threads)
                 .certificate(Flux.sum(answer.unshotFlux))).filter(certificate -> certificate.points() > 0);
     }
 
@@ -266,13 +243,7 @@ public final class ProgressiveRadiosity {
     private byte[] state(List<byte[]> blocks) {
         return Wire.bytes(out -> {
             out.writeUTF(world.mesh.fingerprint());
-            out.writeInt(shots);
-            out.writeInt(rounds);
-            out.writeInt(dark);
-            if (dark != 0) {
-                beforeDark.write(out);
-            }
-            flux.write(out);
+            tally.write(out);
             planner.write(out);
             agenda.write(out);
             for (byte[] block : blocks) {
@@ -295,14 +266,7 @@ public final class ProgressiveRadiosity {
                 throw new SceneFormatException("the saved calculation", "", "the same scene and settings ("
                         + world.mesh.fingerprint() + ")", before);
             }
-            shots = in.readInt();
-            rounds = in.readInt();
-            dark = in.readInt();
-            if (dark != 0) {
-                beforeDark = new Answer(world.mesh.faces, world.mesh.fluxScale());
-                beforeDark.read(in);
-            }
-            flux.read(in);
+            tally.read(in);
             prepare();
             planner.read(in);
             agenda.read(in);
@@ -318,6 +282,6 @@ public final class ProgressiveRadiosity {
 
     /** Patches that have shot. */
     public int shots() {
-        return shots;
+        return tally.shots();
     }
 }

@@ -26,7 +26,7 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
 
     /** What some nodes have ever shot. */
     static Shot total(RadiosityNodes nodes, int[] tops) {
-        return of(nodes, tops, 0, nodes::shot);
+        return of(nodes, tops, 0, nodes.light()::shot);
     }
 
     static Shot of(RadiosityNodes nodes, int[] tops, double flux, PatchTree.Quantity quantity) {

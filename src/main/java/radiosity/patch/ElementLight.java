@@ -1,0 +1,112 @@
+package radiosity.patch;
+
+import java.util.Arrays;
+
+/**
+ * The light on the elements of some patch trees: what has arrived at their vertices, and what they have shot.
+ *
+ * <p>Between the corners of an element all of it is linear.
+ */
+public final class ElementLight {
+
+    private final RadiosityNodes nodes;
+    private final NodeTree tree;
+    private final ReceivingPoints points;
+    private final int channels;
+    /** 3 x channels per element, by its place: radiosity S that has been shot at each corner. W/m². */
+    private double[] shot;
+
+    ElementLight(RadiosityNodes nodes, NodeTree tree, ReceivingPoints points) {
+        this.nodes = nodes;
+        this.tree = tree;
+        this.points = points;
+        channels = nodes.channels();
+        shot = new double[3 * channels * tree.elements()];
+    }
+
+    /** Gives four children what their parent had shot. */
+    void divide(int node, int first) {
+        int n = 3 * channels;
+        double[] before = Arrays.copyOfRange(shot, n * tree.place(node), n * (tree.place(node) + 1));
+        if (n * tree.elements() > shot.length) {
+            shot = Arrays.copyOf(shot, Math.max(n * tree.elements(), shot.length / 4 * 5));
+        }
+        for (int k = 0; k < 4; k++) {
+            System.arraycopy(Subdivision.values(before, channels, k), 0, shot, n * tree.place(first + k), n);
+        }
+    }
+
+    /** H, channels per vertex, W/m²; whoever owns the tree adds to it. */
+    public double[] irradiance() {
+        return points.irradiance();
+    }
+
+    /** Irradiance H at corner k of an element, W/m²: that of its vertex, or the mean of the others if it is buried. */
+    public double irradiance(int node, int k, int channel) {
+        if (!points.isBuried(tree.corner(node, k))) {
+            return arrived(tree.corner(node, k), channel);
+        }
+        double sum = 0;
+        int seen = 0;
+        for (int j = 0; j < 3; j++) {
+            int v = tree.corner(node, j);
+            if (!points.isBuried(v)) {
+                sum += arrived(v, channel);
+                seen++;
+            }
+        }
+        return seen == 0 ? 0 : sum / seen;
+    }
+
+    /**
+     * By how much the mean of H over an element exceeds that of its corners, W/m²: where light is curved, straight
+     * lines between vertices lose some.
+     *
+     * <p>Seen from its parent (L. F. Richardson, The deferred approach to the limit, 1927): an edge of half the length
+     * bulges a quarter as much, and the mean over a parabolic triangle is a third of the sum of its edges' bulges.
+     */
+    public double bulge(int node, int channel) {
+        double sum = 0;
+        int parent = tree.parent(node);
+        for (int k = 0; k < 3 && parent >= 0; k++) {
+            sum += bulge(parent, k, channel);
+        }
+        return sum / 12;
+    }
+
+    /** H at the middle of the edge opposite corner k of an inner node less the mean of the edge's ends, W/m². */
+    private double bulge(int node, int k, int channel) {
+        int p = tree.corner(node, (k + 1) % 3);
+        int q = tree.corner(node, (k + 2) % 3);
+        int middle = tree.corner(tree.child(node) + 3, k);
+        if (points.isBuried(p) || points.isBuried(q) || points.isBuried(middle)) {
+            return 0;
+        }
+        return arrived(middle, channel) - 0.5 * (arrived(p, channel) + arrived(q, channel));
+    }
+
+    private double arrived(int vertex, int channel) {
+        return points.irradiance()[channels * vertex + channel];
+    }
+
+    /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
+    public double radiosity(int node, int k, int channel) {
+        return nodes.exitance(node, channel) + nodes.reflectance(node, channel) * irradiance(node, k, channel);
+    }
+
+    /** Radiosity S that was shot at corner k of an element, W/m². */
+    public double shot(int node, int k, int channel) {
+        return shot[channels * (3 * tree.place(node) + k) + channel];
+    }
+
+    /** Sets S at corner k of an element, W/m²; for whoever owns the tree. */
+    public void setShot(int node, int k, int channel, double radiosity) {
+        shot[channels * (3 * tree.place(node) + k) + channel] = radiosity;
+    }
+
+    /** Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. */
+    public double unshot(int node, int k, int channel) {
+        return radiosity(node, k, channel) - shot(node, k, channel)
+                + nodes.reflectance(node, channel) * bulge(node, channel);
+    }
+}
