@@ -17,15 +17,59 @@ fail() {
 }
 
 is_stale() {
-    [ ! -f "$jar" ] || [ -n "$(find "$project/pom.xml" "$project/src/main" -type f -newer "$jar" | head -n 1)" ]
+    [ ! -f "$jar" ] || [ -e "$unfinished" ] \
+        || [ -n "$(find "$project/pom.xml" "$project/src/main" -type f -newer "$jar" | head -n 1)" ]
 }
 
 build() {
-    command -v mvn >/dev/null 2>&1 || fail "mvn: expected Maven or $here/radiosity.jar, got neither"
     echo "building $jar" >&2
+    : >"$unfinished"
     (cd "$project" && mvn -q -B -Dstyle.color=never -Dmaven.test.skip=true package) >&2 \
         || fail "$jar: expected to be built, got the errors above"
     keep_classes
+    rm -f "$unfinished"
+}
+
+# What the first of several programs builds the others find built. A lock goes with the process that holds it.
+build_once() {
+    command -v mvn >/dev/null 2>&1 || fail "mvn: expected Maven or $here/radiosity.jar, got neither"
+    mkdir -p "$project/target" && [ -w "$project/target" ] \
+        || fail "$project/target: expected a directory to build $jar in, got none that can be written"
+    lock=$project/target/build.lock
+    if command -v flock >/dev/null 2>&1; then
+        exec 9>"$lock"
+        flock -n 9 || { tell_waiting; flock 9; }
+        if is_stale; then build; fi
+        exec 9>&-
+    else
+        lock_by_link
+        trap 'rm -f "$lock.link"' EXIT
+        trap 'exit 130' INT
+        trap 'exit 143' TERM
+        if is_stale; then build; fi
+        rm -f "$lock.link"
+        trap - EXIT INT TERM
+    fi
+}
+
+tell_waiting() {
+    echo "waiting for another program, which is building $jar" >&2
+}
+
+# Where there is no flock (macOS): a link to the number of the process. That of one that was killed is taken away, and
+# nobody waits for longer than ten minutes: its number may be another's by then.
+lock_by_link() {
+    seconds=0
+    until ln -s $$ "$lock.link" 2>/dev/null; do
+        [ -L "$lock.link" ] && [ $seconds -lt 600 ] || return 0
+        if kill -0 "$(readlink "$lock.link")" 2>/dev/null; then
+            [ $seconds -gt 0 ] || tell_waiting
+        else
+            rm -f "$lock.link"
+        fi
+        sleep 1
+        seconds=$((seconds + 1))
+    done
 }
 
 # What the JVM makes of the jar's classes is kept in a file beside it: a third of the time of a short render. A JVM
@@ -41,15 +85,20 @@ keep_classes() {
 start() {
     command -v "$java" >/dev/null 2>&1 || fail "$java: expected Java 17 or later, got none"
     jar=$here/radiosity.jar
+    built=
     if [ ! -f "$jar" ]; then
         jar=$project/target/radiosity.jar
         classes=$project/target/radiosity.jsa
-        if is_stale; then build; fi
+        unfinished=$project/target/build.unfinished
+        if is_stale; then
+            build_once
+            built=-Dradiosity.built=true
+        fi
     fi
     hot=
     if [ -z "$JAVA_OPTS" ] && [ -f "${directives-}" ]; then hot=$directives; fi
     # JAVA_OPTS is split into words on purpose
     exec "$java" -XX:SharedArchiveFile="${jar%.jar}.jsa" -Xlog:cds=off -Xlog:cds+dynamic=off -XX:+UseParallelGC \
         -XX:MaxRAMPercentage=75 ${hot:+-XX:+UnlockDiagnosticVMOptions} ${hot:+-XX:-DisplayVMOutput} \
-        ${hot:+"-XX:CompilerDirectivesFile=$hot"} $JAVA_OPTS -cp "$jar" "$@"
+        ${hot:+"-XX:CompilerDirectivesFile=$hot"} $built $JAVA_OPTS -cp "$jar" "$@"
 }

@@ -1,5 +1,6 @@
 package radiosity.cli;
 
+import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.time.Instant;
 
@@ -8,10 +9,15 @@ final class ProcessTime {
 
     private ProcessTime() { }
 
-    /** Since the process began. */
+    /** Since the process began; since the JVM began where scripts/start.sh had to build the program in it before. */
     static double seconds() {
         Instant now = Instant.now();
-        Instant start = ProcessHandle.current().info().startInstant().orElse(now);
-        return Duration.between(start, now).toMillis() / 1000.0;
+        return Duration.between(start(now), now).toMillis() / 1000.0;
+    }
+
+    private static Instant start(Instant now) {
+        return Boolean.getBoolean("radiosity.built")
+                ? Instant.ofEpochMilli(ManagementFactory.getRuntimeMXBean().getStartTime())
+                : ProcessHandle.current().info().startInstant().orElse(now);
     }
 }

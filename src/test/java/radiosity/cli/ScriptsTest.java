@@ -3,20 +3,27 @@ package radiosity.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The start script in a project of its own, with a java and an mvn that only say how they were called. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has the .cmd twins instead")
@@ -62,7 +69,34 @@ class ScriptsTest {
         }
     }
 
-    private String run(Path script, String... arguments) throws Exception {
+    /** But for the archive of classes, which only start.sh makes. */
+    @Test
+    void windowsTwin_startsTheJvmWithTheSameOptions() throws IOException {
+        String twin = Files.readString(Path.of("scripts", "start.cmd"));
+        Matcher option = Pattern.compile("-XX:[+-]?\\w+").matcher(Files.readString(Path.of("scripts", "start.sh")));
+        while (option.find()) {
+            assertTrue(twin.contains(option.group()) || option.group().contains("Archive"), option.group());
+        }
+        assertTrue(twin.contains("if not defined JAVA_OPTS"), "the JVM's own words are not shown with them");
+        for (String name : new String[] {"RadiosityRenderer", "PartitionServer"}) {
+            assertTrue(Files.readString(Path.of("scripts", name)).contains("directives=$here/compiler.json"));
+            assertTrue(Files.readString(Path.of("scripts", name + ".cmd"))
+                    .contains("set \"DIRECTIVES=%~dp0compiler.json\""), name);
+        }
+    }
+
+    private String run(Path script, String... arguments) {
+        try {
+            Process process = start(script, arguments);
+            String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            process.waitFor();
+            return output;
+        } catch (IOException | InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private Process start(Path script, String... arguments) throws IOException {
         String[] command = new String[arguments.length + 2];
         command[0] = "/bin/sh";
         command[1] = script.toString();
@@ -71,10 +105,7 @@ class ScriptsTest {
         builder.environment().remove("JAVA_HOME");
         builder.environment().remove("JAVA_OPTS");
         builder.environment().putAll(environment);
-        Process process = builder.start();
-        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        process.waitFor();
-        return output;
+        return builder.start();
     }
 
     private Path script() {
@@ -97,6 +128,48 @@ class ScriptsTest {
                 Files.getLastModifiedTime(project.resolve("target/radiosity.jar")).toMillis() + 5000));
         String again = run(script());
         assertTrue(again.startsWith("building "), again);
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void programsStartedAtOnce_buildOnce(boolean flock) throws Exception {
+        tool("mvn", "echo mvn; touch target/radiosity.jar; sleep 1");
+        choose(flock);
+        CompletableFuture<String> first = CompletableFuture.supplyAsync(() -> run(script()));
+        await(project.resolve("target/build.unfinished"));
+        String second = run(script());
+        assertTrue(first.get().contains("mvn\njava "), first.get());
+        assertTrue(second.matches("waiting for another program, which is building \\S.*\njava .*\n"), second);
+        assertTrue(run(script()).startsWith("java "));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void buildThatWasKilled_isDoneAgain(boolean flock) throws Exception {
+        tool("mvn", "touch target/radiosity.jar; sleep 1");
+        choose(flock);
+        Process killed = start(script());
+        await(project.resolve("target/radiosity.jar"));
+        killed.destroyForcibly().waitFor();
+        tool("mvn", "echo mvn; touch target/radiosity.jar");
+        assertTrue(run(script()).contains("mvn\njava "));
+    }
+
+    @Test
+    void timeOfTheBuild_isNotTheProgramsOwn() {
+        assertTrue(run(script()).contains(" -Dradiosity.built=true "));
+        assertFalse(run(script()).contains("radiosity.built"));
+    }
+
+    private void choose(boolean flock) throws IOException {
+        assumeTrue(!flock || Files.exists(Path.of("/usr/bin/flock")), "needs flock");
+        onlyTools("touch", "sleep", flock ? "flock" : "ln");
+    }
+
+    private static void await(Path file) throws Exception {
+        for (int i = 0; i < 500 && Files.notExists(file); i++) {
+            Thread.sleep(10);
+        }
     }
 
     @Test
@@ -135,17 +208,19 @@ class ScriptsTest {
     @Test
     void neitherJarNorMaven_isToldInOneLine() throws Exception {
         Files.delete(directory.resolve("bin/mvn"));
-        onlyBasicTools();
-        environment.put("PATH", directory.resolve("bin") + ":" + directory.resolve("tools"));
+        onlyTools();
         assertEquals("mvn: expected Maven or " + project.toRealPath() + "/scripts/radiosity.jar, got neither\n",
                 run(script()));
     }
 
-    /** A directory of what the script needs, so that no mvn of the machine is found. */
-    private void onlyBasicTools() throws IOException {
-        for (String tool : new String[] {"dirname", "readlink", "find", "head", "rm"}) {
+    /** A directory of what the script needs, and these: so no other tool of the machine is found. */
+    private void onlyTools(String... more) throws IOException {
+        List<String> tools = new ArrayList<>(List.of("dirname", "readlink", "find", "head", "rm", "mkdir"));
+        tools.addAll(List.of(more));
+        for (String tool : tools) {
             tool("tools", tool, "PATH=/usr/bin:/bin exec " + tool + " \"$@\"");
         }
+        environment.put("PATH", directory.resolve("bin") + ":" + directory.resolve("tools"));
     }
 
     @Test
