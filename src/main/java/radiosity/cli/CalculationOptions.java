@@ -38,7 +38,7 @@ final class CalculationOptions {
                     + " shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
     Schedule schedule;
 
-    @Option(names = "--accuracy", paramLabel = "<n>%%", converter = Values.PerCent.class,
+    @Option(names = "--accuracy", paramLabel = "<n>%", converter = Values.PerCent.class,
             description = "Expected error of the radiosity, of its mean. Default: 2%%. With --schedule predict.")
     Double accuracy;
 
@@ -92,6 +92,10 @@ final class CalculationOptions {
     RadiositySettings defaults() {
         RadiositySettings defaults = RadiositySettings.defaults();
         boolean papers = iterations != null || unsent != null;
+        if (papers && schedule == null && (accuracy != null || time != null)) {
+            throw Failure.commandLine(iterations != null ? "-it" : "-se", "expected --schedule predict with "
+                    + (accuracy != null ? "--accuracy" : TimeLimit.OPTION) + ", got no --schedule");
+        }
         return new RadiositySettings(defaults.patchArea(), defaults.rays(), defaults.meshing(),
                 papers ? Schedule.PAPER : defaults.schedule());
     }

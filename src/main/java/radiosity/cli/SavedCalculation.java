@@ -1,6 +1,8 @@
 package radiosity.cli;
 
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
@@ -21,6 +23,9 @@ import radiosity.world.Schedule;
  * @param state    for {@link radiosity.world.ProgressiveRadiosity#resume}
  */
 record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[] state) {
+
+    /** What is left of an accuracy after it was a tolerance. */
+    private static final MathContext DIGITS = new MathContext(9);
 
     static SavedCalculation read(Path file) throws IOException {
         try (SceneFile saved = SceneFile.open(file)) {
@@ -95,7 +100,7 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
         checkSetting("-pa", settings.patchArea(), asked.patchArea());
         checkSetting("-nr", settings.rays(), asked.rays());
         checkSetting("-mt", settings.meshing(), asked.meshing());
-        checkSetting("--accuracy", Accuracy.of(settings.tolerance()), Accuracy.of(asked.tolerance()));
+        checkSetting("--accuracy", perCent(settings), perCent(asked));
         checkSetting("--layers", settings.layers(), asked.layers());
         checkSetting("--form-factors", settings.factors(), asked.factors());
         checkSetting("--schedule", settings.schedule(), asked.schedule());
@@ -103,7 +108,17 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
 
     private void checkSetting(String option, Object saved, Object asked) {
         if (!saved.equals(asked)) {
-            throw Failure.commandLine(option, "expected " + saved + ", with which " + file + " was made, got " + asked);
+            throw Failure.commandLine(option, "expected " + typed(saved) + ", with which " + file + " was made, got "
+                    + typed(asked));
         }
+    }
+
+    private static String perCent(RadiositySettings of) {
+        return new BigDecimal(100 * Accuracy.of(of.tolerance())).round(DIGITS).stripTrailingZeros().toPlainString() + "%";
+    }
+
+    /** As a user types it. */
+    private static String typed(Object value) {
+        return value.equals(Double.POSITIVE_INFINITY) ? "none" : value.toString().toLowerCase(Locale.ROOT);
     }
 }

@@ -1,6 +1,7 @@
 package radiosity.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -174,6 +175,14 @@ class CommandLineTest {
         }
     }
 
+    @Test
+    void help_hasNoPatternsLeft() {
+        for (Object options : List.of(new RendererOptions(), new ServerOptions(), new ViewOptions())) {
+            String help = new CommandLineParser(options).help();
+            assertFalse(help.contains("%%") || help.contains("%n"), help);
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({"-q, PREDICT", "-it 5, PAPER", "-se .1, PAPER", "--schedule predict -it 5, PREDICT",
         "--schedule paper, PAPER"})
@@ -189,11 +198,19 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--accuracy 1% --schedule paper, --accuracy", "--time 1s --schedule paper, --time", "--time 1s -it 3, --time"})
+    @CsvSource({"--accuracy 1% --schedule paper, --accuracy", "--time 1s --schedule paper, --time"})
     void accuracyAndTime_areForPredictionOnly(String commandLine, String option) {
         CalculationOptions calculation = parse(commandLine + " a b").calculation;
         assertEquals(option + ": expected --schedule predict, got paper",
                 assertThrows(Failure.class, () -> calculation.settings(null, calculation.defaults())).getMessage());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--time 1s -it 3, -it, --time", "--accuracy 1% -se .1, -se, --accuracy"})
+    void stopRuleOfThePapersSchedule_isNamedWhereAccuracyOrTimeNeedsPrediction(String commandLine, String culprit, String with) {
+        CalculationOptions calculation = parse(commandLine + " a b").calculation;
+        assertEquals(culprit + ": expected --schedule predict with " + with + ", got no --schedule",
+                assertThrows(Failure.class, calculation::defaults).getMessage());
     }
 
     @Test

@@ -122,7 +122,18 @@ class RenderTest {
                 Run.of("-pa", 1000, "-tf", output, 10, BOX, more));
         fails(ExitCode.COMMAND_LINE, "-nr: expected 5, with which " + output + " was made, got 9",
                 Run.of("-nr", 9, "-tf", output, 10, BOX, more));
+        fails(ExitCode.COMMAND_LINE, "-mt: expected none, with which " + output + " was made, got 3.0",
+                Run.of("-mt", 3, "-tf", output, 10, BOX, more));
+        fails(ExitCode.COMMAND_LINE, "--schedule: expected paper, with which " + output + " was made, got gathering",
+                Run.of("--schedule", "gathering", "-tf", output, 10, BOX, more));
         assertFalse(Files.exists(more));
+    }
+
+    @Test
+    void resumingWithAnotherAccuracy_isToldInPerCent() {
+        succeeds(render("-q", "--schedule", "predict", "--accuracy", "2%", "-dr"));
+        fails(ExitCode.COMMAND_LINE, "--accuracy: expected 2%, with which " + output + " was made, got 10%",
+                Run.of("--accuracy", "10%", "-tf", output, 0, BOX, directory.resolve("more.scene")));
     }
 
     @Test
