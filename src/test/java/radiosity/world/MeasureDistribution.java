@@ -108,22 +108,22 @@ public final class MeasureDistribution {
 
     /*---- Processes ----*/
 
-    /** Hosts that sleep: what a round takes beyond that. */
+    /**
+     * Hosts that sleep: what a round takes beyond that. As many rounds are under way when the clock is started as when
+     * it is stopped.
+     */
     private void ideal() throws IOException {
         int rounds = 100;
         for (int n : new int[] {1, 2, 4, 8, 16}) {
             List<HostProcess> hosts = HostProcess.start(n, IdealHost.class.getName(), "-Xmx64m", "-XX:+UseSerialGC",
                     "-XX:TieredStopAtLevel=1");
             try (RemoteWorld world = world(hosts, paper(1000, 1))) {
-                int[] done = {0};
-                long[] begin = {0};
+                List<Long> times = new ArrayList<>();
                 new ProgressiveRadiosity(world, new StopRule(Integer.MAX_VALUE, 0)).run(progress -> {
-                    if (done[0]++ == rounds) {
-                        begin[0] = System.nanoTime();
-                    }
-                    return done[0] <= 2 * rounds;
+                    times.add(System.nanoTime());
+                    return times.size() <= 2 * rounds;
                 });
-                double seconds = (System.nanoTime() - begin[0]) * 1e-9 / rounds;
+                double seconds = (times.get(2 * rounds) - times.get(rounds)) * 1e-9 / rounds;
                 print("%2d hosts that sleep %.0f ms a round: %.2f ms, efficiency %.3f", n, 1e3 * IdealHost.SECONDS,
                         1e3 * seconds, IdealHost.SECONDS / seconds);
             } finally {
