@@ -22,12 +22,13 @@ public final class ScalingTable {
 
     private ScalingTable() { }
 
-    /** @param arguments file, patch area, rays, shots, meshing threshold or "off", schedule, then numbers of hosts */
+    /**
+     * @param arguments file, patch area, rays, shots, meshing threshold or "off", schedule or what accuracy to predict
+     *                  with, as in "0.5%"; then numbers of hosts
+     */
     public static void main(String[] arguments) throws IOException {
         Scene scene = LightWaveReader.read(Path.of(arguments[0]), LightWaveOptions.defaults(), line -> { });
-        double meshing = arguments[4].equals("off") ? Double.POSITIVE_INFINITY : Double.parseDouble(arguments[4]);
-        RadiositySettings settings = new RadiositySettings(Double.parseDouble(arguments[1]),
-                Integer.parseInt(arguments[2]), meshing, Schedule.valueOf(arguments[5].toUpperCase(Locale.ROOT)));
+        RadiositySettings settings = settings(arguments);
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
         warmUp(new LocalWorld(scene, settings, 1), stop);
         try (RemoteWorld world = world(scene, settings, WARM_UP_HOSTS, new LogicalClock())) {
@@ -37,6 +38,15 @@ public final class ScalingTable {
         for (int i = 6; i < arguments.length; i++) {
             print(scene, settings, stop, Integer.parseInt(arguments[i]), alone(scene, settings, stop));
         }
+    }
+
+    private static RadiositySettings settings(String[] arguments) {
+        double meshing = arguments[4].equals("off") ? Double.POSITIVE_INFINITY : Double.parseDouble(arguments[4]);
+        boolean isAccuracy = arguments[5].endsWith("%");
+        Schedule schedule = isAccuracy ? Schedule.PREDICT : Schedule.valueOf(arguments[5].toUpperCase(Locale.ROOT));
+        RadiositySettings settings = new RadiositySettings(Double.parseDouble(arguments[1]),
+                Integer.parseInt(arguments[2]), meshing, schedule);
+        return isAccuracy ? settings.accurate(Double.parseDouble(arguments[5].replace("%", "")) / 100) : settings;
     }
 
     /** Until the JVM has compiled what matters. */
