@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.PriorityQueue;
 import radiosity.patch.ElementLight;
@@ -9,7 +10,7 @@ import radiosity.patch.RadiosityNodes;
 /** How things stand with a partition's shooters: sums over their elements, and who has most to shoot. */
 final class Candidates {
 
-    /** Shooters that a thread looks at at a time. */
+    /** Patches that a thread looks at at a time; blocks are looked at one by one. */
     private static final int RUN = 64;
 
     private final InitialMesh mesh;
@@ -34,21 +35,20 @@ final class Candidates {
 
     /** What an order wants to know. */
     Answer answer(Order order) {
-        int runs = (shooters.length + RUN - 1) / RUN;
-        Answer[] parts = new Answer[runs];
-        crew.run(runs, i -> {
-            parts[i] = new Answer(faces, mesh.fluxScale());
-            for (int p = i * RUN; p < Math.min(shooters.length, (i + 1) * RUN); p++) {
+        int run = mesh.shootsBlocks() ? 1 : RUN;
+        Answer[] parts = new Answer[(shooters.length + run - 1) / run];
+        crew.run(shooters.length, run, (from, to) -> {
+            Answer sums = new Answer(faces, mesh.fluxScale());
+            for (int p = from; p < to; p++) {
                 flux[p] = 0;
                 for (int top : shooters[p]) {
-                    flux[p] += measure(top, parts[i]);
+                    flux[p] += measure(top, sums);
                 }
             }
+            parts[from / run] = sums;
         });
         Answer answer = new Answer(faces, mesh.fluxScale());
-        for (Answer part : parts) {
-            answer.addSums(part);
-        }
+        Arrays.stream(parts).forEach(answer::addSums);
         int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
         crew.run(named.length, i -> candidates[i] = mesh.rounding.of(

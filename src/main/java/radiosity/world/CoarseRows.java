@@ -19,8 +19,13 @@ final class CoarseRows {
     private static final int ROW_BYTES = 13;
     private static final int ENTRY_BYTES = 24;
 
+    /** Rows that a thread takes at a time. */
+    private static final int RUN = 64;
+    private static final int EQUATIONS = 1024;
+
     private final Faces faces;
     private final RadiosityNodes nodes;
+    private final Crew crew;
     private final int channels;
     /** Number of a vertex by its key. */
     private final LongIndex index;
@@ -36,8 +41,9 @@ final class CoarseRows {
     private final int[] unknown;
 
     /** @param nodes the coarse mesh; vertices that are told to be buried are marked in it */
-    CoarseRows(RadiosityNodes nodes, Fellows fellows) {
+    CoarseRows(RadiosityNodes nodes, Fellows fellows, Crew crew) {
         this.nodes = nodes;
+        this.crew = crew;
         unknown = IntStream.range(0, nodes.vertices()).map(v -> leader(v, fellows)).toArray();
         faces = nodes.faces();
         channels = faces.channels();
@@ -118,45 +124,58 @@ final class CoarseRows {
     /** What arrives at each vertex from unshot radiosity. */
     double[] direct(double[] unshot) {
         double[] sum = new double[channels * column.length];
-        for (int v = 0; v < column.length; v++) {
-            for (int i = 0; i < column[v].length; i++) {
-                double seen = (double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2];
-                for (int c = 0; c < channels; c++) {
-                    sum[channels * v + c] += seen * unshot[channels * column[v][i] + c];
-                }
+        crew.run(column.length, RUN, (from, to) -> {
+            for (int v = from; v < to; v++) {
+                direct(v, unshot, sum);
+            }
+        });
+        return sum;
+    }
+
+    private void direct(int v, double[] unshot, double[] sum) {
+        for (int i = 0; i < column[v].length; i++) {
+            double seen = (double) entry[v][3 * i] + entry[v][3 * i + 1] + entry[v][3 * i + 2];
+            for (int c = 0; c < channels; c++) {
+                sum[channels * v + c] += seen * unshot[channels * column[v][i] + c];
             }
         }
-        return sum;
     }
 
     /** What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners. */
     GaussSeidel equations() {
         int[][] columns = new int[column.length][];
         float[][] value = new float[column.length][];
-        int[] place = new int[column.length];
+        crew.run(column.length, EQUATIONS, (from, to) -> {
+            int[] place = new int[column.length];
+            for (int v = from; v < to; v++) {
+                equation(v, place, columns, value);
+            }
+        });
+        return new GaussSeidel(channels, faces.colours(), columns, value);
+    }
+
+    /** @param place scratch, 1 per vertex: where it stands in the equation; what is there first does not matter */
+    private void equation(int v, int[] place, int[][] columns, float[][] value) {
         int colours = faces.colours();
-        for (int v = 0; v < column.length; v++) {
-            int[] vertices = new int[3 * column[v].length];
-            float[] sum = new float[colours * vertices.length];
-            int size = 0;
-            for (int i = 0; i < column[v].length; i++) {
-                int patch = column[v][i];
-                for (int k = 0; k < 3; k++) {
-                    int at = unknown[nodes.corner(patch, k)];
-                    float weight = weight(patch, k, v, i);
-                    if (place[at] >= size || vertices[place[at]] != at) {
-                        place[at] = size;
-                        vertices[size++] = at;
-                    }
-                    for (int c = 0; c < colours; c++) {
-                        sum[colours * place[at] + c] += weight * (float) nodes.reflectance(patch, c);
-                    }
+        int[] vertices = new int[3 * column[v].length];
+        float[] sum = new float[colours * vertices.length];
+        int size = 0;
+        for (int i = 0; i < column[v].length; i++) {
+            int patch = column[v][i];
+            for (int k = 0; k < 3; k++) {
+                int at = unknown[nodes.corner(patch, k)];
+                float weight = weight(patch, k, v, i);
+                if (place[at] >= size || vertices[place[at]] != at) {
+                    place[at] = size;
+                    vertices[size++] = at;
+                }
+                for (int c = 0; c < colours; c++) {
+                    sum[colours * place[at] + c] += weight * (float) nodes.reflectance(patch, c);
                 }
             }
-            columns[v] = Arrays.copyOf(vertices, size);
-            value[v] = Arrays.copyOf(sum, colours * size);
         }
-        return new GaussSeidel(channels, colours, columns, value);
+        columns[v] = Arrays.copyOf(vertices, size);
+        value[v] = Arrays.copyOf(sum, colours * size);
     }
 
     /** What counts for corner k of a patch in a row; that of a buried one is shared by the others. */

@@ -22,6 +22,7 @@ import radiosity.patch.Subdivision;
 final class CoarseSystem {
 
     private final InitialMesh mesh;
+    private final Crew crew;
     private final Faces faces;
     private final Rooms rooms;
     private final List<Block> blocks;
@@ -32,15 +33,16 @@ final class CoarseSystem {
     /** Of irradiance by reflected irradiance; null until it is needed. */
     private GaussSeidel equations;
 
-    CoarseSystem(InitialMesh mesh) {
+    CoarseSystem(InitialMesh mesh, Crew crew) {
         this.mesh = mesh;
+        this.crew = crew;
         faces = mesh.faces;
         rooms = mesh.rooms;
         channels = faces.channels();
         blocks = mesh.blocks;
         single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
-        rows = new CoarseRows(nodes, mesh.fellows);
+        rows = new CoarseRows(nodes, mesh.fellows, crew);
     }
 
     /**
@@ -122,13 +124,14 @@ final class CoarseSystem {
         return sum * faces.size() * faces.size();
     }
 
-    /** Room for {@link #restrict}. */
-    double[] noUnshot() {
-        return new double[channels * nodes.nodes()];
+    /** Shots with what their patches will reflect of an irradiance, linear between the vertices. */
+    List<Shot> with(List<Shot> shots, double[] h) {
+        Shot[] all = new Shot[shots.size()];
+        crew.run(all.length, i -> all[i] = with(shots.get(i), h));
+        return List.of(all);
     }
 
-    /** Adds to a shot what its patches will reflect of an irradiance, linear between the vertices. */
-    Shot with(Shot shot, double[] h) {
+    private Shot with(Shot shot, double[] h) {
         return mesh.rounding.of(new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux()));
     }
 
@@ -164,8 +167,18 @@ final class CoarseSystem {
         }
     }
 
-    /** Adds, to the patches of the coarse mesh, the mean of what is shot. */
-    void restrict(Shot shot, double[] unshot) {
+    /**
+     * The mean of what is shot on the patches of the coarse mesh: channels per node, W/m².
+     *
+     * @param shots each from other patches
+     */
+    double[] unshot(List<Shot> shots) {
+        double[] unshot = new double[channels * nodes.nodes()];
+        crew.run(shots.size(), i -> restrict(shots.get(i), unshot));
+        return unshot;
+    }
+
+    private void restrict(Shot shot, double[] unshot) {
         for (PatchTree tree : shot.trees()) {
             restrict(tree, 0, nodes.find(tree.face(), tree.path()), unshot);
         }

@@ -21,7 +21,7 @@ public final class LocalWorld extends World {
 
     /** Deals the blocks to several partitions, as over a network. */
     LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts) {
-        super(new InitialMesh(scene, settings));
+        super(new InitialMesh(scene, settings), threads);
         for (int p = 0; p < parts; p++) {
             int owner = p;
             List<Block> mine = mesh.blocks.stream().filter(b -> b.id() % parts == owner).toList();
@@ -38,15 +38,21 @@ public final class LocalWorld extends World {
         return answers;
     }
 
+    /** As they are: nothing is written that is read here. */
+    @Override
+    List<Answer> answers(Order order) {
+        return partitions.stream().map(partition -> partition.answer(order)).toList();
+    }
+
     @Override
     List<Shot> totals() {
         return partitions.stream().flatMap(partition -> partition.totals().stream()).sorted().toList();
     }
 
     @Override
-    void begin(Order step, StepTimes times) throws IOException {
+    void begin(Order step, StepTimes times) {
         long begin = now();
-        List<byte[]> answers = round(step);
+        List<Answer> answers = answers(step);
         if (step.isAnswered()) {
             unread.add(new Answered(step, answers));
         }

@@ -17,7 +17,7 @@ final class MatrixSolution implements Planner {
     private final double[] weight;
 
     MatrixSolution(World world) {
-        system = new CoarseSystem(world.mesh);
+        system = new CoarseSystem(world.mesh, world.crew);
         weight = new double[world.channels()];
         Arrays.fill(weight, 1);
     }
@@ -30,11 +30,9 @@ final class MatrixSolution implements Planner {
         if (!system.isMade()) {
             return order(Order.Kind.ROWS, system.importance());
         }
-        double[] unshot = system.noUnshot();
-        last.candidates.forEach(shot -> system.restrict(shot, unshot));
-        double[] h = system.irradiance(unshot, goOn);
+        double[] h = system.irradiance(system.unshot(last.candidates), goOn);
         return h == null ? null
-                : order(Order.Kind.SHOOT, last.candidates.stream().map(shot -> system.with(shot, h)).toList());
+                : order(Order.Kind.SHOOT, system.with(last.candidates, h));
     }
 
     private Order order(Order.Kind kind, List<Shot> shots) {

@@ -77,23 +77,23 @@ final class PartitionImpl implements Partition {
 
     /** @param order with all that is shot */
     byte[] round(Order order) {
+        return switch (order.kind()) {
+            case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
+            case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
+            case ROWS -> rows(order);
+            default -> Wire.bytes(answer(order)::write);
+        };
+    }
+
+    /** The same for orders of which the answer is how things stand then. */
+    Answer answer(Order order) {
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
             case GATHER -> gather(order, order.number() - 1);
-            case TOTALS -> {
-                return Wire.bytes(out -> Wire.write(totals(), channels, out));
-            }
-            case TREES -> {
-                return Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
-            }
-            case ROWS -> {
-                return rows(order);
-            }
             default -> { }
         }
-        Answer answer = order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
-        return Wire.bytes(answer::write);
+        return order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
     }
 
     /** Mark what has shot, gather, subdivide. */
@@ -149,8 +149,8 @@ final class PartitionImpl implements Partition {
         Shooter[] source = receivers.shooters(order);
         FormFactorCalculator[] calculator = receivers.calculators(order);
         costs.begin(vertices);
-        crew.run((vertices.length + Receivers.RUN - 1) / Receivers.RUN, i -> {
-            int[] run = Arrays.copyOfRange(vertices, i * Receivers.RUN, Math.min(vertices.length, (i + 1) * Receivers.RUN));
+        crew.run(vertices.length, Receivers.RUN, (from, to) -> {
+            int[] run = Arrays.copyOfRange(vertices, from, to);
             long begin = BlockCosts.now();
             for (Shooter shooter : source) {
                 gather(calculator, shooter, run);

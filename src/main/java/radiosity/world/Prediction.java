@@ -61,7 +61,7 @@ final class Prediction implements Planner {
         meshError = settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
         weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
-        coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN ? new CoarseSystem(world.mesh) : null;
+        coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN ? new CoarseSystem(world.mesh, world.crew) : null;
     }
 
     /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
@@ -125,16 +125,14 @@ final class Prediction implements Planner {
 
     /** With what will become of them; null where it was not to go on. */
     private List<Shot> foreseen(Answer last, List<Shot> candidates, BooleanSupplier goOn) {
-        double[] unshot = coarse.noUnshot();
-        candidates.forEach(shot -> coarse.restrict(shot, unshot));
-        double[] h = coarse.irradiance(unshot, goOn);
+        double[] h = coarse.irradiance(coarse.unshot(candidates), goOn);
         if (h == null) {
             return null;
         }
         if (stage == Stage.NOTHING) {
             weigh(last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
         }
-        return candidates.stream().map(shot -> coarse.with(shot, h)).toList();
+        return coarse.with(candidates, h);
     }
 
     /** In a scene of too many patches every block shoots what it has. */

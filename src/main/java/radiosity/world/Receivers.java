@@ -30,9 +30,7 @@ final class Receivers {
 
     /** Marks which vertices lie inside a solid, from the first on that has not been looked at. */
     void bury(RadiosityNodes nodes, int first) {
-        int count = nodes.vertices() - first;
-        crew.run((count + RUN - 1) / RUN, i ->
-                burial.look(nodes, first + i * RUN, Math.min(nodes.vertices(), first + (i + 1) * RUN)));
+        crew.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
     }
 
     Ambient ambient(Order order) {

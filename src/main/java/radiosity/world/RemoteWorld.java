@@ -58,7 +58,7 @@ public final class RemoteWorld extends World {
     /** @param clock for differences, ns */
     RemoteWorld(Scene scene, RadiositySettings settings, int threads, Consumer<String> notices, List<Link> links,
                 LongSupplier clock) throws IOException {
-        super(new InitialMesh(scene, settings));
+        super(new InitialMesh(scene, settings), threads);
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);
@@ -130,7 +130,8 @@ public final class RemoteWorld extends World {
                 finish(told);
             }
         }
-        return underWay.next();
+        StepsUnderWay.Answered next = underWay.next();
+        return new Answered(next.order(), decode(next.answers()));
     }
 
     /** Twice a fair share: blocks are dealt so that who has much to shoot is spread. */

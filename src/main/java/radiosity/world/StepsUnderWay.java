@@ -25,7 +25,7 @@ final class StepsUnderWay {
     private final Deque<Step> steps = new ArrayDeque<>();
     /** Done, but not by all: the last ones, in their order. */
     private final List<Torn> torn = new ArrayList<>();
-    private final Deque<World.Answered> unread = new ArrayDeque<>();
+    private final Deque<Answered> unread = new ArrayDeque<>();
     /** When the last one was seen to be done, ns. */
     private long seen;
 
@@ -41,6 +41,9 @@ final class StepsUnderWay {
      * @param replies of hosts that were not lost, in their order
      */
     record Done(Order order, double seconds, double given, Map<Host, Reply> replies) { }
+
+    /** What hosts have said to a step that all have done. */
+    record Answered(Order order, List<byte[]> answers) { }
 
     /** What hosts have said that are still there; one that has made blocks again has said several things. */
     private record Torn(Order order, Map<Host, List<byte[]>> answers) { }
@@ -86,7 +89,7 @@ final class StepsUnderWay {
     }
 
     /** The first answer that was not read; all that was begun has to be done. */
-    World.Answered next() {
+    Answered next() {
         return unread.remove();
     }
 
@@ -127,7 +130,7 @@ final class StepsUnderWay {
     void mended() {
         for (Torn step : torn) {
             if (step.order().isAnswered()) {
-                unread.add(new World.Answered(step.order(),
+                unread.add(new Answered(step.order(),
                         step.answers().values().stream().flatMap(List::stream).toList()));
             }
         }

@@ -15,9 +15,13 @@ import radiosity.scene.Scene;
 public abstract sealed class World implements AutoCloseable permits LocalWorld, RemoteWorld {
 
     final InitialMesh mesh;
+    /** For what is not done by partitions. */
+    final Crew crew;
 
-    World(InitialMesh mesh) {
+    /** @param threads of this process, at least 1 */
+    World(InitialMesh mesh, int threads) {
         this.mesh = mesh;
+        crew = new Crew(threads);
     }
 
     public Scene scene() {
@@ -48,8 +52,13 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
         return mesh.faces.channels();
     }
 
-    /** One round on all partitions: what each of them answers. */
+    /** One round on all partitions: what each of them answers, as bytes. */
     abstract List<byte[]> round(Order order) throws IOException;
+
+    /** One round on all partitions where each says how things stand then. */
+    List<Answer> answers(Order order) throws IOException {
+        return decode(round(order));
+    }
 
     /** Told how long a step took. */
     interface StepTimes {
@@ -71,12 +80,12 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     abstract Answered next(StepTimes times) throws IOException;
 
     /** What each partition answers to a step. */
-    record Answered(Order step, List<byte[]> answers) { }
+    record Answered(Order step, List<Answer> answers) { }
 
     /** The first answer that was not read yet, added up. */
     final Answer read(StepTimes times) throws IOException {
         Answered next = next(times);
-        return sum(decode(next.answers()), next.step().most());
+        return sum(next.answers(), next.step().most());
     }
 
     /** Waits for what is under way. */
@@ -97,13 +106,13 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     final Answer answer(Order order) throws IOException {
         int most = order.most();
         int named = order.least() > 0 ? most : named(most);
-        List<Answer> some = decode(round(order.naming(named)));
+        List<Answer> some = answers(order.naming(named));
         Answer all = sum(some, most);
         boolean complete = some.stream().allMatch(one -> one.namesAllOf(all, named, most));
-        return complete ? all : sum(decode(round(Order.plain(Order.Kind.ASK, most))), most);
+        return complete ? all : sum(answers(Order.plain(Order.Kind.ASK, most)), most);
     }
 
-    private List<Answer> decode(List<byte[]> encoded) throws IOException {
+    final List<Answer> decode(List<byte[]> encoded) throws IOException {
         List<Answer> answers = new ArrayList<>();
         for (byte[] bytes : encoded) {
             Answer one = new Answer(mesh.faces, mesh.fluxScale());
