@@ -104,9 +104,35 @@ public final class ElementLight {
         shot[channels * (3 * tree.place(node) + k) + channel] = radiosity;
     }
 
-    /** Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. */
-    public double unshot(int node, int k, int channel) {
-        return radiosity(node, k, channel) - shot(node, k, channel)
-                + nodes.reflectance(node, channel) * bulge(node, channel);
+    /** The same at all corners, see {@link PatchTree.Quantity}. */
+    public void shot(int node, double[] values, int at) {
+        System.arraycopy(shot, 3 * channels * tree.place(node), values, at, 3 * channels);
+    }
+
+    /** What was shot and what is unshot, at all corners, W/m²; see {@link PatchTree.Quantity}. */
+    public void shining(int node, double[] values, int at) {
+        unshot(node, values, at);
+        for (int i = 0; i < 3 * channels; i++) {
+            values[at + i] += shot[3 * channels * tree.place(node) + i];
+        }
+    }
+
+    /**
+     * Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed.
+     *
+     * @param bulge of the element in this channel
+     */
+    public double unshot(int node, int k, int channel, double bulge) {
+        return radiosity(node, k, channel) - shot(node, k, channel) + nodes.reflectance(node, channel) * bulge;
+    }
+
+    /** The same at all corners, see {@link PatchTree.Quantity}. */
+    public void unshot(int node, double[] values, int at) {
+        for (int c = 0; c < channels; c++) {
+            double bulge = bulge(node, c);
+            for (int k = 0; k < 3; k++) {
+                values[at + channels * k + c] = unshot(node, k, c, bulge);
+            }
+        }
     }
 }

@@ -12,9 +12,9 @@ import java.util.Arrays;
  */
 public record PatchTree(int face, long path, int[] child, double[] radiosity) {
 
-    /** A quantity at corner k of an element. */
+    /** A quantity at the corners of an element: puts 3 x channels, corner by corner, from a place on. */
     public interface Quantity {
-        double at(int node, int k, int channel);
+        void put(int element, double[] values, int at);
     }
 
     /** Of its radiosity. */
@@ -36,9 +36,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
                 next += 4;
                 continue;
             }
-            for (int j = 0; j < 3 * channels; j++) {
-                values[3 * channels * i + j] = quantity.at(order[i], j / channels, j % channels);
-            }
+            quantity.put(order[i], values, 3 * channels * i);
         }
         return new PatchTree(nodes.face(top), nodes.path(top), below, values);
     }

@@ -119,10 +119,11 @@ final class Audit {
     /** What a block's elements shine with, and then as if all shone with 1. */
     private void gather(Block block) {
         RadiosityNodes nodes = nodes(block);
+        int corners = 3 * nodes.channels();
         ElementLight all = nodes.light();
-        Shooter light = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> all.shot(node, k, c) + all.unshot(node, k, c))
-                .shooter(faces, Weights.of(weight()));
-        Shooter ones = Shot.of(nodes, nodes.tops(), 0, (node, k, c) -> 1).shooter(faces, Weights.of(ones()));
+        Shooter light = Shot.of(nodes, nodes.tops(), 0, all::shining).shooter(faces, Weights.of(weight()));
+        Shooter ones = Shot.of(nodes, nodes.tops(), 0, (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
+                .shooter(faces, Weights.of(ones()));
         FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, TOLERANCE);
         FormFactorCalculator few = few();
         crew.run(points.size(), i -> {

@@ -1,6 +1,5 @@
 package radiosity.world;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.PriorityQueue;
 import radiosity.patch.ElementLight;
@@ -10,7 +9,7 @@ import radiosity.patch.RadiosityNodes;
 /** How things stand with a partition's shooters: sums over their elements, and who has most to shoot. */
 final class Candidates {
 
-    /** Patches that a thread looks at at a time; blocks are looked at one by one. */
+    /** Shooters that a thread looks at at a time. */
     private static final int RUN = 64;
 
     private final InitialMesh mesh;
@@ -35,26 +34,31 @@ final class Candidates {
 
     /** What an order wants to know. */
     Answer answer(Order order) {
-        int run = mesh.shootsBlocks() ? 1 : RUN;
-        Answer[] parts = new Answer[(shooters.length + run - 1) / run];
-        crew.run(shooters.length, run, (from, to) -> {
-            Answer sums = new Answer(faces, mesh.fluxScale());
-            for (int p = from; p < to; p++) {
-                flux[p] = 0;
-                for (int top : shooters[p]) {
-                    flux[p] += measure(top, sums);
-                }
-            }
-            parts[from / run] = sums;
-        });
         Answer answer = new Answer(faces, mesh.fluxScale());
-        Arrays.stream(parts).forEach(answer::addSums);
+        crew.run(shooters.length, RUN, (from, to) -> {
+            Answer sums = measure(from, to);
+            synchronized (answer) {
+                answer.addSums(sums);
+            }
+        });
         int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
         crew.run(named.length, i -> candidates[i] = mesh.rounding.of(
                 Shot.of(nodes, shooters[named[i]], flux[named[i]], nodes.light()::unshot)));
         answer.candidates.addAll(List.of(candidates));
         return answer;
+    }
+
+    /** The sums over some shooters. */
+    private Answer measure(int from, int to) {
+        Answer sums = new Answer(faces, mesh.fluxScale());
+        for (int p = from; p < to; p++) {
+            flux[p] = 0;
+            for (int top : shooters[p]) {
+                flux[p] += measure(top, sums);
+            }
+        }
+        return sums;
     }
 
     /** Adds what lies below a node to the sums; returns its |U| A over the channels, W. */
@@ -79,14 +83,15 @@ final class Candidates {
         double area = nodes.area(node) * squaredSize;
         ElementLight light = nodes.light();
         for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
+            double bulge = light.bulge(node, c);
             double u = 0;
             double h = 0;
             for (int k = 0; k < 3; k++) {
-                u += light.unshot(node, k, c);
+                u += light.unshot(node, k, c, bulge);
                 h += light.irradiance(node, k, c);
             }
             u *= area / 3;
-            h = (h / 3 + light.bulge(node, c)) * area;
+            h = (h / 3 + bulge) * area;
             total += Math.abs(u);
             sums.unshot[c].add(u);
             sums.received[c].add(h);

@@ -1,11 +1,27 @@
 package radiosity.world;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.IntConsumer;
 
 /** Threads that share out numbered pieces of work; which does which has no influence on the result. */
 final class Crew {
+
+    /** Threads that have nothing to do, which end after a minute of it: to start one takes longer than many a step. */
+    private static final ExecutorService IDLE = Executors.newCachedThreadPool(work -> {
+        Thread thread = new Thread(work, "radiosity");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    /** At least so many for each thread. */
+    private static final int RUNS = 16;
 
     private final int threads;
 
@@ -34,16 +50,12 @@ final class Crew {
                 next.set(count);
             }
         };
-        Thread[] others = new Thread[Math.min(threads, count) - 1];
-        for (int i = 0; i < others.length; i++) {
-            others[i] = new Thread(work, "radiosity-" + i);
-            others[i].setDaemon(true);
-            others[i].start();
+        List<Future<?>> others = new ArrayList<>();
+        for (int i = 1; i < Math.min(threads, count); i++) {
+            others.add(IDLE.submit(work));
         }
         work.run();
-        for (Thread other : others) {
-            join(other);
-        }
+        others.forEach(Crew::await);
         Throwable thrown = failure.get();
         if (thrown instanceof Error error) {
             throw error;
@@ -53,8 +65,9 @@ final class Crew {
         }
     }
 
-    /** The same in runs of neighbouring pieces, for what is quickly done. */
-    void run(int count, int size, Run run) {
+    /** The same in runs of up to so many neighbouring pieces; of fewer where some threads would soon have no more to do. */
+    void run(int count, int most, Run run) {
+        int size = threads == 1 ? most : Math.max(1, Math.min(most, count / (threads * RUNS)));
         run((count + size - 1) / size, i -> run.of(i * size, Math.min(count, (i + 1) * size)));
     }
 
@@ -64,13 +77,16 @@ final class Crew {
     }
 
     /** An interrupt is kept for the caller: a piece of work is not left half done. */
-    private static void join(Thread thread) {
+    private static void await(Future<?> work) {
         boolean interrupted = false;
-        while (thread.isAlive()) {
+        for (boolean done = false; !done;) {
             try {
-                thread.join();
+                work.get();
+                done = true;
             } catch (InterruptedException e) {
                 interrupted = true;
+            } catch (ExecutionException e) {
+                throw new IllegalStateException(e);
             }
         }
         if (interrupted) {

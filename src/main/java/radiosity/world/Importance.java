@@ -32,7 +32,8 @@ final class Importance {
 
     /** What some nodes matter, as a shot. */
     Shot of(RadiosityNodes nodes, int[] tops) {
-        return mesh.rounding.of(Shot.of(nodes, tops, 0, (node, k, c) -> 1 + brightness(nodes.face(node))));
+        return mesh.rounding.of(Shot.of(nodes, tops, 0, (element, values, at) ->
+                Arrays.fill(values, at, at + 3 * nodes.channels(), 1 + brightness(nodes.face(element)))));
     }
 
     /** Where a face's room has its values of a layer. */

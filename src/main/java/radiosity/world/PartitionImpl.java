@@ -135,7 +135,7 @@ final class PartitionImpl implements Partition {
     }
 
     private List<Shot> trees() {
-        return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (node, k, c) -> 0)).toList();
+        return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
     }
 
     private void gather(Order order, int split) {
