@@ -24,12 +24,23 @@ public final class ElementLight {
         shot = new double[3 * channels * tree.elements()];
     }
 
+    /** Makes room for so many divided elements more. */
+    void expect(int divided) {
+        makeRoom(3 * channels * (tree.elements() + 3 * divided));
+    }
+
+    private void makeRoom(int room) {
+        if (room > shot.length) {
+            shot = Arrays.copyOf(shot, room);
+        }
+    }
+
     /** Gives four children what their parent had shot. */
     void divide(int node, int first) {
         int n = 3 * channels;
         double[] before = Arrays.copyOfRange(shot, n * tree.place(node), n * (tree.place(node) + 1));
         if (n * tree.elements() > shot.length) {
-            shot = Arrays.copyOf(shot, Math.max(n * tree.elements(), shot.length / 4 * 5));
+            makeRoom(Math.max(n * tree.elements(), shot.length / 4 * 5));
         }
         for (int k = 0; k < 4; k++) {
             System.arraycopy(Subdivision.values(before, channels, k), 0, shot, n * tree.place(first + k), n);

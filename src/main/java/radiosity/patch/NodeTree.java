@@ -67,6 +67,13 @@ final class NodeTree {
         return count++;
     }
 
+    /** Makes room for so many divided nodes more. */
+    void expect(int divided) {
+        if (count + 4 * divided > face.length) {
+            makeRoom(count + 4 * divided);
+        }
+    }
+
     private void makeRoom(int room) {
         face = Arrays.copyOf(face, room);
         level = Arrays.copyOf(level, room);

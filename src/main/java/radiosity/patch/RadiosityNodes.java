@@ -89,9 +89,15 @@ public final class RadiosityNodes {
         return first;
     }
 
-    /** To be called before splits with a number that there was none with: nobody asks for other shared vertices again. */
-    public void beginSplits() {
+    /**
+     * To be called before splits with a number that there was none with: nobody asks for other shared vertices again.
+     *
+     * @param expected how many splits, about
+     */
+    public void beginSplits(int expected) {
         points.forget();
+        tree.expect(expected);
+        light.expect(expected);
     }
 
     private int divide(int node, int depth, int with) {

@@ -13,6 +13,10 @@ import radiosity.patch.Weights;
  */
 final class MeshRefinement {
 
+    /** Nodes that a thread looks at at a time. */
+    private static final int RUN = 256;
+    /** Of which it is not decided yet which of its children are divided. */
+    private static final byte UNKNOWN = -1;
     /** At a sharp shadow the error per element falls with its size only; below this area it is left. Of all area. */
     private static final double LEAST_AREA = 1e-7;
 
@@ -34,11 +38,23 @@ final class MeshRefinement {
         area = faces.area();
     }
 
-    /** @param round what the new vertices are shared by */
-    void splitAll(int round) {
-        for (int node = 0, last = nodes.nodes(); node < last; node++) {
+    /**
+     * Most is decided by all threads before anything is divided; of what is divided now the parts are looked at
+     * afterwards: their parents' middles are known.
+     *
+     * @param round what the new vertices are shared by
+     */
+    void splitAll(int round, Crew crew) {
+        byte[] wanted = new byte[nodes.nodes()];
+        crew.run(wanted.length, RUN, (from, to) -> {
+            for (int node = from; node < to; node++) {
+                wanted[node] = nodes.isElement(node) ? UNKNOWN : wanted(node);
+            }
+        });
+        nodes.beginSplits(count(wanted));
+        for (int node = 0; node < wanted.length; node++) {
             if (!nodes.isElement(node)) {
-                splitChildren(node, round);
+                splitChildren(node, wanted[node] == UNKNOWN ? wanted(node) : wanted[node], round);
             }
         }
         for (int top : nodes.tops()) {
@@ -48,13 +64,31 @@ final class MeshRefinement {
         }
     }
 
-    private void splitChildren(int parent, int round) {
+    private static int count(byte[] wanted) {
+        int count = 0;
+        for (byte children : wanted) {
+            count += children == UNKNOWN ? 0 : Integer.bitCount(children);
+        }
+        return count;
+    }
+
+    /** Which children of a node are to be divided, as bits. */
+    private byte wanted(int parent) {
         double[] error = ofMiddles(parent);
         double before = fromAbove(parent);
+        int wanted = 0;
         for (int k = 0; k < 4; k++) {
             int child = nodes.child(parent) + k;
-            if (nodes.isElement(child) && wants(child, Math.max(before, touching(error, k)))) {
-                nodes.split(child, round);
+            boolean wants = nodes.isElement(child) && wants(child, Math.max(before, touching(error, k)));
+            wanted |= wants ? 1 << k : 0;
+        }
+        return (byte) wanted;
+    }
+
+    private void splitChildren(int parent, byte wanted, int round) {
+        for (int k = 0; k < 4; k++) {
+            if ((wanted >> k & 1) == 1) {
+                nodes.split(nodes.child(parent) + k, round);
             }
         }
     }

@@ -108,8 +108,7 @@ final class PartitionImpl implements Partition {
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
-        nodes.beginSplits();
-        new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number());
+        new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number(), crew);
         costs.split(order.number());
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
@@ -198,7 +197,7 @@ final class PartitionImpl implements Partition {
             return;
         }
         int known = nodes.vertices();
-        nodes.beginSplits();
+        nodes.beginSplits(0);
         for (int node = 0, last = nodes.nodes(); node < last; node++) {
             if (meshing.wants(nodes, node)) {
                 nodes.split(node, round);
