@@ -105,10 +105,10 @@ final class AuditResult {
      * mean error is taken to be no less than its standard error: in white rooms it builds up to many times itself.
      */
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
-        double bias = mean(some, p -> p.error(colour)) / mean;
-        double square = mean(some, p -> p.error(colour) * p.error(colour)) / (mean * mean);
-        double rays = mean(some, p -> p.errorAtVertex(colour) * p.errorAtVertex(colour)) / (mean * mean);
-        double raysLeft = mean(some, p -> p.spread * p.errorAtVertex(colour) * p.errorAtVertex(colour)) / (mean * mean);
+        double bias = mean(some, p -> p.error(colour) / mean);
+        double square = mean(some, p -> square(p.error(colour) / mean));
+        double rays = mean(some, p -> square(p.errorAtVertex(colour) / mean));
+        double raysLeft = mean(some, p -> p.spread * square(p.errorAtVertex(colour) / mean));
         double variance = Math.max(0, square - bias * bias);
         double uncertain = Math.max(bias * bias, variance / some.size());
         double times = amplification(colour);
@@ -118,12 +118,20 @@ final class AuditResult {
         sum[3] += bias * times;
     }
 
-    /** How often light that is lost at a point is lost by interreflection: 1 / (1 - share that comes back). */
+    private static double square(double x) {
+        return x * x;
+    }
+
+    /**
+     * How often light that is lost at a point is lost by interreflection: 1 / (1 - share that comes back). Where by the
+     * form factors all does, as often as it is at the largest reflectance.
+     */
     private double amplification(int colour) {
         double shot = sum(ledger.shot(), colour);
         double received = sum(ledger.received(), colour);
         double absorbed = sum(ledger.absorbed(), colour);
-        return shot <= 0 || absorbed <= 0 ? 1 : shot / (shot - received + absorbed);
+        double lost = shot - received + absorbed;
+        return shot <= 0 || absorbed <= 0 ? 1 : lost > 0 ? shot / lost : 1 / (1 - Surface.MAX_REFLECTANCE);
     }
 
     private double sum(double[] channels, int colour) {

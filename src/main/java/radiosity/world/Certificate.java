@@ -26,6 +26,12 @@ public record Certificate(int points, Double missingFlux, double factors, double
                           double expected, double sampling, double meshing, double bias,
                           List<SurfaceError> surfaces) {
 
+    /** Only numbers leave the solver. */
+    public Certificate {
+        NoNumberException.unlessNumbers("certificate", missingFlux == null ? 0 : missingFlux, factors, mostFactors,
+                reciprocity, expected, sampling, meshing, bias);
+    }
+
     /**
      * Errors at a point of one surface, relative to its own mean radiosity.
      *
@@ -35,5 +41,10 @@ public record Certificate(int points, Double missingFlux, double factors, double
      * @param sampling  what rays leave
      * @param meshing   what interpolation leaves
      */
-    public record SurfaceError(String surface, int points, double radiosity, double sampling, double meshing) { }
+    public record SurfaceError(String surface, int points, double radiosity, double sampling, double meshing) {
+
+        public SurfaceError {
+            NoNumberException.unlessNumbers("certificate", radiosity, sampling, meshing);
+        }
+    }
 }

@@ -11,6 +11,13 @@ package radiosity.world;
  */
 public record EnergyLedger(double[] emitted, double[] shot, double[] received, double[] absorbed, double[] unshot) {
 
+    /** Only numbers leave the solver. */
+    public EnergyLedger {
+        for (double[] flux : new double[][] {emitted, shot, received, absorbed, unshot}) {
+            NoNumberException.unlessNumbers("ledger", flux);
+        }
+    }
+
     /** Shot but received nowhere: it escaped, fell on a back side, or is the form factors' fault. */
     public double deficit(int channel) {
         return shot[channel] - received[channel];

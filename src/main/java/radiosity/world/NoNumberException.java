@@ -8,4 +8,13 @@ public final class NoNumberException extends ArithmeticException {
     NoNumberException(String message) {
         super(message);
     }
+
+    /** Lets numbers pass. */
+    static void unlessNumbers(String what, double... values) {
+        for (double value : values) {
+            if (!Double.isFinite(value)) {
+                throw new NoNumberException(what + ": expected numbers, got " + value);
+            }
+        }
+    }
 }

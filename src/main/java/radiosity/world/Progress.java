@@ -9,4 +9,10 @@ package radiosity.world;
  * @param elements leaves of the mesh
  * @param gathers  whether some of them are new and still gather what was shot before: the rest is as if they were not
  */
-public record Progress(int shots, int rounds, double unsent, int elements, boolean gathers) { }
+public record Progress(int shots, int rounds, double unsent, int elements, boolean gathers) {
+
+    /** Only numbers leave the solver. */
+    public Progress {
+        NoNumberException.unlessNumbers("unsent flux", unsent);
+    }
+}

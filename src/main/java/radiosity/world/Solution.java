@@ -43,9 +43,7 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
                         + positions[at + 2] + ")");
             }
         }
-        if (!Double.isFinite(unshotFlux)) {
-            throw new NoNumberException("solution: expected an unshot flux that is a number, got " + unshotFlux);
-        }
+        NoNumberException.unlessNumbers("unshot flux", unshotFlux);
     }
 
     /** A solution in one layer. */

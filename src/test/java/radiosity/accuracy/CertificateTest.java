@@ -23,9 +23,13 @@ class CertificateTest {
 
     /** A closed room of which one wall glows. */
     private static Scene room(double reflectance) {
+        return room(1, reflectance);
+    }
+
+    private static Scene room(double exitance, double reflectance) {
         SceneBuilder builder = new SceneBuilder();
         for (int side = 0; side < 6; side++) {
-            builder.polygon(new Surface("wall " + side, Rgb.grey(side == 0 ? 1 : 0), Rgb.grey(reflectance), false),
+            builder.polygon(new Surface("wall " + side, Rgb.grey(side == 0 ? exitance : 0), Rgb.grey(reflectance), false),
                     ROOM.inside(side));
         }
         return builder.scene("room");
@@ -58,6 +62,15 @@ class CertificateTest {
         Solve.Certified found = Solve.byDefault().certified(room(0.9999), true);
         Double missing = found.certificate().missingFlux();
         assertTrue(missing == null || missing >= 9998 * found.solution().unshotFlux(), "missing " + missing);
+    }
+
+    /** Errors are relative: their squares must not be lost where those of the light itself are. */
+    @Test
+    void faintLight_hasTheSameCertificate() {
+        Certificate found = Solve.byDefault().certified(room(1, 0.5), true).certificate();
+        Certificate faint = Solve.byDefault().certified(room(0x1p-560, 0.5), true).certificate();
+        assertEquals(1, faint.expected() / found.expected(), 1e-3);
+        assertEquals(1, faint.sampling() / found.sampling(), 1e-3);
     }
 
     @Test

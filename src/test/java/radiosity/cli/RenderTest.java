@@ -242,35 +242,19 @@ class RenderTest {
         assertFalse(Files.exists(output));
     }
 
-    @Test
-    void sceneWithoutLight_isWarnedOfAndBlack() throws IOException {
-        Path dark = dark();
-        Run run = Run.of("-q", "-pa", COARSE, dark, output);
-        succeeds(run);
-        assertEquals("warning: dark.lws: expected a light or a surface that emits, got none: all will be black"
-                + System.lineSeparator(), run.err());
-        try (SceneFile scene = SceneFile.open(output)) {
-            assertEquals(0, scene.ledger().emitted()[0]);
+    /** "NaN" as a text would be one that is no number. */
+    @ParameterizedTest
+    @ValueSource(strings = {"-dr", "-it=10", "--accuracy=20%"})
+    void report_hasOnlyNumbersWhereNumbersBelong(String option) throws IOException {
+        Path report = directory.resolve("report.json");
+        succeeds(render("-q", option, "--report", report));
+        JsonNode json = new ObjectMapper().readTree(report.toFile());
+        assertEquals(5, json.get("ledger").size());
+        for (JsonNode flux : json.get("ledger")) {
+            flux.forEach(channel -> assertTrue(channel.isNumber() && Double.isFinite(channel.doubleValue()), json.toString()));
         }
-    }
-
-    @Test
-    void strict_makesAWarningExitCode3() throws IOException {
-        Run run = Run.of("-q", "--strict", "-pa", COARSE, dark(), output);
-        fails(ExitCode.FILE, "dark.lws: expected a light or a surface that emits, got none: all will be black", run);
-        assertFalse(Files.exists(output));
-    }
-
-    /** The Cornell box with its lamp switched off: the luminosity of its one luminous surface set to 0. */
-    private Path dark() throws IOException {
-        byte[] object = Files.readAllBytes(Path.of("scenes/cornell-box.lwo"));
-        for (int i = 0; i + 10 < object.length; i++) {
-            if (object[i] == 'L' && object[i + 1] == 'U' && object[i + 2] == 'M' && object[i + 3] == 'I') {
-                ByteBuffer.wrap(object).putFloat(i + 6, 0);
-            }
-        }
-        Files.write(directory.resolve("cornell-box.lwo"), object);
-        return Files.copy(BOX, directory.resolve("dark.lws"));
+        assertEquals(!option.equals("-dr"), json.has("certificate"));
+        assertFalse(json.toString().contains("NaN") || json.toString().contains("Infinity"), json.toString());
     }
 
     @ParameterizedTest

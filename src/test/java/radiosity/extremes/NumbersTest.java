@@ -1,9 +1,11 @@
 package radiosity.extremes;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -11,7 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.accuracy.Rooms;
 import radiosity.accuracy.Solve;
+import radiosity.world.Certificate;
+import radiosity.world.EnergyLedger;
 import radiosity.world.NoNumberException;
+import radiosity.world.Progress;
 import radiosity.world.Solution;
 
 /** What is no number does not leave the solver. */
@@ -47,6 +52,37 @@ class NumbersTest {
     @Test
     void unshotFluxThatIsNone_isCaught() {
         assertThrows(NoNumberException.class, () -> with(1, Double.NaN));
+    }
+
+    @Test
+    void ledgerThatIsNone_isCaught() {
+        for (int i = 0; i < 5; i++) {
+            double[][] flux = new double[5][1];
+            flux[i][0] = Double.NaN;
+            assertEquals("ledger: expected numbers, got NaN", assertThrows(NoNumberException.class,
+                    () -> new EnergyLedger(flux[0], flux[1], flux[2], flux[3], flux[4])).getMessage());
+        }
+    }
+
+    @Test
+    void certificateThatIsNone_isCaught() {
+        for (int i = 0; i < 11; i++) {
+            double[] x = new double[11];
+            x[i] = Double.POSITIVE_INFINITY;
+            assertEquals("certificate: expected numbers, got Infinity",
+                    assertThrows(NoNumberException.class, () -> certificate(x)).getMessage());
+        }
+        assertNull(new Certificate(1, null, 1, 1, 0, 0, 0, 0, 0, List.of()).missingFlux(), "no bound");
+    }
+
+    private static Certificate certificate(double[] x) {
+        return new Certificate(1, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7],
+                List.of(new Certificate.SurfaceError("wall", 1, x[8], x[9], x[10])));
+    }
+
+    @Test
+    void progressThatIsNone_isCaught() {
+        assertThrows(NoNumberException.class, () -> new Progress(1, 1, Double.NaN, 1, false));
     }
 
     /** Not by luck: a light so strong that it overflows on its way is met at once. */
