@@ -110,4 +110,17 @@ final class Handmade {
         return new Solution(scene, 3, positions.build().toArray(), irradiance.build().toArray(),
                 corners.build().toArray(), faceOf.build().toArray(), 7, 5, .25, LEDGER, state);
     }
+
+    /** Irradiance that differs everywhere and in every channel, W/m². */
+    static Rgb light(Vec3 p) {
+        return new Rgb(1 + Math.abs(p.x()), 2 + p.y() / 3, 1e-3 * (3 + p.z()));
+    }
+
+    /** A room of side 2 with a lamp under its ceiling, in that light. */
+    static Handmade litRoom(Vec3 low) {
+        Handmade room = Handmade.room(low, 2, Handmade::light);
+        room.grid(room.surface("lamp", new Rgb(100, 90, 80), Rgb.grey(.1), false), low.plus(new Vec3(.5, 1.9, .5)),
+                new Vec3(1, 0, 0), new Vec3(0, 0, 1), 2, 2, Handmade::light);
+        return room;
+    }
 }

@@ -1,0 +1,77 @@
+package radiosity.output;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.Vec3;
+import radiosity.world.Solution;
+
+/** A scene file is written wholly or not at all. */
+class WholeFileTest {
+
+    private static final ToneMapping TONES = new ToneMapping(ToneMapping.Operator.REINHARD, 1);
+
+    @TempDir
+    Path folder;
+    private Path file;
+
+    @BeforeEach
+    void file() {
+        file = folder.resolve("a b.scene");
+    }
+
+    private void write(Solution solution) throws IOException {
+        SceneFile.write(file, solution, Map.of(), Optional.empty(), TONES);
+    }
+
+    @Test
+    void failedWrite_leavesTheOldFileAndNothingElse() throws IOException {
+        Files.writeString(file, "old");
+        assertThrows(IOException.class, () -> WholeFile.write(file, channel -> {
+            channel.write(ByteBuffer.wrap(new byte[100]));
+            throw new IOException("disk full");
+        }));
+        assertEquals("old", Files.readString(file));
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of(file), files.toList());
+        }
+    }
+
+    @Test
+    void whatIsNoFile_isNotReplaced() throws IOException {
+        Files.createDirectory(file);
+        assertThrows(IOException.class, () -> write(Handmade.litRoom(Vec3.ZERO).solution()));
+        assertTrue(Files.isDirectory(file));
+    }
+
+    @Test
+    void symbolicLink_isFollowed() throws IOException {
+        Path target = Files.writeString(folder.resolve("target.scene"), "old");
+        Files.createSymbolicLink(file, target);
+        write(Handmade.litRoom(Vec3.ZERO).solution());
+        assertTrue(Files.isSymbolicLink(file));
+        assertTrue(Files.size(target) > 1000);
+    }
+
+    @Test
+    void openFile_staysWhatItWas_whenItIsReplaced() throws IOException {
+        write(Handmade.litRoom(Vec3.ZERO).solution());
+        try (SceneFile scene = SceneFile.open(file)) {
+            write(new Handmade().solution());
+            assertFalse(scene.meshes().isEmpty());
+        }
+    }
+}
