@@ -17,17 +17,8 @@ final class BoundsBuilder {
 
     private final float[] low;
     private final float[] high;
-    /** The boxes' numbers, sorted so that every node holds a run of them. */
-    final int[] order;
-    /** 6 per node: centre and half extent; depth first. */
-    float[] box;
-    /** 1 per node: its second child, or -1 for a leaf; the first one follows the node. */
-    int[] second;
-    /** 1 per node: where its run in {@link #order} begins. */
-    int[] first;
-    /** 1 per node: length of its run. */
-    int[] count;
-    int nodes;
+    final BoundsTree tree;
+    private final int[] order;
 
     private final float[] binLow = new float[3 * BINS];
     private final float[] binHigh = new float[3 * BINS];
@@ -42,15 +33,11 @@ final class BoundsBuilder {
         this.low = low;
         this.high = high;
         int n = low.length / 3;
-        order = new int[n];
+        tree = new BoundsTree(n);
+        order = tree.order;
         for (int i = 0; i < n; i++) {
             order[i] = i;
         }
-        int most = Math.max(1, 2 * n);
-        box = new float[6 * most];
-        second = new int[most];
-        first = new int[most];
-        count = new int[most];
         if (n > 0) {
             build(n);
         }
@@ -66,40 +53,32 @@ final class BoundsBuilder {
             int node = add(from, length);
             int left = length == 1 ? 0 : split(node, from, length);
             if (left > 0) {
-                second[node] = from + left;
+                tree.second[node] = from + left;
                 open[depth++] = node;
                 length = left;
             } else if (depth == 0) {
                 return;
             } else {
                 int parent = open[--depth];
-                from = second[parent];
-                length = first[parent] + count[parent] - from;
-                second[parent] = nodes;
+                from = tree.second[parent];
+                length = tree.first[parent] + tree.count[parent] - from;
+                tree.second[parent] = tree.nodes;
             }
         }
     }
 
     private int add(int from, int length) {
-        first[nodes] = from;
-        count[nodes] = length;
-        second[nodes] = -1;
-        bound(nodes, from, length);
-        return nodes++;
-    }
-
-    private void bound(int node, int f, int c) {
-        for (int a = 0; a < 3; a++) {
-            float lo = Float.POSITIVE_INFINITY;
-            float hi = Float.NEGATIVE_INFINITY;
-            for (int i = f; i < f + c; i++) {
-                lo = Math.min(lo, low[3 * order[i] + a]);
-                hi = Math.max(hi, high[3 * order[i] + a]);
+        float[] lowest = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
+        float[] highest = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
+        for (int i = from; i < from + length; i++) {
+            for (int a = 0; a < 3; a++) {
+                lowest[a] = Math.min(lowest[a], low[3 * order[i] + a]);
+                highest[a] = Math.max(highest[a], high[3 * order[i] + a]);
             }
-            float centre = 0.5f * (lo + hi);
-            box[6 * node + a] = centre;
-            box[6 * node + 3 + a] = Math.max(hi - centre, centre - lo);
         }
+        int node = tree.add(from, length);
+        tree.bound(node, lowest, 0, highest, 0);
+        return node;
     }
 
     /** Parts the run in two and returns the left one's length, or 0 where a leaf is cheaper. */
@@ -134,7 +113,7 @@ final class BoundsBuilder {
         if (bestAxis < 0) {
             return c <= MAX_LEAF ? 0 : c / 2;
         }
-        float area = area(box[6 * node + 3] * 2, box[6 * node + 4] * 2, box[6 * node + 5] * 2);
+        float area = 4 * area(tree.box[6 * node + 3], tree.box[6 * node + 4], tree.box[6 * node + 5]);
         if (c <= MAX_LEAF && bestCost + NODE_COST * area >= c * area) {
             return 0;
         }

@@ -32,7 +32,7 @@ final class BoundsLayout {
     /** So that no place makes a NaN. */
     private static final int MOST_PLACES = 0x7F800000 >>> 2;
 
-    private final BoundsBuilder tree;
+    private final BoundsTree tree;
     private final float[] corners;
     /** 1 per node of the tree: surface of its box. */
     private final float[] area;
@@ -50,7 +50,7 @@ final class BoundsLayout {
      * @param corners 9 per triangle; not modified
      * @param sparing whether boxes that are not worth it are left out
      */
-    BoundsLayout(BoundsBuilder tree, float[] corners, boolean sparing) {
+    BoundsLayout(BoundsTree tree, float[] corners, boolean sparing) {
         this.tree = tree;
         this.corners = corners;
         area = new float[tree.nodes];

@@ -43,7 +43,8 @@ public final class RadiosityBounds {
             low[i] = Math.min(corners[k], Math.min(corners[k + 3], corners[k + 6])) - PAD;
             high[i] = Math.max(corners[k], Math.max(corners[k + 3], corners[k + 6])) + PAD;
         }
-        data = new BoundsLayout(new BoundsBuilder(low, high), corners, sparing).data;
+        BoundsTree tree = Reinsertion.improve(new BoundsBuilder(low, high).tree);
+        data = new BoundsLayout(tree, corners, sparing).data;
         root = n == 0 ? BoundsLayout.END : BoundsLayout.ROOT;
     }
 
