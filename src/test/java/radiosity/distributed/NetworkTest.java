@@ -31,13 +31,13 @@ class NetworkTest {
     private TestNetwork network;
 
     @BeforeEach
-    void makeNetwork() throws IOException, InterruptedException {
+    void makeNetwork() throws IOException {
         assumeTrue(TestNetwork.isPossible(), "this machine allows no network namespaces (ip netns, as root)");
         network = new TestNetwork(2);
     }
 
     @AfterEach
-    void removeNetwork() throws InterruptedException {
+    void removeNetwork() {
         if (network != null) {
             network.close();
         }
@@ -45,10 +45,11 @@ class NetworkTest {
 
     /** What happens to the network after the second round. */
     private interface Event {
-        void happen() throws IOException, InterruptedException;
+        void happen() throws IOException;
     }
 
-    private Solution solve(Event event) throws IOException, InterruptedException {
+    @SuppressWarnings("try") // servers are there to be reached by the network
+    private Solution solve(Event event) throws IOException {
         try (Server a = new Server(network.inside(0), PORT); Server b = new Server(network.inside(1), PORT);
                 RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PREDICT), addresses(), null, 1,
                         notices::add)) {
@@ -75,7 +76,7 @@ class NetworkTest {
     private static void happen(Event event) {
         try {
             event.happen();
-        } catch (IOException | InterruptedException e) {
+        } catch (IOException e) {
             throw new IllegalStateException(e);
         }
     }

@@ -18,7 +18,7 @@ final class TestNetwork implements AutoCloseable {
     private final String name = "rad" + ProcessHandle.current().pid() % 100_000 + (char) ('a' + MADE.getAndIncrement());
     private final int hosts;
 
-    TestNetwork(int hosts) throws IOException, InterruptedException {
+    TestNetwork(int hosts) throws IOException {
         this.hosts = hosts;
         try {
             make();
@@ -28,7 +28,7 @@ final class TestNetwork implements AutoCloseable {
         }
     }
 
-    private void make() throws IOException, InterruptedException {
+    private void make() throws IOException {
         ip("link add " + name + " type bridge");
         ip("addr add " + SUBNET + "1/24 dev " + name);
         ip("link set " + name + " up");
@@ -43,7 +43,7 @@ final class TestNetwork implements AutoCloseable {
     }
 
     /** Tries. */
-    static boolean isPossible() throws InterruptedException {
+    static boolean isPossible() {
         try (TestNetwork network = new TestNetwork(1)) {
             return network.hosts == 1;
         } catch (IOException e) {
@@ -69,28 +69,28 @@ final class TestNetwork implements AutoCloseable {
     }
 
     /** The host's link goes down. */
-    void pull(int host) throws IOException, InterruptedException {
+    void pull(int host) throws IOException {
         ip("link set " + outside(host) + " down");
     }
 
     /** The switch forgets the host: links stay up, and what is sent either way is lost. */
-    void drop(int host) throws IOException, InterruptedException {
+    void drop(int host) throws IOException {
         ip("link set " + outside(host) + " nomaster");
     }
 
-    private static void ip(String arguments) throws IOException, InterruptedException {
+    private static void ip(String arguments) throws IOException {
         List<String> command = new ArrayList<>(List.of("ip"));
         command.addAll(Arrays.asList(arguments.split(" ")));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes());
-        if (process.waitFor() != 0) {
+        if (process.onExit().join().exitValue() != 0) {
             throw new IOException("ip " + arguments + ": " + said);
         }
     }
 
     /** Removes as much of it as there is. */
     @Override
-    public void close() throws InterruptedException {
+    public void close() {
         for (int host = 0; host < hosts; host++) {
             remove("link del " + outside(host));
             remove("netns del " + space(host));
@@ -98,7 +98,7 @@ final class TestNetwork implements AutoCloseable {
         remove("link del " + name);
     }
 
-    private static void remove(String arguments) throws InterruptedException {
+    private static void remove(String arguments) {
         try {
             ip(arguments);
         } catch (IOException e) {

@@ -242,5 +242,4 @@ class SceneFileTest {
             assertEquals(0, scene.solution().elements());
         }
     }
-
 }
