@@ -106,12 +106,8 @@ final class Journal {
         byte[] told = settings.getBytes(StandardCharsets.UTF_8);
         ByteBuffer bytes = ByteBuffer.allocate(Long.BYTES + Integer.BYTES + told.length + state.length);
         bytes.putLong(0).putInt(told.length).put(told).put(state);
-        bytes.putLong(0, checksum(bytes.array())).flip();
-        WholeFile.write(file, channel -> {
-            while (bytes.hasRemaining()) {
-                channel.write(bytes);
-            }
-        });
+        bytes.putLong(0, checksum(bytes.array()));
+        WholeFile.write(file, bytes.array());
     }
 
     /** The render is done, and saved. */

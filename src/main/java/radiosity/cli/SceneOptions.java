@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
 import radiosity.lightwave.LightWaveOptions;
 
@@ -53,8 +52,8 @@ final class SceneOptions {
     }
 
     LightWaveOptions lightWave() {
-        LightWaveOptions standard = LightWaveOptions.defaults();
-        return new LightWaveOptions(frame == null ? OptionalDouble.empty() : OptionalDouble.of(frame), emission,
-                content, map, lights, srgb, strict, standard.maxBytes(), standard.maxTriangles());
+        LightWaveOptions options = LightWaveOptions.defaults().withEmission(emission).withContent(content).withMap(map)
+                .withLights(lights).withSrgb(srgb).withStrict(strict);
+        return frame == null ? options : options.withFrame(frame);
     }
 }

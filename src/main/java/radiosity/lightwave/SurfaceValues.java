@@ -3,6 +3,7 @@ package radiosity.lightwave;
 import java.util.ArrayList;
 import java.util.List;
 import radiosity.scene.Rgb;
+import radiosity.scene.Srgb;
 
 /**
  * A surface as an object describes it. What the file does not say is null until {@link #complete}.
@@ -98,11 +99,6 @@ final class SurfaceValues {
     }
 
     static Rgb linear(Rgb rgb, boolean srgb) {
-        return srgb ? new Rgb(linear(rgb.r()), linear(rgb.g()), linear(rgb.b())) : rgb;
-    }
-
-    /** The transfer function of IEC 61966-2-1 (sRGB), values above 1 continued. */
-    private static double linear(double value) {
-        return value <= 0.04045 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4);
+        return srgb ? new Rgb(Srgb.linear(rgb.r()), Srgb.linear(rgb.g()), Srgb.linear(rgb.b())) : rgb;
     }
 }

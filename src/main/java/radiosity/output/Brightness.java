@@ -2,7 +2,6 @@ package radiosity.output;
 
 import java.util.List;
 import radiosity.scene.Rgb;
-import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 
 /** How bright the surfaces are that reflect: lamps are left out, they would make everything else black. */
@@ -35,9 +34,7 @@ final class Brightness {
         Brightness brightness = new Brightness(meshes.stream().mapToInt(Mesh::elements).sum());
         for (Mesh mesh : meshes) {
             for (int e = 0; e < mesh.elements(); e++) {
-                Vec3 a = mesh.position(e, 0);
-                Vec3 cross = mesh.position(e, 1).minus(a).cross(mesh.position(e, 2).minus(a));
-                brightness.add(0.5 * cross.length(), mesh.surface().emits(), mesh.radiosity(e, 0),
+                brightness.add(0.5 * mesh.cross(e).length(), mesh.surface().emits(), mesh.radiosity(e, 0),
                         mesh.radiosity(e, 1), mesh.radiosity(e, 2));
             }
         }

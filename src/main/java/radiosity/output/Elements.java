@@ -31,12 +31,16 @@ final class Elements {
         return corner(solution, element, 1).minus(a).cross(corner(solution, element, 2).minus(a));
     }
 
+    /** Corner k of the original triangle of a face, counter-clockwise seen from the face's visible side. */
+    static Vec3 corner(Scene scene, int face, int k) {
+        return scene.corner(face >> 1, (face & 1) == 0 ? k : (3 - k) % 3);
+    }
+
     /** Unit normal on the visible side: that of the original triangle, which is the more exact one. */
     static Vec3 normal(Solution solution, int element) {
         Scene scene = solution.scene();
         int face = solution.faceOf()[element];
-        Vec3 a = scene.corner(face >> 1, 0);
-        Vec3 cross = scene.corner(face >> 1, 1).minus(a).cross(scene.corner(face >> 1, 2).minus(a));
+        Vec3 cross = scene.cross(face >> 1);
         Vec3 front = cross.length() > 0 ? cross.unit() : new Vec3(0, 1, 0);
         return (face & 1) == 0 ? front : Vec3.ZERO.minus(front);
     }

@@ -8,6 +8,7 @@ import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import radiosity.scene.Srgb;
 
 /** An image as its file has it, values from 0 to 1. */
 final class ImageFile {
@@ -65,11 +66,6 @@ final class ImageFile {
     private double value(int x, int y, int channel, boolean srgb) {
         double code = grey ? image.getRaster().getSample(x, y, 0) / most
                 : (image.getRGB(x, y) >> 16 - 8 * channel & 0xFF) / 255.0;
-        return srgb ? linear(code) : code;
-    }
-
-    /** IEC 61966-2-1, sRGB. */
-    private static double linear(double code) {
-        return code <= 0.04045 ? code / 12.92 : StrictMath.pow((code + 0.055) / 1.055, 2.4);
+        return srgb ? Srgb.linear(code) : code;
     }
 }

@@ -25,8 +25,7 @@ import radiosity.world.Solution;
  * @param progress what has been calculated so far, in a few words
  */
 public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp> lamps,
-                       Optional<Textures> textures,
-                       String progress) {
+                       Optional<Textures> textures, String progress) {
 
     /**
      * Light in textures.
@@ -108,10 +107,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
         double[] shade = new double[9 * faces.length];
         int[] corners = new int[3 * faces.length];
         for (int e = 0; e < faces.length; e++) {
-            int side = faces[e] & 1;
             double itsShade = shade(scene, faces[e]);
             for (int k = 0; k < 3; k++) {
-                Vec3 p = scene.corner(faces[e] >> 1, side == 0 ? k : (3 - k) % 3);
+                Vec3 p = Elements.corner(scene, faces[e], k);
                 int i = 3 * e + k;
                 corners[i] = i;
                 positions[3 * i] = p.x();
@@ -138,9 +136,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     }
 
     private static double shade(Scene scene, int face) {
-        Vec3 a = scene.corner(face >> 1, 0);
-        Vec3 cross = scene.corner(face >> 1, 1).minus(a).cross(scene.corner(face >> 1, 2).minus(a)).unit();
-        double cosine = cross.dot(SHADE_FROM) * ((face & 1) == 0 ? 1 : -1);
+        double cosine = scene.cross(face >> 1).unit().dot(SHADE_FROM) * ((face & 1) == 0 ? 1 : -1);
         return DARKEST + (1 - DARKEST) * (1 + cosine) / 2;
     }
 }

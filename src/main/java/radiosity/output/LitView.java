@@ -33,8 +33,7 @@ final class LitView {
         float[] corners = new float[9 * scene.triangles()];
         normals = new Vec3[scene.triangles()];
         for (int t = 0; t < scene.triangles(); t++) {
-            Vec3 a = scene.corner(t, 0);
-            normals[t] = scene.corner(t, 1).minus(a).cross(scene.corner(t, 2).minus(a)).unit();
+            normals[t] = scene.cross(t).unit();
             for (int k = 0; k < 3; k++) {
                 Vec3 p = scene.corner(t, k).minus(centre).times(scale);
                 corners[9 * t + 3 * k] = (float) p.x();

@@ -47,6 +47,12 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
         return new Vec3(positions[i], positions[i + 1], positions[i + 2]);
     }
 
+    /** At right angles to an element, out of its visible side, twice as long as its area is large. */
+    public Vec3 cross(int element) {
+        Vec3 a = position(element, 0);
+        return position(element, 1).minus(a).cross(position(element, 2).minus(a));
+    }
+
     /** B at corner k of an element, W/m². */
     public Rgb radiosity(int element, int k) {
         return at(radiosity, corners[3 * element + k]);

@@ -60,12 +60,7 @@ public enum PictureFormat {
 
     /** Writes a picture in place of what the file was before. */
     void write(Path file, Picture picture) throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap(bytes(picture));
-        WholeFile.write(file, channel -> {
-            while (bytes.hasRemaining()) {
-                channel.write(bytes);
-            }
-        });
+        WholeFile.write(file, bytes(picture));
     }
 
     private static byte[] encoded(Picture picture, String format) throws IOException {

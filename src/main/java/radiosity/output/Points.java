@@ -1,8 +1,6 @@
 package radiosity.output;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import radiosity.patch.Faces;
@@ -96,19 +94,12 @@ public final class Points {
             append(text, light.radiosity()).append('\n');
             missed += Double.isNaN(light.irradiance().r()) ? 1 : 0;
         }
-        byte[] bytes = text.toString().getBytes(StandardCharsets.US_ASCII);
-        WholeFile.write(out, channel -> writeAll(channel, ByteBuffer.wrap(bytes)));
+        WholeFile.write(out, text.toString().getBytes(StandardCharsets.US_ASCII));
         return missed;
     }
 
     private static StringBuilder append(StringBuilder text, Rgb light) {
         return Double.isNaN(light.r()) ? text.append("nan,nan,nan")
                 : text.append(light.r()).append(',').append(light.g()).append(',').append(light.b());
-    }
-
-    private static void writeAll(FileChannel channel, ByteBuffer bytes) throws IOException {
-        while (bytes.hasRemaining()) {
-            channel.write(bytes);
-        }
     }
 }

@@ -122,9 +122,8 @@ final class TextureBake {
         return Chart.of(along, normal, points, samples, finest, most);
     }
 
-    /** Corner k of an original triangle, counter-clockwise seen from the face's visible side. */
     private Vec3 corner(int face, int k) {
-        return solution.scene().corner(face >> 1, (face & 1) == 0 ? k : (3 - k) % 3);
+        return Elements.corner(solution.scene(), face, k);
     }
 
     private void draw(Texels texels, Chart chart, int left, int top, int element) {

@@ -2,6 +2,7 @@ package radiosity.output;
 
 import java.util.List;
 import radiosity.scene.Rgb;
+import radiosity.scene.Srgb;
 import radiosity.world.Solution;
 
 /**
@@ -103,9 +104,8 @@ public record ToneMapping(Operator operator, double exposure) {
         return 0.2126 * light.r() + 0.7152 * light.g() + 0.0722 * light.b();
     }
 
-    /** The sRGB code, 0 to 255, of linear light in [0, 1] (IEC 61966-2-1). */
+    /** The sRGB code, 0 to 255, of linear light in [0, 1]. */
     public static int srgb(double light) {
-        double code = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.pow(light, 1 / 2.4) - 0.055;
-        return (int) Math.round(255 * Math.max(0, Math.min(1, code)));
+        return (int) Math.round(255 * Math.max(0, Math.min(1, Srgb.code(light))));
     }
 }

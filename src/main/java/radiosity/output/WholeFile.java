@@ -1,6 +1,7 @@
 package radiosity.output;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,6 +43,15 @@ public final class WholeFile {
             Files.deleteIfExists(fresh);
         }
         syncDirectory(target.getParent());
+    }
+
+    /** The same with this content; not modified. */
+    public static void write(Path file, byte[] bytes) throws IOException {
+        write(file, channel -> {
+            for (ByteBuffer rest = ByteBuffer.wrap(bytes); rest.hasRemaining();) {
+                channel.write(rest);
+            }
+        });
     }
 
     /** So that the new name survives a power failure; Windows knows no such thing and needs none. */

@@ -108,7 +108,7 @@ public final class Strips {
     }
 
     private Vec3 normal(int t) {
-        Vec3 cross = scene.corner(t, 1).minus(scene.corner(t, 0)).cross(scene.corner(t, 2).minus(scene.corner(t, 0)));
+        Vec3 cross = scene.cross(t);
         return cross.times(1 / cross.length());
     }
 

@@ -140,10 +140,15 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return new Vec3(points[p], points[p + 1], points[p + 2]);
     }
 
+    /** At right angles to a triangle, out of its front, twice as long as its area is large. */
+    public Vec3 cross(int triangle) {
+        Vec3 a = corner(triangle, 0);
+        return corner(triangle, 1).minus(a).cross(corner(triangle, 2).minus(a));
+    }
+
     /** Area of a triangle, square scene units. */
     public double area(int triangle) {
-        Vec3 a = corner(triangle, 0);
-        return 0.5 * corner(triangle, 1).minus(a).cross(corner(triangle, 2).minus(a)).length();
+        return 0.5 * cross(triangle).length();
     }
 
     /** Area of all triangles, each counted once, square scene units. */

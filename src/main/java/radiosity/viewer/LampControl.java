@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
 import radiosity.scene.Rgb;
+import radiosity.scene.Srgb;
 
 /** A slider and a colour: what a lamp's light is multiplied with is the product of both. */
 final class LampControl {
@@ -71,14 +72,11 @@ final class LampControl {
         button.setBackground(new Color(code(colour.r()), code(colour.g()), code(colour.b())));
     }
 
-    /** IEC 61966-2-1, sRGB. */
     private static double linear(int code) {
-        double x = code / 255.0;
-        return x <= 0.04045 ? x / 12.92 : Math.pow((x + 0.055) / 1.055, 2.4);
+        return Srgb.linear(code / 255.0);
     }
 
     private static float code(double linear) {
-        double x = Math.max(0, Math.min(1, linear));
-        return (float) (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.pow(x, 1 / 2.4) - 0.055);
+        return (float) Srgb.code(Math.max(0, Math.min(1, linear)));
     }
 }

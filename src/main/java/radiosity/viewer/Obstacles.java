@@ -103,9 +103,7 @@ final class Obstacles {
         }
         Mesh mesh = meshes.get(m);
         int e = found - first[m];
-        Vec3 a = mesh.position(e, 0);
-        Vec3 normal = mesh.position(e, 1).minus(a).cross(mesh.position(e, 2).minus(a)).unit();
-        return new Hit(m, e, hit[1], hit[2], distance, normal);
+        return new Hit(m, e, hit[1], hit[2], distance, mesh.cross(e).unit());
     }
 
     /** How much of a step can be taken: before a wall it goes on along it. */

@@ -29,7 +29,6 @@ import radiosity.output.LitScene;
 /** A window in which one walks through a scene (appendix C.4 of the paper). */
 public final class Walkthrough {
 
-    private static final int FRAME_MILLISECONDS = 15;
     private static final long PATIENCE_SECONDS = 60;
 
     private final Stage stage = new Stage();
@@ -169,7 +168,7 @@ public final class Walkthrough {
         BufferedImage last = null;
         for (int i = 0; i < count; i++) {
             CompletableFuture<BufferedImage> next = stage.canvas().next();
-            Timer redraw = new Timer(FRAME_MILLISECONDS, e -> stage.redraw());
+            Timer redraw = new Timer(Walking.FRAME_MILLISECONDS, e -> stage.redraw());
             redraw.start();
             try {
                 last = next.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
