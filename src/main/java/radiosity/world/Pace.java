@@ -10,7 +10,7 @@ final class Pace {
     /** How long a step is to take, s: a stop is not much farther away. */
     static final double STEP_SECONDS = 0.25;
     /** A step holds so many times as many shots as the last one, at most. */
-    private static final int GROWTH = 2;
+    private static final int GROWTH = 4;
     /** How much of a slow step is remembered from one step to the next. */
     private static final double MEMORY = 0.8;
 

@@ -108,7 +108,12 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
 
     /** Whether it says what is shot. */
     boolean isWhole() {
-        return trees.stream().allMatch(tree -> tree.radiosity().length > 0);
+        for (PatchTree tree : trees) {
+            if (tree.radiosity().length == 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     static Shot read(DataInputStream in, int channels) throws IOException {

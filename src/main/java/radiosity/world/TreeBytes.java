@@ -4,8 +4,6 @@ import java.io.DataInputStream;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.util.Arrays;
-import java.util.BitSet;
 import radiosity.patch.PatchTree;
 
 /**
@@ -17,6 +15,9 @@ import radiosity.patch.PatchTree;
  */
 final class TreeBytes {
 
+    private static final int INNER = -1;
+    /** Face, path, number of nodes. */
+    private static final int HEAD = 4 + 8 + 4;
     /** What the smallest takes: one element that is grey. */
     static final int LEAST = 4 + 8 + 4 + 1 + 1;
 
@@ -31,9 +32,9 @@ final class TreeBytes {
         out.writeByte(numbers.form().ordinal());
         out.writeBoolean(once);
         out.writeShort(numbers.exponent());
-        ByteBuffer bytes = ByteBuffer.allocate(corners(tree.child(), same, once) * channels * numbers.bytes());
+        ByteBuffer bytes = ByteBuffer.allocate(corners(same, once) * channels * numbers.bytes());
         for (int corner = 0; corner < same.length; corner++) {
-            for (int c = 0; c < channels && isWritten(corner, tree.child(), same, once); c++) {
+            for (int c = 0; c < channels && isWritten(corner, same, once); c++) {
                 numbers.put(radiosity[channels * corner + c], bytes);
             }
         }
@@ -48,14 +49,16 @@ final class TreeBytes {
 
     private static void writeShape(PatchTree tree, DataOutput out) throws IOException {
         int[] child = tree.child();
-        BitSet divided = new BitSet();
-        for (int i = 0; i < child.length; i++) {
-            divided.set(i, child[i] >= 0);
+        ByteBuffer shape = ByteBuffer.allocate(HEAD + bytes(child.length));
+        shape.putInt(tree.face()).putLong(tree.path()).putInt(child.length);
+        for (int i = 0; i < child.length; i += Byte.SIZE) {
+            int divided = 0;
+            for (int bit = 0; bit < Byte.SIZE && i + bit < child.length; bit++) {
+                divided |= child[i + bit] >= 0 ? 1 << bit : 0;
+            }
+            shape.put((byte) divided);
         }
-        out.writeInt(tree.face());
-        out.writeLong(tree.path());
-        out.writeInt(child.length);
-        out.write(Arrays.copyOf(divided.toByteArray(), bytes(child.length)));
+        out.write(shape.array());
     }
 
     private static int bytes(int bits) {
@@ -63,9 +66,10 @@ final class TreeBytes {
     }
 
     static PatchTree read(DataInputStream in, int channels) throws IOException {
-        int face = in.readInt();
-        long path = in.readLong();
-        int[] child = children(in);
+        ByteBuffer head = ByteBuffer.wrap(Wire.exactly(in, HEAD));
+        int face = head.getInt();
+        long path = head.getLong();
+        int[] child = children(in, head.getInt());
         int form = in.readByte();
         double[] radiosity = form == Numbers.Form.NONE.ordinal() ? new double[0]
                 : radiosity(in, child, channels, form);
@@ -77,15 +81,17 @@ final class TreeBytes {
         boolean once = in.readBoolean();
         Numbers numbers = Numbers.of(form, in.readShort());
         double[] radiosity = new double[channels * same.length];
-        int written = corners(child, same, once);
+        int written = corners(same, once);
         ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, written * channels * numbers.bytes()));
         for (int corner = 0; corner < same.length; corner++) {
-            for (int c = 0; c < channels && isWritten(corner, child, same, once); c++) {
+            for (int c = 0; c < channels && isWritten(corner, same, once); c++) {
                 radiosity[channels * corner + c] = numbers.get(bytes);
             }
         }
         for (int corner = 0; corner < same.length && once; corner++) {
-            System.arraycopy(radiosity, channels * same[corner], radiosity, channels * corner, channels);
+            for (int c = 0; c < channels && same[corner] != INNER; c++) {
+                radiosity[channels * corner + c] = radiosity[channels * same[corner] + c];
+            }
         }
         return radiosity;
     }
@@ -93,12 +99,14 @@ final class TreeBytes {
     /*---- Corners that elements have in common ----*/
 
     /**
-     * 3 per node: the corner that stands for it, one of the part in the middle or itself. Parts are numbered as
-     * {@link radiosity.patch.RadiosityNodes#split} does.
+     * 3 per node: the corner that stands for it, one of the part in the middle or itself; {@link #INNER} of inner
+     * nodes. Parts are numbered as {@link radiosity.patch.RadiosityNodes#split} does.
      */
     private static int[] same(int[] child) {
         int[] same = new int[3 * child.length];
-        Arrays.setAll(same, i -> i);
+        for (int corner = 0; corner < same.length; corner++) {
+            same[corner] = child[corner / 3] < 0 ? corner : INNER;
+        }
         for (int first : child) {
             for (int k = 0; k < 3 && first >= 0 && child[first + 3] < 0 && child[first + k] < 0; k++) {
                 same[3 * (first + k) + (k + 1) % 3] = 3 * (first + 3) + (k + 2) % 3;
@@ -109,45 +117,46 @@ final class TreeBytes {
     }
 
     private static boolean isSame(double[] radiosity, int[] same, int channels) {
-        for (int i = 0; i < radiosity.length; i++) {
-            if (radiosity[i] != radiosity[channels * same[i / channels] + i % channels]) {
-                return false;
+        for (int corner = 0; corner < same.length; corner++) {
+            for (int c = 0; c < channels && same[corner] != INNER; c++) {
+                if (radiosity[channels * corner + c] != radiosity[channels * same[corner] + c]) {
+                    return false;
+                }
             }
         }
         return true;
     }
 
-    private static boolean isWritten(int corner, int[] child, int[] same, boolean once) {
-        return child[corner / 3] < 0 && (!once || same[corner] == corner);
+    private static boolean isWritten(int corner, int[] same, boolean once) {
+        return same[corner] == corner || !once && same[corner] != INNER;
     }
 
     /** How many are written. */
-    private static int corners(int[] child, int[] same, boolean once) {
+    private static int corners(int[] same, boolean once) {
         int count = 0;
         for (int corner = 0; corner < same.length; corner++) {
-            count += isWritten(corner, child, same, once) ? 1 : 0;
+            count += isWritten(corner, same, once) ? 1 : 0;
         }
         return count;
     }
 
     /** Breadth first: the next node that is divided has the next four as its children. */
-    private static int[] children(DataInputStream in) throws IOException {
-        int nodes = in.readInt();
+    private static int[] children(DataInputStream in, int nodes) throws IOException {
         if (nodes < 1 || nodes > Byte.SIZE * (long) in.available()) {
             throw new IOException("shot: expected nodes in " + in.available() + " bytes, got " + nodes);
         }
-        BitSet divided = BitSet.valueOf(Wire.exactly(in, bytes(nodes)));
-        if (4L * divided.cardinality() != nodes - 1 || divided.length() > nodes) {
-            throw new IOException("shot: expected a tree whose divided nodes have four children each, got " + nodes
-                    + " nodes with " + divided.cardinality() + " divided");
-        }
+        byte[] divided = Wire.exactly(in, bytes(nodes));
         int[] child = new int[nodes];
-        int next = 1;
-        for (int i = 0; i < nodes; i++) {
-            child[i] = divided.get(i) ? next : -1;
-            next += divided.get(i) ? 4 : 0;
-            if (i + 1 < nodes && i + 1 >= next) {
-                throw new IOException("shot: expected node " + (i + 1) + " to be a child, got none above it");
+        long next = 1;
+        for (int i = 0; i < Byte.SIZE * divided.length; i++) {
+            boolean isDivided = (divided[i / Byte.SIZE] >> i % Byte.SIZE & 1) == 1;
+            if (i < nodes) {
+                child[i] = isDivided ? (int) next : -1;
+            }
+            next += isDivided ? 4 : 0;
+            if (i + 1 < nodes && i + 1 >= next || next > nodes) {
+                throw new IOException("shot: expected a tree whose divided nodes have four children each, got " + nodes
+                        + " nodes of which node " + i + " has or lacks some");
             }
         }
         return child;

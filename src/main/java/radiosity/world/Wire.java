@@ -63,10 +63,11 @@ final class Wire {
     }
 
     static byte[] exactly(DataInputStream in, int count) throws IOException {
-        byte[] bytes = in.readNBytes(count);
-        if (bytes.length < count) {
-            throw new EOFException("message: expected " + count + " bytes, got " + bytes.length);
+        if (count > in.available()) {
+            throw new EOFException("message: expected " + count + " bytes, got " + in.available());
         }
+        byte[] bytes = new byte[count];
+        in.readFully(bytes);
         return bytes;
     }
 
@@ -84,7 +85,7 @@ final class Wire {
 
     /** What {@link #write} wrote. */
     static byte[] bytes(DataInputStream in) throws IOException {
-        return in.readNBytes(count(in, 1));
+        return exactly(in, count(in, 1));
     }
 
     /** All of a message that is made of such. */
@@ -112,8 +113,10 @@ final class Wire {
     /** Shots with what they shoot. */
     static List<Shot> shots(DataInputStream in) throws IOException {
         List<Shot> shots = trees(in);
-        if (!shots.stream().allMatch(Shot::isWhole)) {
-            throw new IOException("shot: expected radiosities, got none");
+        for (Shot shot : shots) {
+            if (!shot.isWhole()) {
+                throw new IOException("shot: expected radiosities, got none");
+            }
         }
         return shots;
     }

@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -113,13 +114,23 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     }
 
     final List<Answer> decode(List<byte[]> encoded) throws IOException {
-        List<Answer> answers = new ArrayList<>();
-        for (byte[] bytes : encoded) {
-            Answer one = new Answer(mesh.faces, mesh.fluxScale());
-            one.read(Wire.input(bytes));
-            answers.add(one);
+        Answer[] answers = new Answer[encoded.size()];
+        try {
+            crew.run(answers.length, i -> answers[i] = decode(encoded.get(i)));
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
         }
-        return answers;
+        return List.of(answers);
+    }
+
+    private Answer decode(byte[] bytes) {
+        Answer answer = new Answer(mesh.faces, mesh.fluxScale());
+        try {
+            answer.read(Wire.input(bytes));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return answer;
     }
 
     private Answer sum(List<Answer> answers, int most) {

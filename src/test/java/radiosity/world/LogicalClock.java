@@ -105,9 +105,11 @@ final class LogicalClock {
         place = Double.NaN;
         ahead -= thread() - begun;
         return new FutureTask<>(() -> {
-            double wait = Math.max(0, received(ready) - seconds());
+            double now = seconds();
+            double begin = thread();
+            double wait = Math.max(0, received(ready) - now);
             waited += wait;
-            ahead += wait;
+            ahead += wait + begin - thread();
             return null;
         }) {
             @Override
