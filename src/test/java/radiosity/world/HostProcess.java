@@ -23,7 +23,7 @@ final class HostProcess implements AutoCloseable {
         process = new ProcessBuilder(command).redirectErrorStream(true).start();
     }
 
-    private static int freePort() throws IOException {
+    static int freePort() throws IOException {
         try (ServerSocket socket = new ServerSocket(0)) {
             return socket.getLocalPort();
         }

@@ -17,6 +17,9 @@ public final class MeasureDistribution {
 
     private static final String SERVER = "radiosity.cli.PartitionServer";
     private static final int REPETITIONS = 3;
+    /** Renders until JVMs have compiled what matters. */
+    private static final int WARM = 3;
+    private static final int TURNS = 5;
 
     private final Scene scene;
 
@@ -32,9 +35,10 @@ public final class MeasureDistribution {
             case "lost" -> measure.lost();
             case "slow" -> measure.slow();
             case "ideal" -> measure.ideal();
+            case "loopback" -> measure.loopback();
             case "real" -> measure.real();
             case "start" -> measure.start();
-            default -> throw new IllegalArgumentException("expected lost, slow, ideal, real or start, got " + arguments[0]);
+            default -> throw new IllegalArgumentException("expected lost, slow, ideal, loopback, real or start, got " + arguments[0]);
         }
         System.exit(0);
     }
@@ -137,28 +141,57 @@ public final class MeasureDistribution {
                 line -> print("  %s", line));
     }
 
-    /** One thread here, one host, two hosts: the second run of each, as the first warms up the JVMs. */
+    /**
+     * A host over sockets against no host, in turns. Both are in this process: from one JVM to the next the same code
+     * takes up to a quarter more or less.
+     */
+    private void loopback() throws IOException {
+        RadiositySettings settings = paper(300, 10);
+        StopRule stop = new StopRule(3000, 0);
+        List<Double> local = new ArrayList<>();
+        List<Double> remote = new ArrayList<>();
+        int number = HostProcess.freePort();
+        try (PartitionPort port = PartitionPort.open(new PartitionPort.Options(number, 0, null, null, 1), line -> { })) {
+            for (int i = 0; i < WARM + TURNS; i++) {
+                local.add(timed(new LocalWorld(scene, settings, 1), stop, List.of())[1]);
+                try (RemoteWorld world = new RemoteWorld(scene, settings, List.of(new HostAddress("localhost", port.port())),
+                        null, 1, line -> print("  %s", line))) {
+                    remote.add(timed(world, stop, List.of())[1]);
+                }
+            }
+        }
+        double alone = median(local.subList(WARM, WARM + TURNS));
+        double hosted = median(remote.subList(WARM, WARM + TURNS));
+        print("no host: CPU %.2f s; one host and its master, over sockets: CPU %.2f s, %+.1f %%", alone, hosted,
+                100 * (hosted / alone - 1));
+    }
+
+    private static double median(List<Double> values) {
+        return values.stream().sorted().toList().get(values.size() / 2);
+    }
+
+    /** One thread here, one host, two hosts: the last of some runs of each, as the first ones warm up the JVMs. */
     private void real() throws IOException {
         RadiositySettings settings = paper(300, 10);
         StopRule stop = new StopRule(3000, 0);
         double[] local = {0, 0, 0};
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < WARM; i++) {
             local = timed(new LocalWorld(scene, settings, 1), stop, List.of());
         }
         print("this process, one thread: wall %.2f s, CPU %.2f s", local[0], local[1]);
         double[] one = {0, 0, 0};
         for (int n = 1; n <= 2; n++) {
-            List<HostProcess> hosts = HostProcess.start(n, SERVER, "-Xmx512m");
+            List<HostProcess> hosts = HostProcess.start(n, SERVER, "-Xmx512m", "-XX:+UseParallelGC");
             double[] got = {0, 0, 0};
-            for (int i = 0; i < 2; i++) {
+            for (int i = 0; i < WARM; i++) {
                 try (RemoteWorld world = world(hosts, settings)) {
                     got = timed(world, stop, hosts);
                 }
             }
             HostProcess.end(hosts);
             one = n == 1 ? got : one;
-            print("%d host(s): wall %.2f s, CPU %.2f s (of it the master %.2f): CPU %+.1f %% over local; speedup over one host %.2f",
-                    n, got[0], got[1], got[2], 100 * (got[1] / local[1] - 1), one[0] / got[0]);
+            print("%d host(s): wall %.2f s, CPU %.2f s (of it the master %.2f); speedup over one host %.2f", n, got[0],
+                    got[1], got[2], one[0] / got[0]);
         }
     }
 
