@@ -80,6 +80,12 @@ keep_classes() {
         radiosity.cli.RadiosityRenderer -q -pa 5% --schedule predict -it 20 "$project/scenes/cornell-box.lws" "$classes.scene" \
         >/dev/null 2>&1
     rm -f "$classes.scene"
+    [ -e "$classes" ] || : >"$classes"
+}
+
+# After a build by hand.
+lacks_classes() {
+    [ -w "$project/target" ] && { [ ! -e "$classes" ] || [ -n "$(find "$jar" -newer "$classes")" ]; }
 }
 
 start() {
@@ -92,6 +98,9 @@ start() {
         unfinished=$project/target/build.unfinished
         if is_stale; then
             build_once
+            built=-Dradiosity.built=true
+        elif lacks_classes; then
+            keep_classes
             built=-Dradiosity.built=true
         fi
     fi

@@ -161,6 +161,15 @@ class ScriptsTest {
         assertFalse(run(script()).contains("radiosity.built"));
     }
 
+    @Test
+    void jarBuiltByHand_hasItsClassesKeptOnce() throws Exception {
+        tool("java", "case \"$*\" in *ArchiveClassesAtExit*) echo kept >>kept;; esac");
+        Files.writeString(project.resolve("target/radiosity.jar"), "");
+        run(script());
+        run(script());
+        assertEquals(List.of("kept"), Files.readAllLines(directory.resolve("kept")));
+    }
+
     private void choose(boolean flock) throws IOException {
         assumeTrue(!flock || Files.exists(Path.of("/usr/bin/flock")), "needs flock");
         onlyTools("touch", "sleep", flock ? "flock" : "ln");
