@@ -110,14 +110,14 @@ public final class ElementLight {
         return shot[channels * (3 * tree.place(node) + k) + channel];
     }
 
-    /** Sets S at corner k of an element, W/m²; for whoever owns the tree. */
-    public void setShot(int node, int k, int channel, double radiosity) {
-        shot[channels * (3 * tree.place(node) + k) + channel] = radiosity;
-    }
-
     /** The same at all corners, see {@link PatchTree.Quantity}. */
     public void shot(int node, double[] values, int at) {
         System.arraycopy(shot, 3 * channels * tree.place(node), values, at, 3 * channels);
+    }
+
+    /** Sets S at corner k of an element, W/m²; for whoever owns the tree. */
+    public void setShot(int node, int k, int channel, double radiosity) {
+        shot[channels * (3 * tree.place(node) + k) + channel] = radiosity;
     }
 
     /** What was shot and what is unshot, at all corners, W/m²; see {@link PatchTree.Quantity}. */

@@ -9,36 +9,15 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
 
 /** What is no scene file, or a damaged one, is refused in one line. */
-class DamagedSceneFileTest {
-
-    private static final ToneMapping TONES = new ToneMapping(ToneMapping.Operator.REINHARD, 1);
-
-    @TempDir
-    Path folder;
-    private Path file;
-
-    @BeforeEach
-    void file() {
-        file = folder.resolve("a b.scene");
-    }
-
-    private void write(Solution solution) throws IOException {
-        SceneFile.write(file, solution, Map.of(), Optional.empty(), TONES);
-    }
+class DamagedSceneFileTest extends WrittenScene {
 
     @Test
     void damagedState_isNoticed() throws IOException {

@@ -12,9 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
@@ -22,18 +20,7 @@ import radiosity.world.EnergyLedger;
 import radiosity.world.Solution;
 
 /** A solution comes back from a scene file as it was written. */
-class SceneFileTest {
-
-    private static final ToneMapping TONES = new ToneMapping(ToneMapping.Operator.REINHARD, 1);
-
-    @TempDir
-    Path folder;
-    private Path file;
-
-    @BeforeEach
-    void file() {
-        file = folder.resolve("a b.scene");
-    }
+class SceneFileTest extends WrittenScene {
 
     private static Camera camera() {
         Vec3 forward = new Vec3(1, -2, -3).unit();
@@ -41,7 +28,8 @@ class SceneFileTest {
         return new Camera(new Vec3(1, 2, 3), forward, right.cross(forward), .4, 1.5);
     }
 
-    private void write(Solution solution) throws IOException {
+    @Override
+    void write(Solution solution) throws IOException {
         SceneFile.write(file, solution, Map.of("commandLine", "RadiosityRenderer -pa 2 x.lws x.scene"),
                 Optional.of(camera()), TONES);
     }

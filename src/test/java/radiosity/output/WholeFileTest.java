@@ -10,32 +10,12 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
 
 /** A scene file is written wholly or not at all. */
-class WholeFileTest {
-
-    private static final ToneMapping TONES = new ToneMapping(ToneMapping.Operator.REINHARD, 1);
-
-    @TempDir
-    Path folder;
-    private Path file;
-
-    @BeforeEach
-    void file() {
-        file = folder.resolve("a b.scene");
-    }
-
-    private void write(Solution solution) throws IOException {
-        SceneFile.write(file, solution, Map.of(), Optional.empty(), TONES);
-    }
+class WholeFileTest extends WrittenScene {
 
     @Test
     void failedWrite_leavesTheOldFileAndNothingElse() throws IOException {
