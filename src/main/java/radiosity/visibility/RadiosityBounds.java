@@ -9,10 +9,10 @@ package radiosity.visibility;
 public final class RadiosityBounds {
 
     /*
-     * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless one of six axes separates
-     * them: the three of the box, and the three cross products of these with the segment (S. Gottschalk, Separating
-     * axis theorem, UNC TR96-024, 1996; C. Ericson, Real-Time Collision Detection, 2005, 5.3.3). No division, so no
-     * infinity and no NaN.
+     * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless it leaves one of its three
+     * slabs before it enters another (T. Kay, J. Kajiya, Ray tracing complex scenes, 1986). Where rays go anywhere, no
+     * processor foresees which of them are those: so the last entry and the first exit are found without branches, as
+     * whole numbers. As such the bits of floats from 0 on are in order, and those of others are below them.
      */
 
     /** How much of a segment is left out at each end: of the scene's size, and of its own length. */
@@ -22,6 +22,9 @@ public final class RadiosityBounds {
     private static final float PAD = 2e-6f;
     /** How far rounding may shift a point, of the largest coordinates that take part. */
     private static final float ROUNDING = 3e-7f;
+    /** Along an axis a segment is taken to go at least so far, so that no quotient is an infinity or NaN. */
+    private static final float LEAST = 1e-18f;
+    private static final int ONE = bits(1);
 
     private final float[] corners;
     private final float[] data;
@@ -69,14 +72,17 @@ public final class RadiosityBounds {
         float half = Math.abs(hx) + Math.abs(hy) + Math.abs(hz);
         float slack = ROUNDING * (1 + Math.abs(mx) + Math.abs(my) + Math.abs(mz) + half);
         float clear = slack + END_ABSOLUTE + END_RELATIVE * 2 * half;
+        float ix = inverse(tx - ox);
+        float iy = inverse(ty - oy);
+        float iz = inverse(tz - oz);
         float[] d = data;
         int at = root;
         while (at != BoundsLayout.END) {
-            if (missed(d, at, mx, my, mz, hx, hy, hz)) {
-                at = Float.floatToRawIntBits(d[at + BoundsLayout.NEXT]);
+            if (missed(d, at, ox, oy, oz, ix, iy, iz, ONE)) {
+                at = bits(d[at + BoundsLayout.NEXT]);
                 continue;
             }
-            int block = Float.floatToRawIntBits(d[at + BoundsLayout.BLOCK]);
+            int block = bits(d[at + BoundsLayout.BLOCK]);
             int k = BoundsLayout.first(block);
             int last = BoundsLayout.last(block);
             for (; k < last; k += FlatTriangle.SIZE) {
@@ -85,7 +91,7 @@ public final class RadiosityBounds {
                     return true;
                 }
             }
-            at = block < 0 ? last : Float.floatToRawIntBits(d[at + BoundsLayout.NEXT]);
+            at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);
         }
         return false;
     }
@@ -105,21 +111,32 @@ public final class RadiosityBounds {
         return hit[0] > end && hit[0] < 1 - end;
     }
 
-    /** Whether no part of the segment m - h to m + h is in a node's box. */
-    private static boolean missed(float[] d, int at, float mx, float my, float mz, float hx, float hy, float hz) {
-        float cx = mx - d[at];
-        float cy = my - d[at + 1];
-        float cz = mz - d[at + 2];
-        float ex = d[at + 3];
-        float ey = d[at + 4];
-        float ez = d[at + 5];
-        float ax = Math.abs(hx);
-        float ay = Math.abs(hy);
-        float az = Math.abs(hz);
-        return Math.abs(cx) > ex + ax || Math.abs(cy) > ey + ay || Math.abs(cz) > ez + az
-                || Math.abs(hy * cz - hz * cy) > ey * az + ez * ay
-                || Math.abs(hz * cx - hx * cz) > ex * az + ez * ax
-                || Math.abs(hx * cy - hy * cx) > ex * ay + ey * ax;
+    private static float inverse(float x) {
+        return 1 / (Math.abs(x) > LEAST ? x : LEAST);
+    }
+
+    /**
+     * Whether no part of a segment is in a node's box.
+     *
+     * @param ox  its origin, and so on
+     * @param ix  1 over its direction, and so on
+     * @param end bits of where it ends, in units of the direction
+     */
+    private static boolean missed(float[] d, int at, float ox, float oy, float oz, float ix, float iy, float iz,
+                                  int end) {
+        float cx = (d[at] - ox) * ix;
+        float cy = (d[at + 1] - oy) * iy;
+        float cz = (d[at + 2] - oz) * iz;
+        float ex = d[at + 3] * Math.abs(ix);
+        float ey = d[at + 4] * Math.abs(iy);
+        float ez = d[at + 5] * Math.abs(iz);
+        int entry = Math.max(Math.max(bits(cx - ex), bits(cy - ey)), Math.max(bits(cz - ez), 0));
+        int exit = Math.min(Math.min(bits(cx + ex), bits(cy + ey)), Math.min(bits(cz + ez), end));
+        return entry > exit;
+    }
+
+    private static int bits(float x) {
+        return Float.floatToRawIntBits(x);
     }
 
     /**
@@ -135,19 +152,19 @@ public final class RadiosityBounds {
         double[] origin = {ox, oy, oz};
         double[] direction = {dx, dy, dz};
         double[] cut = new double[3];
+        float ix = inverse(dx);
+        float iy = inverse(dy);
+        float iz = inverse(dz);
         float[] d = data;
         float reach = far;
         int found = -1;
         int at = root;
         while (at != BoundsLayout.END) {
-            float hx = 0.5f * reach * dx;
-            float hy = 0.5f * reach * dy;
-            float hz = 0.5f * reach * dz;
-            if (missed(d, at, ox + hx, oy + hy, oz + hz, hx, hy, hz)) {
-                at = Float.floatToRawIntBits(d[at + BoundsLayout.NEXT]);
+            if (missed(d, at, ox, oy, oz, ix, iy, iz, bits(reach))) {
+                at = bits(d[at + BoundsLayout.NEXT]);
                 continue;
             }
-            int block = Float.floatToRawIntBits(d[at + BoundsLayout.BLOCK]);
+            int block = bits(d[at + BoundsLayout.BLOCK]);
             int last = BoundsLayout.last(block);
             for (int k = BoundsLayout.first(block); k < last; k += FlatTriangle.SIZE) {
                 int number = FlatTriangle.number(d, k);
@@ -159,7 +176,7 @@ public final class RadiosityBounds {
                     hit[2] = (float) cut[2];
                 }
             }
-            at = block < 0 ? last : Float.floatToRawIntBits(d[at + BoundsLayout.NEXT]);
+            at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);
         }
         return found;
     }
