@@ -168,25 +168,28 @@ public final class ProgressiveRadiosity {
 
     private void carryOut(Order now) throws IOException {
         boolean isRead = now.isAnswered() && (now.more() || !planner.looksAhead() || !now.changes());
-        if (now.kind() == Order.Kind.ROWS || isRead) {
-            world.finish(pace::took);
-            long begin = world.now();
-            await(now);
-            pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
-        } else {
-            isKnown = false;
+        if (now.changes()) {
             world.begin(now, pace::took);
+            while (isRead && world.unread() > 0) {
+                read();
+            }
+            isKnown = isRead;
+        } else {
+            await(now);
         }
     }
 
     private void await(Order now) throws IOException {
+        world.finish(pace::took);
+        long begin = world.now();
         if (now.kind() == Order.Kind.ROWS) {
             planner.take(now.shots().size(), world.round(now));
-            return;
+        } else {
+            answer = world.answer(now);
+            isKnown = true;
+            known = world.now();
         }
-        answer = world.answer(now);
-        isKnown = true;
-        known = world.now();
+        pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
     }
 
     /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
