@@ -63,7 +63,8 @@ final class Balance {
             pairs += pairsOfBlock;
             forecast.hold(blocks.get(i), work);
             if (cpu > 0) {
-                forecast.learn(blocks.get(i), work.seconds() / cpu * reply.seconds() * host.speed, pairsOfBlock);
+                forecast.learn(blocks.get(i), work.seconds() / cpu * reply.seconds() * host.speed, pairsOfBlock,
+                        shooters);
             }
         }
         if (pairs > 0) {

@@ -6,8 +6,8 @@ import java.util.stream.DoubleStream;
 /** How long each block will take in the next round, on a host of speed 1: from what it took in the last ones. */
 final class Forecast {
 
-    /** What a round counts for when the next one is over. */
-    private static final double KEPT = 0.8;
+    /** So many shooters later, what was measured counts for an e-th; the last ones may all stand in one corner. */
+    private static final double MEMORY = 300;
 
     private final Borders borders;
     /** 1 per block: what it holds. */
@@ -38,11 +38,15 @@ final class Forecast {
         fresh[block] = work.fresh();
     }
 
-    /** @param seconds on a host of speed 1 */
-    void learn(int block, double seconds, double pairsDone) {
+    /**
+     * @param seconds  on a host of speed 1
+     * @param shooters who shot in that time
+     */
+    void learn(int block, double seconds, double pairsDone, int shooters) {
         if (pairsDone > 0) {
-            time[block] = KEPT * time[block] + seconds;
-            pairs[block] = KEPT * pairs[block] + pairsDone;
+            double kept = Math.exp(-shooters / MEMORY);
+            time[block] = kept * time[block] + seconds;
+            pairs[block] = kept * pairs[block] + pairsDone;
         }
     }
 
