@@ -3,44 +3,49 @@ package radiosity.world;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.Shooter;
+import radiosity.patch.Ambient;
 import radiosity.patch.Block;
 import radiosity.patch.ElementLight;
 import radiosity.patch.Faces;
 import radiosity.patch.Path;
 import radiosity.patch.PatchTree;
 import radiosity.patch.RadiosityNodes;
-import radiosity.patch.Subdivision;
 import radiosity.patch.Weights;
-import radiosity.scene.Surface;
 
 /** Looks at a solution anew, at some points of every surface, and writes its {@link Certificate}. */
 final class Audit {
 
     /** Points: one for so many elements, but no less and no more than that. */
     private static final int ELEMENTS_PER_POINT = 100;
-    private static final int LEAST_POINTS = 64;
+    private static final int LEAST_POINTS = 192;
     private static final int MOST_POINTS = 400;
-    /** What a ray may carry, relative to the mean, where light is found anew. */
-    private static final double TOLERANCE = 0.004;
+    /** Where in its step each batch of points begins: one after another, until the mean square error is known so well. */
+    private static final double[] START = {0.5, 0, 0.25, 0.75};
+    private static final double ENOUGH = 0.3;
+    /** What a ray may carry where light is found anew, relative to what it may in the solution; and at most. */
+    private static final double FINER = 0.25;
+    private static final double MOST_TOLERANCE = 0.01;
     /** The same for sums of form factors. */
     private static final double FACTOR_TOLERANCE = 0.05;
-    /** The R2 sequence's steps. */
-    private static final double STEP_U = 0.7548776662466927;
-    private static final double STEP_V = 0.5698402909980532;
+    /** With how many others a point's patch is compared. */
+    private static final int PARTNERS = 2;
+    /** What emitters count for where there is anything else. */
+    private static final double NOTHING = 1e-9;
 
     private final InitialMesh mesh;
     private final Faces faces;
     private final List<byte[]> states;
     private final EnergyLedger ledger;
     private final Crew crew;
+    private final AuditPlaces places;
+    private final int wanted;
     private final List<AuditPoint> points = new ArrayList<>();
+    private int batches;
 
     /**
      * @param states of all blocks, by id
@@ -52,84 +57,107 @@ final class Audit {
         this.ledger = ledger;
         faces = mesh.faces;
         crew = new Crew(threads);
-        pick(Math.max(LEAST_POINTS, Math.min(MOST_POINTS, elements / ELEMENTS_PER_POINT)));
-        Burial burial = new Burial(faces, mesh.bounds(), mesh.rooms::isHidden);
-        points.removeIf(point -> point.isBuried(burial));
+        places = new AuditPlaces(mesh, this::nodes, reflected(), shining(), crew);
+        wanted = Math.max(LEAST_POINTS, Math.min(MOST_POINTS, elements / ELEMENTS_PER_POINT));
     }
 
-    /*---- Where to look ----*/
-
-    private void pick(int wanted) {
-        Map<Surface, List<Integer>> bySurface = new LinkedHashMap<>();
-        for (int f = 0; f < faces.count(); f++) {
-            bySurface.computeIfAbsent(surface(f), s -> new ArrayList<>()).add(f);
-        }
-        for (List<Integer> some : bySurface.values()) {
-            double area = some.stream().mapToDouble(faces::area).sum();
-            pick(some, area, (int) Math.max(2, Math.round(wanted * area / faces.area())));
-        }
+    private RadiosityNodes nodes(int block) {
+        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(block)));
+        BlockState.restore(nodes, nodes.tops(), states.get(block));
+        return nodes;
     }
 
-    private Surface surface(int face) {
-        return mesh.scene.surface(faces.triangle(face));
+    /** Per channel: mean radiosity that is reflected, W/m². */
+    private double[] reflected() {
+        double[] mean = new double[faces.channels()];
+        Arrays.setAll(mean, c -> Math.max(Faces.LEAST_IMPORTANCE * ledger.received()[c],
+                ledger.received()[c] - ledger.absorbed()[c]) / (faces.area() * faces.size() * faces.size()));
+        return mean;
     }
 
-    /** Points at equal steps of area. */
-    private void pick(List<Integer> some, double area, int count) {
-        double passed = 0;
-        int next = 0;
-        for (int f : some) {
-            passed += faces.area(f);
-            for (; next < count && (next + 0.5) / count * area <= passed; next++) {
-                double u = (points.size() + 1) * STEP_U % 1;
-                double v = (points.size() + 1) * STEP_V % 1;
-                boolean fold = u + v > 1;
-                points.add(new AuditPoint(faces, f, area / count, fold ? 1 - u : u, fold ? 1 - v : v, next));
-            }
-        }
+    /** The same of all that leaves surfaces. */
+    private double[] shining() {
+        double[] mean = new double[faces.channels()];
+        Arrays.setAll(mean, c -> ledger.shot()[c] / (faces.area() * faces.size() * faces.size()));
+        return mean;
     }
 
     /*---- Looking ----*/
 
+    /** As long as a few points make up most of the error, more are looked at. */
     Certificate certificate(double unshotFlux) throws IOException {
-        for (Block block : mesh.blocks) {
-            if (points.stream().anyMatch(point -> lies(point, block))) {
-                RadiosityNodes nodes = nodes(block);
-                points.forEach(point -> point.find(block, nodes));
+        List<AuditPoint> first = places.pick(wanted, START[0], 0);
+        Ambient ambient = ambient(first);
+        look(first, ambient);
+        AuditResult result = result();
+        while (batches < START.length && result.uncertainty() > ENOUGH) {
+            look(places.pick(wanted, START[batches], points.size()), ambient);
+            result = result();
+        }
+        return result.certificate(unshotFlux, reciprocity());
+    }
+
+    private AuditResult result() {
+        return new AuditResult(mesh, points, batches, ledger);
+    }
+
+    private void look(List<AuditPoint> batch, Ambient ambient) {
+        LightSources lights = new LightSources(faces, mesh.bounds());
+        Escape escape = new Escape(faces, mesh.bounds());
+        crew.run(batch.size(), i -> {
+            AuditPoint point = batch.get(i);
+            point.light(lights, ambient);
+            point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
+                    : escape.from(point.place, point.face, point.number);
+        });
+        mesh.blocks.forEach(block -> gather(batch, block, ambient));
+        points.addAll(batch);
+        batches++;
+    }
+
+    /** What all surfaces of a closed room have in common: about the mean of what does not emit, if there is any. */
+    private Ambient ambient(List<AuditPoint> some) {
+        int channels = faces.channels();
+        double[] sum = new double[channels * mesh.rooms.count()];
+        double[] area = new double[mesh.rooms.count()];
+        for (AuditPoint point : some) {
+            int room = mesh.rooms.room(point.face);
+            if (room >= 0) {
+                double its = point.emits() ? NOTHING * point.area : point.area;
+                area[room] += its;
+                for (int c = 0; c < channels; c++) {
+                    sum[channels * room + c] += its * point.had(c);
+                }
             }
         }
-        LightSources lights = new LightSources(faces, mesh.bounds());
-        crew.run(points.size(), i -> points.get(i).light(lights));
-        mesh.blocks.forEach(this::gather);
-        double reciprocity = reciprocity();
-        points.removeIf(AuditPoint::isDark);
-        return new AuditResult(faces, points, ledger).certificate(unshotFlux, reciprocity);
-    }
-
-    private static boolean lies(AuditPoint point, Block block) {
-        return Arrays.stream(block.face()).anyMatch(f -> f == point.face);
-    }
-
-    private RadiosityNodes nodes(Block block) {
-        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(block));
-        BlockState.restore(nodes, nodes.tops(), states.get(block.id()));
-        return nodes;
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] = area[i / channels] > 0 ? sum[i] / area[i / channels] : 0;
+        }
+        return new Ambient(mesh.rooms, channels, sum);
     }
 
     /** What a block's elements shine with, and then as if all shone with 1. */
-    private void gather(Block block) {
-        RadiosityNodes nodes = nodes(block);
+    private void gather(List<AuditPoint> batch, Block block, Ambient ambient) {
+        RadiosityNodes nodes = nodes(block.id());
         int corners = 3 * nodes.channels();
         ElementLight all = nodes.light();
-        Shooter light = Shot.of(nodes, nodes.tops(), 0, all::shining).shooter(faces, Weights.of(weight()));
+        Shooter light = Shot.of(nodes, nodes.tops(), 0, all::shining).shooter(faces, Weights.of(weight()), ambient);
         Shooter ones = Shot.of(nodes, nodes.tops(), 0, (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
                 .shooter(faces, Weights.of(ones()));
-        FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, TOLERANCE);
+        FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, tolerance());
         FormFactorCalculator few = few();
-        crew.run(points.size(), i -> {
-            points.get(i).gather(many, light);
-            points.get(i).addFactors(few, ones);
+        crew.run(batch.size(), i -> {
+            if (!batch.get(i).isBuried) {
+                batch.get(i).gather(many, light);
+                batch.get(i).addFactors(few, ones);
+            }
         });
+    }
+
+    private double tolerance() {
+        double asked = mesh.settings.tolerance();
+        double tolerated = asked > 0 ? asked : Accuracy.tolerance(Accuracy.DEFAULT);
+        return Math.min(MOST_TOLERANCE, FINER * tolerated);
     }
 
     private FormFactorCalculator few() {
@@ -144,27 +172,22 @@ final class Audit {
 
     /** One per channel: 1 / mean reflected radiosity, m²/W. */
     private double[] weight() {
-        double[] weight = new double[faces.channels()];
-        for (int c = 0; c < weight.length; c++) {
-            double received = ledger.received()[c];
-            double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - ledger.absorbed()[c]);
-            weight[c] = reflected > 0 ? faces.area() * faces.size() * faces.size() / reflected : 0;
-        }
-        return weight;
+        return Arrays.stream(reflected()).map(mean -> mean > 0 ? 1 / mean : 0).toArray();
     }
 
     /*---- Reciprocity: A F from one block's top to another's, and back ----*/
 
     private double reciprocity() {
-        double[] difference = new double[points.size()];
-        double[] sum = new double[points.size()];
-        crew.run(points.size(), i -> {
-            AuditPoint p = points.get(i);
-            AuditPoint q = points.get((i + points.size() / 2) % points.size());
+        List<AuditPoint> seen = points.stream().filter(p -> !p.isBuried).toList();
+        double[] difference = new double[PARTNERS * seen.size()];
+        double[] sum = new double[difference.length];
+        crew.run(difference.length, i -> {
+            AuditPoint p = seen.get(i / PARTNERS);
+            AuditPoint q = seen.get((i / PARTNERS + seen.size() / (2 + i % PARTNERS)) % seen.size());
             double there = exchange(p, q);
             double back = exchange(q, p);
-            difference[i] = Math.abs(there - back);
-            sum[i] = (there + back) / 2;
+            difference[i] = p.area * q.area * Math.abs(there - back);
+            sum[i] = p.area * q.area * (there + back) / 2;
         });
         double all = Arrays.stream(sum).sum();
         return all == 0 ? 0 : Arrays.stream(difference).sum() / all;
@@ -174,13 +197,12 @@ final class Audit {
     private double exchange(AuditPoint from, AuditPoint to) {
         PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, threeOnes());
         Shooter shooter = new Shooter(faces, List.of(tree), Weights.of(ones()));
-        float[] corner = corners(from);
+        float[] corner = AuditPlaces.corners(faces, from.face, from.top);
         Gathering.Irradiance sum = new Gathering.Irradiance(faces.channels());
         for (int k = 0; k < 3; k++) {
-            float[] x = new float[3];
-            for (int i = 0; i < 9; i++) {
-                x[i % 3] += corner[i] * (i / 3 == k ? 2 / 3f : 1 / 6f);
-            }
+            double[] weight = {1 / 6.0, 1 / 6.0, 1 / 6.0};
+            weight[k] = 2 / 3.0;
+            float[] x = AuditPlaces.within(corner, weight);
             few().gather(x[0], x[1], x[2], faces.normal(from.face, 0), faces.normal(from.face, 1),
                     faces.normal(from.face, 2), k, shooter, sum);
         }
@@ -191,16 +213,5 @@ final class Audit {
         double[] ones = new double[3 * faces.channels()];
         Arrays.fill(ones, 1);
         return ones;
-    }
-
-    private float[] corners(AuditPoint of) {
-        float[] corner = new float[9];
-        for (int i = 0; i < 9; i++) {
-            corner[i] = faces.corner(of.face, i / 3, i % 3);
-        }
-        for (int level = 1; level <= Path.level(of.top); level++) {
-            Subdivision.child(corner, 0, Path.step(of.top, level), corner, 0);
-        }
-        return corner;
     }
 }

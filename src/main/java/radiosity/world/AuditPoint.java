@@ -1,190 +1,221 @@
 package radiosity.world;
 
 import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.Shooter;
-import radiosity.patch.Block;
+import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
 import radiosity.patch.Hash;
-import radiosity.patch.Path;
 import radiosity.patch.RadiosityNodes;
 
 /** A point at which a solution is looked at, what the solution has there, and what is found anew. */
 final class AuditPoint {
 
+    /** So often the light is found anew, each time by rays of their own: how they differ tells how far they are off. */
+    static final int TIMES = 2;
+
     final int face;
     /** What it stands for, of the scene's squared size. */
     final double area;
-    /** 3: weights of the face's corners; below a block's top, of the node's. */
-    private final double[] weight;
-    private final Faces faces;
-    /** 3: where it is, of the scene brought to size 1. */
-    private final float[] place = new float[3];
-    private final long key;
-
-    /** The top of a block in which it lies; of a node's corner the place and the key. */
-    int block;
-    long top;
-    private final float[] vertex = new float[3];
-    private long vertexKey;
-    private boolean buried;
+    /** Whether nobody sees it, as it lies inside a solid. */
+    final boolean isBuried;
+    /** The top of a block in which it lies. */
+    final int block;
+    final long top;
     /** Sum of the squared weights of the element's corners: what is left there of errors that differ at each. */
-    double spread;
+    final double spread;
+    /** 3: where it is, of the scene brought to size 1. */
+    final float[] place;
+    /** 9: the same of its element's corners, where they receive; which is nearest; 3: their weights. */
+    private final float[] corner = new float[9];
+    private final int nearest;
+    private final double[] weight;
+    private final boolean vertexIsBuried;
+    final int number;
+    private final Faces faces;
 
-    /** One per channel: irradiance that the solution has, W/m². */
+    /** One per channel: W/m², and as a part. */
+    private final double[] exitance;
+    private final double[] reflectance;
+    /** One per channel: irradiance that the solution has, W/m²; by how much it shines as if there were more. */
     final double[] interpolated;
+    final double[] bulge;
     final double[] atVertex;
+    /** By how much there is more of the light of sources without geometry in that than arrives of it. */
+    private final double[] fromLights;
     /** The same found anew. */
-    final Gathering.Irradiance anew;
+    final Gathering.Irradiance[] anew = new Gathering.Irradiance[TIMES];
     final Gathering.Irradiance anewAtVertex;
     /** Sum of form factors. */
     double factors;
+    /** What part of the light that leaves here arrives nowhere. */
+    double lost;
 
-    AuditPoint(Faces faces, int face, double area, double b, double c, long number) {
-        this.faces = faces;
-        this.face = face;
+    /** @param weight 3: of the element's corners */
+    AuditPoint(RadiosityNodes nodes, int node, int block, double area, double[] weight, int number, Burial burial) {
+        this.block = block;
         this.area = area;
-        key = Hash.mix(Hash.mix(5, face), number);
-        weight = new double[] {1 - b - c, b, c};
-        for (int i = 0; i < 9; i++) {
-            place[i % 3] += (float) (weight[i / 3] * faces.corner(face, i / 3, i % 3));
+        this.number = number;
+        faces = nodes.faces();
+        face = nodes.face(node);
+        int root = node;
+        while (nodes.parent(root) >= 0) {
+            root = nodes.parent(root);
         }
-        interpolated = new double[faces.channels()];
-        atVertex = new double[faces.channels()];
-        anew = new Gathering.Irradiance(faces.channels());
+        top = nodes.path(root);
+        place = AuditPlaces.within(AuditPlaces.corners(faces, face, nodes.path(node)), weight);
+        isBuried = burial.isBuried(place, 0, face);
+        this.weight = weight;
+        nearest = weight[0] >= weight[1] && weight[0] >= weight[2] ? 0 : weight[1] >= weight[2] ? 1 : 2;
+        vertexIsBuried = nodes.isBuried(nodes.corner(node, nearest));
+        for (int k = 0; k < 3; k++) {
+            System.arraycopy(nodes.receivers(), 3 * nodes.corner(node, k), corner, 3 * k, 3);
+        }
+        spread = nodes.isPoint(node) ? 1 : Arrays.stream(weight).map(w -> w * w).sum();
+        exitance = channels(c -> nodes.exitance(node, c));
+        reflectance = channels(c -> nodes.reflectance(node, c));
+        interpolated = channels(c -> IntStream.range(0, 3)
+                .mapToDouble(k -> weight[k] * nodes.light().irradiance(node, k, c)).sum());
+        bulge = channels(c -> nodes.light().bulge(node, c));
+        atVertex = channels(c -> nodes.light().irradiance(node, nearest, c));
+        fromLights = new double[faces.channels()];
+        Arrays.setAll(anew, i -> new Gathering.Irradiance(faces.channels()));
         anewAtVertex = new Gathering.Irradiance(faces.channels());
     }
 
-    /** Whether nobody sees it, as it lies inside a solid. */
-    boolean isBuried(Burial burial) {
-        return burial.isBuried(place, 0, face);
+    private double[] channels(IntToDoubleFunction value) {
+        return IntStream.range(0, faces.channels()).mapToDouble(value).toArray();
     }
 
     /** Whether it sees nothing, and has no light: the outside of a room. */
     boolean isDark() {
         return factors == 0 && Arrays.stream(interpolated).allMatch(h -> h == 0)
-                && Arrays.stream(anew.value).allMatch(h -> h == 0);
+                && Arrays.stream(anew[0].value).allMatch(h -> h == 0);
     }
 
-    /** Takes what the solution has, if it lies below one of a block's tops. */
-    void find(Block in, RadiosityNodes nodes) {
-        for (int i = 0; i < in.face().length; i++) {
-            if (in.face()[i] == face && isBelow(in.path()[i])) {
-                block = in.id();
-                top = in.path()[i];
-                take(nodes, nodes.find(face, top));
-            }
-        }
-    }
-
-    private boolean isBelow(long path) {
-        double[] w = weight.clone();
-        for (int level = 1; level <= Path.level(path); level++) {
-            if (step(w) != Path.step(path, level)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** @param w modified: weights of a triangle's corners, then of those of the quarter that it lies in, returned */
-    private static int step(double[] w) {
-        int step = w[0] > 0.5 ? 0 : w[1] > 0.5 ? 1 : w[2] > 0.5 ? 2 : 3;
-        for (int k = 0; k < 3; k++) {
-            w[k] = step == 3 ? 1 - 2 * w[k] : step == k ? 2 * w[k] - 1 : 2 * w[k];
-        }
-        return step;
-    }
-
-    private void take(RadiosityNodes nodes, int topNode) {
-        double[] w = weight.clone();
-        for (int level = 1; level <= Path.level(top); level++) {
-            step(w);
-        }
-        int node = topNode;
-        while (!nodes.isElement(node)) {
-            node = nodes.child(node) + step(w);
-        }
-        int nearest = w[0] >= w[1] && w[0] >= w[2] ? 0 : w[1] >= w[2] ? 1 : 2;
-        spread = nodes.isPoint(node) ? 1 : w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
-        for (int c = 0; c < interpolated.length; c++) {
-            for (int k = 0; k < 3; k++) {
-                interpolated[c] += w[k] * nodes.light().irradiance(node, k, c);
-            }
-            atVertex[c] = nodes.light().irradiance(node, nearest, c);
-        }
-        int v = nodes.corner(node, nearest);
-        buried = nodes.isBuried(v);
-        vertexKey = Hash.mix(5, nodes.vertexKey(v));
-        System.arraycopy(nodes.receivers(), 3 * v, vertex, 0, 3);
-    }
+    /*---- Finding anew ----*/
 
     /** Adds what a shooter sends, to the point and to its element's corner. */
     void gather(FormFactorCalculator calculator, Shooter shooter) {
-        gather(calculator, shooter, place, key, anew);
-        if (!buried) {
-            gather(calculator, shooter, vertex, vertexKey, anewAtVertex);
+        for (int i = 0; i < TIMES; i++) {
+            gather(calculator, shooter, place, 0, i, anew[i]);
+        }
+        if (!vertexIsBuried) {
+            gather(calculator, shooter, corner, 3 * nearest, TIMES, anewAtVertex);
         }
     }
 
     /** Adds the form factors to a shooter whose radiosity is 1. */
     void addFactors(FormFactorCalculator calculator, Shooter ones) {
         Gathering.Irradiance sum = new Gathering.Irradiance(faces.channels());
-        gather(calculator, ones, place, key, sum);
+        gather(calculator, ones, place, 0, 0, sum);
         factors += sum.value[0];
     }
 
-    private void gather(FormFactorCalculator calculator, Shooter shooter, float[] x, long as, Gathering to) {
-        calculator.gather(x[0], x[1], x[2], faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2), as,
-                shooter, to);
+    private void gather(FormFactorCalculator calculator, Shooter shooter, float[] x, int at, int time,
+                        Gathering to) {
+        long key = Hash.mix(Hash.mix(5 + time, face), number);
+        calculator.gather(x[at], x[at + 1], x[at + 2], faces.normal(face, 0), faces.normal(face, 1),
+                faces.normal(face, 2), key, shooter, to);
     }
 
-    /** Adds the light of sources without geometry. */
-    void light(LightSources lights) {
-        lights.add(place, 0, face, anew.value, 0);
-        if (!buried) {
-            lights.add(vertex, 0, face, anewAtVertex.value, 0);
+    /** Adds the light of sources without geometry, and what all of a closed room shines with. */
+    void light(LightSources lights, Ambient ambient) {
+        for (int i = 0; i <= TIMES; i++) {
+            double[] to = i < TIMES ? anew[i].value : anewAtVertex.value;
+            lights.add(i < TIMES ? place : corner, i < TIMES ? 0 : 3 * nearest, face, to, 0);
+            for (int c = 0; c < to.length; c++) {
+                to[c] += ambient.at(face, c);
+            }
+        }
+        if (!lights.isEmpty()) {
+            compare(lights);
         }
     }
 
-    /** Error of the solution's radiosity in a channel, W/m²; of all layers of a colour together. */
+    private void compare(LightSources lights) {
+        double[] here = new double[faces.channels()];
+        lights.add(place, 0, face, here, 0);
+        for (int k = 0; k < 3; k++) {
+            double[] there = new double[here.length];
+            lights.add(corner, 3 * k, face, there, 0);
+            for (int c = 0; c < here.length; c++) {
+                fromLights[c] += weight[k] * (there[c] - here[c]);
+            }
+        }
+    }
+
+    /*---- What came of it, of all layers of a colour together ----*/
+
+    /** Error of the solution's radiosity, W/m². */
     double error(int colour) {
-        return reflected(colour, interpolated, anew.value);
+        return sum(colour, c -> reflectance[c] * (interpolated[c] - anew(c)));
     }
 
-    /** The same at its element's corner; 0 where that one is not used. */
+    /** What rays leave in that, W/m²; its square is the mean square. */
+    double noise(int colour) {
+        return sum(colour, c -> reflectance[c] * (anew[0].value[c] - anew[1].value[c])) / TIMES;
+    }
+
+    /** The error at its element's corner; 0 where that one is not used. */
     double errorAtVertex(int colour) {
-        return buried ? 0 : reflected(colour, atVertex, anewAtVertex.value);
+        return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * (atVertex[c] - anewAtVertex.value[c]));
     }
 
-    private double reflected(int colour, double[] found, double[] truth) {
-        double sum = 0;
-        for (int c = colour; c < found.length; c += faces.colours()) {
-            sum += faces.reflectance(face, c) * (found[c] - truth[c]);
-        }
-        return sum;
+    /** Irradiance that the solution shines as if it had, less what arrives, W/m². */
+    double excess(int colour) {
+        return sum(colour, c -> interpolated[c] + bulge[c] - (isBuried ? 0 : anew(c)));
     }
 
     /** Radiosity as it was found anew, W/m². */
     double radiosity(int colour) {
+        return sum(colour, c -> exitance[c] + reflectance[c] * anew(c));
+    }
+
+    /** By how much more was received here than what leaves here brings elsewhere, W/m²: what escapes, and lights. */
+    double unaccounted(int colour) {
+        return lost * shining(colour) + (isBuried ? 0 : sum(colour, c -> fromLights[c]));
+    }
+
+    /** The same at its element's corner. */
+    double radiosityAtVertex(int colour) {
+        return sum(colour, c -> exitance[c] + reflectance[c] * anewAtVertex.value[c]);
+    }
+
+    /** What the solution shines with, W/m². */
+    double shining(int colour) {
+        return sum(colour, c -> exitance[c] + reflectance[c] * (interpolated[c] + bulge[c]));
+    }
+
+    /** The same in one channel, without its curvature. */
+    double had(int channel) {
+        return exitance[channel] + reflectance[channel] * interpolated[channel];
+    }
+
+    double reflectance(int colour) {
+        return isBuried ? 0 : reflectance[colour];
+    }
+
+    private double anew(int channel) {
+        return (anew[0].value[channel] + anew[1].value[channel]) / TIMES;
+    }
+
+    private double sum(int colour, IntToDoubleFunction value) {
         double sum = 0;
-        for (int c = colour; c < interpolated.length; c += faces.colours()) {
-            sum += faces.exitance(face, c) + faces.reflectance(face, c) * anew.value[c];
+        for (int c = colour; c < faces.channels(); c += faces.colours()) {
+            sum += value.applyAsDouble(c);
         }
         return sum;
     }
 
     boolean reflects() {
-        return channels().anyMatch(c -> faces.reflectance(face, c) > 0);
+        return Arrays.stream(reflectance).anyMatch(r -> r > 0);
     }
 
     boolean emits() {
-        return channels().anyMatch(c -> faces.exitance(face, c) > 0);
-    }
-
-    private IntStream channels() {
-        return IntStream.range(0, faces.channels());
+        return Arrays.stream(exitance).anyMatch(e -> e > 0);
     }
 }

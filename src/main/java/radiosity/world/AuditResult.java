@@ -1,11 +1,11 @@
 package radiosity.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.DoubleStream;
 import radiosity.patch.Faces;
 import radiosity.scene.Surface;
 
@@ -13,13 +13,19 @@ import radiosity.scene.Surface;
 final class AuditResult {
 
     private final Faces faces;
+    /** That see anything. */
     private final List<AuditPoint> points;
     private final EnergyLedger ledger;
+    /** 1 per colour. */
+    private final AuditBias[] bias;
 
-    AuditResult(Faces faces, List<AuditPoint> points, EnergyLedger ledger) {
-        this.faces = faces;
-        this.points = points;
+    /** @param batches each of which stands for the whole scene */
+    AuditResult(InitialMesh mesh, List<AuditPoint> all, int batches, EnergyLedger ledger) {
+        faces = mesh.faces;
+        points = all.stream().filter(p -> !p.isBuried && !p.isDark()).toList();
         this.ledger = ledger;
+        bias = new AuditBias[faces.colours()];
+        Arrays.setAll(bias, c -> new AuditBias(mesh, all, batches, ledger, c));
     }
 
     Certificate certificate(double unshotFlux, double reciprocity) {
@@ -101,41 +107,52 @@ final class AuditResult {
     }
 
     /**
-     * What corners err by reaches a point by as much as interpolation leaves of it; the rest is interpolation's own. The
-     * mean error is taken to be no less than its standard error: in white rooms it builds up to many times itself.
+     * What corners err by reaches a point by as much as interpolation leaves of it; the rest is interpolation's own. What
+     * the rays of this audit leave is in none of it. What interreflection makes of the mean error is taken to be no less
+     * than its standard error.
      */
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
-        double bias = mean(some, p -> p.error(colour) / mean);
-        double square = mean(some, p -> square(p.error(colour) / mean));
-        double rays = mean(some, p -> square(p.errorAtVertex(colour) / mean));
-        double raysLeft = mean(some, p -> p.spread * square(p.errorAtVertex(colour) / mean));
-        double variance = Math.max(0, square - bias * bias);
-        double uncertain = Math.max(bias * bias, variance / some.size());
-        double times = amplification(colour);
-        sum[0] += variance + uncertain * times * times;
+        double noise = mean(some, p -> square(p.noise(colour) / unit(p.radiosity(colour), mean)));
+        double local = mean(some, p -> p.error(colour) / unit(p.radiosity(colour), mean));
+        double square = Math.max(0, mean(some, p -> square(p.error(colour) / unit(p.radiosity(colour), mean))) - noise);
+        double atVertex = mean(some, p -> square(p.errorAtVertex(colour) / unit(p.radiosityAtVertex(colour), mean)));
+        double rays = Math.max(0, atVertex - AuditPoint.TIMES * noise);
+        double raysLeft = rays * mean(some, p -> p.spread);
+        double reflectance = mean(some, p -> p.reflectance(colour));
+        double all = local + bias[colour].spread(reflectance) / mean;
+        double uncertain = bias[colour].uncertainty(reflectance) / mean;
+        sum[0] += Math.max(0, square - local * local) + Math.max(square(all), square(uncertain));
         sum[1] += rays;
         sum[2] += Math.max(0, square - raysLeft);
-        sum[3] += bias * times;
+        sum[3] += all;
+    }
+
+    /** What an error counts by, W/m²: the mean, and where it is far brighter than that, what is there. */
+    private static double unit(double radiosity, double mean) {
+        return Math.max(mean, radiosity / Certificate.BRIGHT);
+    }
+
+    /** Standard error of the mean square error, relative to it. */
+    double uncertainty() {
+        List<AuditPoint> some = reflecting();
+        double[] error = new double[some.size()];
+        for (int c = 0; c < faces.colours(); c++) {
+            int colour = c;
+            double mean = mean(some, p -> p.radiosity(colour));
+            for (int i = 0; i < error.length && mean > 0; i++) {
+                error[i] += some.get(i).area * square(some.get(i).error(c) / unit(some.get(i).radiosity(c), mean));
+            }
+        }
+        double sum = Arrays.stream(error).sum();
+        double area = some.stream().mapToDouble(p -> p.area).sum();
+        double deviation = 0;
+        for (int i = 0; i < error.length; i++) {
+            deviation += square(error[i] - some.get(i).area / area * sum);
+        }
+        return sum > 0 ? Math.sqrt(deviation) / sum : 0;
     }
 
     private static double square(double x) {
         return x * x;
-    }
-
-    /**
-     * How often light that is lost at a point is lost by interreflection: 1 / (1 - share that comes back). Where by the
-     * form factors all does, as often as it is at the largest reflectance.
-     */
-    private double amplification(int colour) {
-        double shot = sum(ledger.shot(), colour);
-        double received = sum(ledger.received(), colour);
-        double absorbed = sum(ledger.absorbed(), colour);
-        double lost = shot - received + absorbed;
-        return shot <= 0 || absorbed <= 0 ? 1 : lost > 0 ? shot / lost : 1 / (1 - Surface.MAX_REFLECTANCE);
-    }
-
-    private double sum(double[] channels, int colour) {
-        return DoubleStream.iterate(colour, c -> c < channels.length, c -> c + faces.colours())
-                .map(c -> channels[(int) c]).sum();
     }
 }

@@ -16,7 +16,8 @@ import java.util.List;
  * @param mostFactors the largest
  * @param reciprocity mean difference between A F of pairs of patches and A F the other way, relative to its mean
  * @param expected    expected error of radiosity: root of the mean square over all that reflects and does not emit,
- *                    relative to the mean radiosity there; the same for the next three
+ *                    relative to the mean radiosity there, or to a third of what is there where that is more; the
+ *                    same for the next three
  * @param sampling    the part that rays leave at a point
  * @param meshing     the part that interpolation leaves at a point
  * @param bias        mean error, as it builds up by interreflection; signed
@@ -25,6 +26,12 @@ import java.util.List;
 public record Certificate(int points, Double missingFlux, double factors, double mostFactors, double reciprocity,
                           double expected, double sampling, double meshing, double bias,
                           List<SurfaceError> surfaces) {
+
+    /**
+     * So many times the mean radiosity is bright: where there is more, errors are relative to this part of what is there.
+     * A lampshade is hundreds of times as bright as its room, and a hundredth of that is no error of several means.
+     */
+    public static final double BRIGHT = 3;
 
     /** Only numbers leave the solver. */
     public Certificate {

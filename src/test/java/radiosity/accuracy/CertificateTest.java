@@ -104,16 +104,50 @@ class CertificateTest {
         assertTrue(found.points() >= 64 && found.meshing() > 0.01, found.toString());
     }
 
-    /** Of nine scenes it was between 0.7 and 1.45 times the error: docs/CERTIFICATE.md. */
+    /** Of nine scenes it was between 0.8 and 1.4 times the error: docs/CERTIFICATE.md. */
     @ParameterizedTest
-    @ValueSource(strings = {"cornell_empty", "two_room"})
-    void expectedError_isTheErrorWithinAFactorOfTwo(String name) throws IOException {
+    @ValueSource(strings = {"cornell_empty", "two_room", "thin_wall", "high_albedo"})
+    void expectedError_isTheErrorWithinAFactorOfOneAndAHalf(String name) throws IOException {
         TruthFile truth = TruthFile.read(Shared.truth("truth", name + ".csv"));
         Solve.Certified result = Solve.byDefault().certified(TruthTest.read(name + ".lws"), true);
         Score score = Score.rgb(truth, PointSet.REFLECTORS, Evaluate.radiosity(result.solution(), truth.places()));
         double error = Math.sqrt(score.rmse() * score.rmse() - score.noise() * score.noise());
-        assertEquals(0, Math.log(result.certificate().expected() / error), Math.log(2),
+        assertEquals(0, Math.log(result.certificate().expected() / error), Math.log(1.5),
                 result.certificate().expected() + " expected, " + error + " found");
+    }
+
+    /**
+     * In a closed room of one reflectance H is Phi / (S (1 - rho)) on average, Phi being what a lamp in it emits: what is
+     * received too much or too little stays for 10,000 reflections, and is counted. What is found at some points errs by
+     * tenths of a percent, of which those would make thousands of percents.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whiteRoom_isKnownByWhatIsCounted(boolean hasGeometry) throws IOException {
+        Scene dark = Rooms.lShaped(Rooms.grey("wall", hasGeometry ? 1 : 0, 0.9999));
+        Light bulb = new Light("bulb", Light.Kind.POINT, Rgb.grey(1), new Vec3(1, 1.4, 1.2), new Vec3(0, 0, -1),
+                new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 0, 0);
+        Scene scene = hasGeometry ? dark : new Scene("lit", dark.points(), dark.corners(), dark.surfaceOf(),
+                dark.surfaces(), List.of(bulb), dark.camera());
+        double emitted = hasGeometry ? scene.area() : 4 * Math.PI;
+        Solve.Certified result = Solve.byDefault().certified(scene, true);
+        double error = received(result) / (emitted / (1 - 0.9999)) - 1;
+        assertEquals(0, error, 0.005);
+        assertEquals(0, result.certificate().expected(), 0.01, "found " + error);
+        assertEquals(error, result.certificate().bias(), 0.005);
+    }
+
+    /** What few points tell of a room is not taken for known where light may escape. */
+    @Test
+    void whiteRoomWithAWindow_isLessCertain() {
+        Surface wall = Rooms.grey("wall", 0, 0.9999);
+        Scene closed = Rooms.withBlocks(wall, Rooms.grey("lamp", 1, 0.9999));
+        Scene open = new Scene("open", closed.points(), Arrays.copyOf(closed.corners(), closed.corners().length - 3),
+                Arrays.copyOf(closed.surfaceOf(), closed.surfaceOf().length - 1), closed.surfaces(), List.of(),
+                closed.camera());
+        double shut = Solve.byDefault().certified(closed, true).certificate().expected();
+        double ajar = Solve.byDefault().certified(open, true).certificate().expected();
+        assertTrue(ajar > 2 * shut, ajar + " where light escapes, " + shut + " where none does");
     }
 
     /** Few rays and a coarse mesh: each is found to be at fault. */
