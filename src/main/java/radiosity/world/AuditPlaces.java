@@ -25,9 +25,6 @@ final class AuditPlaces {
     /** What differences within an element count for. */
     private static final double DIFFERENCE = 10;
     private static final int LEAST_PER_SURFACE = 2;
-    /** The R2 sequence's steps. */
-    private static final double STEP_U = 0.7548776662466927;
-    private static final double STEP_V = 0.5698402909980532;
 
     private final InitialMesh mesh;
     private final Faces faces;
@@ -150,8 +147,8 @@ final class AuditPlaces {
     }
 
     private AuditPoint point(int block, RadiosityNodes of, int node, double area, int number) {
-        double u = number * STEP_U % 1;
-        double v = number * STEP_V % 1;
+        double u = R2.u(number);
+        double v = R2.v(number);
         boolean fold = u + v > 1;
         double b = fold ? 1 - u : u;
         double c = fold ? 1 - v : v;

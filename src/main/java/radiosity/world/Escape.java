@@ -14,8 +14,6 @@ final class Escape {
 
     /** Tries, of which pi/4 are in the circle. */
     private static final int TRIES = 32;
-    private static final double STEP_U = 0.7548776662466927;
-    private static final double STEP_V = 0.5698402909980532;
     /** Of the scene's size: where a ray begins, above the surface; and how far it goes. */
     private static final float LIFT = 1e-5f;
     private static final float FAR = 4;
@@ -47,8 +45,8 @@ final class Escape {
         int all = 0;
         int lost = 0;
         for (int i = 1; i <= TRIES; i++) {
-            double p = 2 * ((i + (double) number * TRIES) * STEP_U % 1) - 1;
-            double q = 2 * ((i + (double) number * TRIES) * STEP_V % 1) - 1;
+            double p = 2 * R2.u(i + (double) number * TRIES) - 1;
+            double q = 2 * R2.v(i + (double) number * TRIES) - 1;
             if (p * p + q * q < 1) {
                 all++;
                 lost += isLost(x, frame, n, p, q) ? 1 : 0;

@@ -17,8 +17,6 @@ final class LightSources {
 
     /** Sample points of an area light for its visible share, by a plastic-number sequence as in the ray caster. */
     private static final int SAMPLES = 32;
-    private static final double STEP_U = 0.7548776662466927;
-    private static final double STEP_V = 0.5698402909980532;
     /** How far away a distant light is, of the scene's size. */
     private static final double FAR = 4;
 
@@ -117,8 +115,8 @@ final class LightSources {
         double seen = 0;
         double all = 0;
         for (int i = 1; i <= SAMPLES; i++) {
-            double s = 2 * (i * STEP_U % 1) - 1;
-            double t = 2 * (i * STEP_V % 1) - 1;
+            double s = 2 * R2.u(i) - 1;
+            double t = 2 * R2.v(i) - 1;
             Vec3 y = at.plus(u.times(s)).plus(v.times(t));
             Vec3 d = y.minus(x);
             double k = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(light.direction())) / (d.dot(d) * d.dot(d));
