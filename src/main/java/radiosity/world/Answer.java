@@ -55,18 +55,6 @@ final class Answer {
         addSums(other);
     }
 
-    /**
-     * Whether this partition has none of the best candidates beyond those that it has named.
-     *
-     * @param best  of all partitions, as far as they are known
-     * @param named how many it was to name at most
-     * @param most  how many are wanted of all
-     */
-    boolean namesAllOf(Answer best, int named, int most) {
-        return named >= most || candidates.size() < named || best.candidates.size() == most
-                && best.candidates.get(most - 1).compareTo(candidates.get(named - 1)) < 0;
-    }
-
     /** The same without those candidates whose place is that of one of these. */
     Answer without(List<Shot> shots, Faces faces, double scale) {
         Set<Shot.Place> places = shots.stream().map(Shot::place).collect(Collectors.toSet());

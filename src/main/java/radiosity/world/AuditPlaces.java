@@ -141,18 +141,18 @@ final class AuditPlaces {
             for (; next[s] < 0; next[s] += step[s]) {
                 its = its == null ? nodes.apply(block) : its;
                 double area = step[s] * its.area(of.node[i]) / of.weight[i];
-                points.add(point(block, its, of.node[i], area, known + points.size() + 1));
+                points.add(point(its, of.node[i], area, known + points.size() + 1));
             }
         }
     }
 
-    private AuditPoint point(int block, RadiosityNodes of, int node, double area, int number) {
+    private AuditPoint point(RadiosityNodes of, int node, double area, int number) {
         double u = R2.u(number);
         double v = R2.v(number);
         boolean fold = u + v > 1;
         double b = fold ? 1 - u : u;
         double c = fold ? 1 - v : v;
-        return new AuditPoint(of, node, block, area, new double[] {1 - b - c, b, c}, number, burial);
+        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, burial);
     }
 
     /** Corners of a node, x, y, z each, of the scene brought to size 1. */

@@ -23,7 +23,6 @@ final class AuditPoint {
     /** Whether nobody sees it, as it lies inside a solid. */
     final boolean isBuried;
     /** The top of a block in which it lies. */
-    final int block;
     final long top;
     /** Sum of the squared weights of the element's corners: what is left there of errors that differ at each. */
     final double spread;
@@ -55,8 +54,7 @@ final class AuditPoint {
     double lost;
 
     /** @param weight 3: of the element's corners */
-    AuditPoint(RadiosityNodes nodes, int node, int block, double area, double[] weight, int number, Burial burial) {
-        this.block = block;
+    AuditPoint(RadiosityNodes nodes, int node, double area, double[] weight, int number, Burial burial) {
         this.area = area;
         this.number = number;
         faces = nodes.faces();
@@ -175,14 +173,14 @@ final class AuditPoint {
         return sum(colour, c -> exitance[c] + reflectance[c] * anew(c));
     }
 
-    /** By how much more was received here than what leaves here brings elsewhere, W/m²: what escapes, and lights. */
-    double unaccounted(int colour) {
-        return lost * shining(colour) + (isBuried ? 0 : sum(colour, c -> fromLights[c]));
-    }
-
     /** The same at its element's corner. */
     double radiosityAtVertex(int colour) {
         return sum(colour, c -> exitance[c] + reflectance[c] * anewAtVertex.value[c]);
+    }
+
+    /** By how much more was received here than what leaves here brings elsewhere, W/m²: what escapes, and lights. */
+    double unaccounted(int colour) {
+        return lost * shining(colour) + (isBuried ? 0 : sum(colour, c -> fromLights[c]));
     }
 
     /** What the solution shines with, W/m². */

@@ -17,8 +17,6 @@ public final class RemoteWorld extends World {
 
     /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
     private static final int STEPS_AHEAD = 4;
-    /** Candidates that every host names at least where so many are wanted. */
-    private static final int LEAST_NAMED = 4;
     private static final StepTimes NOBODY = (shots, seconds) -> { };
     /**
      * A checkpoint is taken when the rounds since the last one took so many times as long as it: 1 % of the time at
@@ -132,12 +130,6 @@ public final class RemoteWorld extends World {
         }
         StepsUnderWay.Answered next = underWay.next();
         return new Answered(next.order(), decode(next.answers()));
-    }
-
-    /** Twice a fair share: blocks are dealt so that who has much to shoot is spread. */
-    @Override
-    int named(int most) {
-        return (int) Math.min(most, LEAST_NAMED + 2L * most / hosts.present().size());
     }
 
     @Override

@@ -98,19 +98,9 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
     /** A clock for differences, ns. */
     abstract long now();
 
-    /** How many candidates each partition names so that together they most probably name the best so many. */
-    int named(int most) {
-        return most;
-    }
-
     /** One round on all partitions: their answers added up. */
     final Answer answer(Order order) throws IOException {
-        int most = order.most();
-        int named = order.least() > 0 ? most : named(most);
-        List<Answer> some = answers(order.naming(named));
-        Answer all = sum(some, most);
-        boolean complete = some.stream().allMatch(one -> one.namesAllOf(all, named, most));
-        return complete ? all : sum(answers(Order.plain(Order.Kind.ASK, most)), most);
+        return sum(answers(order), order.most());
     }
 
     final List<Answer> decode(List<byte[]> encoded) throws IOException {
