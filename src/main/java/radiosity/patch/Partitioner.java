@@ -16,14 +16,17 @@ public final class Partitioner {
 
     private final Patcher patcher;
     private final int blockSize;
+    /** Id of the first block. */
+    private final int first;
     private final List<Block> blocks = new ArrayList<>();
     private int[] face = new int[16];
     private long[] path = new long[16];
     private int subtrees;
     private long patches;
 
-    private Partitioner(Patcher patcher, int wanted) {
+    private Partitioner(Patcher patcher, int wanted, int first) {
         this.patcher = patcher;
+        this.first = first;
         long size = LEAST_PATCHES;
         while (size < MOST_PATCHES && size * wanted < patcher.patches()) {
             size *= 4;
@@ -37,9 +40,25 @@ public final class Partitioner {
      * @param wanted about how many, where there are enough patches for them
      */
     public static List<Block> blocks(Patcher patcher, int wanted) {
-        Partitioner partitioner = new Partitioner(patcher, wanted);
+        Partitioner partitioner = new Partitioner(patcher, wanted, 0);
         for (int f : inGeometricOrder(patcher.faces())) {
             partitioner.take(f, Path.FACE, patcher.level(f));
+        }
+        partitioner.close();
+        return partitioner.blocks;
+    }
+
+    /**
+     * A block cut into smaller ones.
+     *
+     * @param wanted about how many there would be of the whole scene, where there are enough patches
+     * @param first  id of the first of them
+     */
+    public static List<Block> within(Block block, Patcher patcher, int wanted, int first) {
+        Partitioner partitioner = new Partitioner(patcher, wanted, first);
+        for (int i = 0; i < block.face().length; i++) {
+            int f = block.face()[i];
+            partitioner.take(f, block.path()[i], patcher.level(f) - Path.level(block.path()[i]));
         }
         partitioner.close();
         return partitioner.blocks;
@@ -67,7 +86,7 @@ public final class Partitioner {
 
     private void close() {
         if (subtrees > 0) {
-            blocks.add(new Block(blocks.size(), Arrays.copyOf(face, subtrees), Arrays.copyOf(path, subtrees)));
+            blocks.add(new Block(first + blocks.size(), Arrays.copyOf(face, subtrees), Arrays.copyOf(path, subtrees)));
         }
         subtrees = 0;
         patches = 0;

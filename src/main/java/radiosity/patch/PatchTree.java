@@ -64,7 +64,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
 
     /** @param here at the corners, where this tree goes no deeper; else null */
     private void divide(int i, double[] here, int[] into, int j, double[] values, int n) {
-        double[] now = here == null && child[i] < 0 ? Arrays.copyOfRange(radiosity, n * i, n * i + n) : here;
+        double[] now = here == null && child[i] < 0 ? ofElement(i, n) : here;
         if (into[j] < 0) {
             if (now == null) {
                 throw new IllegalArgumentException("tree: expected as many levels as before, got fewer");
@@ -107,16 +107,34 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return n;
     }
 
-    /** Adds to what the elements below a node have shot; they may have been subdivided deeper than this tree is. */
+    /**
+     * Adds to what the elements below a node have shot; they may have been subdivided deeper than this tree is.
+     *
+     * @param top the node of this name, or one below it
+     */
     public void addShot(RadiosityNodes nodes, int top) {
-        addShot(nodes, top, 0, null);
+        int at = 0;
+        double[] values = null;
+        for (int level = Path.level(path) + 1; level <= Path.level(nodes.path(top)); level++) {
+            int k = Path.step(nodes.path(top), level);
+            if (values == null && child[at] < 0) {
+                values = ofElement(at, 3 * nodes.channels());
+            }
+            values = values == null ? null : Subdivision.values(values, nodes.channels(), k);
+            at = values == null ? child[at] + k : at;
+        }
+        addShot(nodes, top, at, values);
+    }
+
+    private double[] ofElement(int i, int n) {
+        return Arrays.copyOfRange(radiosity, n * i, n * i + n);
     }
 
     /** @param values 3 x channels at the corners, where this tree goes no deeper; else null */
     private void addShot(RadiosityNodes nodes, int node, int i, double[] values) {
         int n = 3 * nodes.channels();
         boolean ends = values == null && child[i] < 0;
-        double[] here = ends ? Arrays.copyOfRange(radiosity, n * i, n * i + n) : values;
+        double[] here = ends ? ofElement(i, n) : values;
         if (nodes.isElement(node)) {
             ElementLight light = nodes.light();
             for (int j = 0; j < n; j++) {

@@ -8,11 +8,13 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
+import radiosity.patch.Patcher;
 import radiosity.patch.RadiosityNodes;
 
 /**
  * How large the blocks of the initial mesh are, and which lie side by side: a receiving point on a border gathers once
- * where one host has both sides, and on each of two hosts where it has not.
+ * where one host has both sides, and on each of two hosts where it has not. By prediction it gathers once in any case,
+ * see {@link BorderPoints}.
  */
 final class Borders {
 
@@ -29,7 +31,8 @@ final class Borders {
     Borders(InitialMesh mesh) {
         points = new double[mesh.blocks.size()];
         facing = new double[points.length][DIRECTIONS];
-        RadiosityNodes nodes = new RadiosityNodes(mesh.coarse, mesh.blocks);
+        Patcher coarse = mesh.patcher.coarser(mesh.blocks, mesh.blocks.size());
+        RadiosityNodes nodes = new RadiosityNodes(coarse, mesh.blocks);
         Map<Long, Integer> edges = new HashMap<>();
         List<Map<Integer, Integer>> common = new ArrayList<>();
         for (Block block : mesh.blocks) {
@@ -38,8 +41,11 @@ final class Borders {
             double area = IntStream.of(nodes.tops(block)).mapToDouble(nodes::area).sum();
             for (int top : nodes.tops(block)) {
                 facing[block.id()][direction(mesh.faces, nodes.face(top))] += nodes.area(top) / area;
-                add(mesh, nodes, block.id(), top, edges, common);
+                add(mesh.patcher, coarse, nodes, block.id(), top, edges, common);
             }
+        }
+        if (mesh.predicts()) {
+            common.forEach(Map::clear);
         }
         beside = common.stream().map(c -> c.keySet().stream().mapToInt(Integer::intValue).toArray()).toArray(int[][]::new);
         shared = common.stream().map(c -> c.values().stream().mapToInt(Integer::intValue).toArray()).toArray(int[][]::new);
@@ -54,15 +60,15 @@ final class Borders {
         return faces.normal(face, axis) < 0 ? axis : 3 + axis;
     }
 
-    private void add(InitialMesh mesh, RadiosityNodes nodes, int block, int node, Map<Long, Integer> edges,
+    private void add(Patcher fine, Patcher coarse, RadiosityNodes nodes, int block, int node, Map<Long, Integer> edges,
                      List<Map<Integer, Integer>> common) {
         if (!nodes.isElement(node)) {
             for (int k = 0; k < 4; k++) {
-                add(mesh, nodes, block, nodes.child(node) + k, edges, common);
+                add(fine, coarse, nodes, block, nodes.child(node) + k, edges, common);
             }
             return;
         }
-        int depth = mesh.patcher.level(nodes.face(node)) - mesh.coarse.level(nodes.face(node));
+        int depth = fine.level(nodes.face(node)) - coarse.level(nodes.face(node));
         points[block] += 0.5 * (1L << 2 * depth);
         for (int k = 0; k < 3; k++) {
             long p = nodes.corner(node, k);

@@ -103,7 +103,7 @@ final class Candidates {
 
     /** Of those with so much flux at least, W. */
     private int[] largest(int most, double least) {
-        boolean all = mesh.predicts() && mesh.rooms.count() > 0;
+        boolean all = mesh.shootsClusters() || mesh.predicts() && mesh.rooms.count() > 0;
         PriorityQueue<Integer> best = new PriorityQueue<>((p, q) -> -order(p, q));
         for (int p = 0; p < flux.length && most > 0; p++) {
             if ((flux[p] > 0 || all) && flux[p] >= least && (best.size() < most || order(p, best.peek()) < 0)) {

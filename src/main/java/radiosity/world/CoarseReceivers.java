@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
@@ -8,24 +9,30 @@ import radiosity.formfactor.Shooter;
 import radiosity.patch.Block;
 import radiosity.patch.RadiosityNodes;
 
-/** Makes the rows of a {@link CoarseSystem} for the vertices that some blocks have in it, a part at a time. */
+/**
+ * Makes rows of a {@link CoarseSystem}, a part at a time: vertices are dealt to blocks, and those made that fall to some
+ * of them.
+ */
 final class CoarseReceivers {
 
     private final InitialMesh mesh;
     private final Receivers receivers;
     private final Crew crew;
     private final RadiosityNodes nodes;
-    /** Vertices that have a row: those that stand for themselves. */
+    /** Vertices whose rows are made here: of those that stand for themselves. */
     private final int[] asked;
 
     CoarseReceivers(InitialMesh mesh, List<Block> blocks, Receivers receivers, Crew crew) {
         this.mesh = mesh;
         this.receivers = receivers;
         this.crew = crew;
-        nodes = new RadiosityNodes(mesh.coarse, blocks);
-        receivers.bury(nodes, 0);
+        nodes = new RadiosityNodes(mesh.coarse, mesh.clusters.clusters);
+        BitSet mine = new BitSet();
+        blocks.forEach(block -> mine.set(block.id()));
         asked = IntStream.range(0, nodes.vertices())
-                .filter(v -> mesh.fellows.leader(nodes.vertexFace(v)) == nodes.vertexFace(v)).toArray();
+                .filter(v -> mesh.fellows.leader(nodes.vertexFace(v)) == nodes.vertexFace(v))
+                .filter(v -> mine.get((int) ((long) v * mesh.blocks.size() / nodes.vertices()))).toArray();
+        receivers.bury(nodes, asked);
     }
 
     /** @return number of rows, then each as {@link CoarseRows#take} reads it */

@@ -39,7 +39,7 @@ final class CoarseSystem {
         faces = mesh.faces;
         rooms = mesh.rooms;
         channels = faces.channels();
-        blocks = mesh.blocks;
+        blocks = mesh.clusters.clusters;
         single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
         rows = new CoarseRows(nodes, mesh.fellows, crew);

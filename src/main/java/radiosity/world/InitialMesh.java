@@ -7,7 +7,6 @@ import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.Fellows;
 import radiosity.patch.Hash;
-import radiosity.patch.Partitioner;
 import radiosity.patch.Patcher;
 import radiosity.patch.Rooms;
 import radiosity.patch.Strips;
@@ -23,8 +22,10 @@ final class InitialMesh {
     private static final int PATCHES = 6000;
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
-    /** Blocks: for sharing out, and where each is also what shoots together. */
+    /** What is shared out: where borders cost time, and where every point is computed once. */
     private static final int BLOCKS = 256;
+    private static final int FINE_BLOCKS = 1024;
+    /** What shoots together. */
     private static final int CLUSTERS = 128;
     /** Reflectance above which the rounding of floats would show. */
     private static final double WHITE = 0.98;
@@ -39,6 +40,8 @@ final class InitialMesh {
     /** Closed rooms. */
     final Rooms rooms;
     final Patcher patcher;
+    final Clusters clusters;
+    /** What is shared out. */
     final List<Block> blocks;
     /** A mesh that goes no deeper than is needed to foresee what light will become. */
     final Patcher coarse;
@@ -64,12 +67,13 @@ final class InitialMesh {
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, patches());
         patcher = new Patcher(faces, area, predicts());
-        blocks = Partitioner.blocks(patcher, predicts() ? CLUSTERS : BLOCKS);
-        coarse = solvesAtOnce() ? patcher : patcher.coarser(blocks, COARSE_PATCHES);
-        fellows = new Fellows(coarse, blocks);
+        clusters = new Clusters(patcher, predicts() ? CLUSTERS : BLOCKS, predicts() ? FINE_BLOCKS : BLOCKS);
+        blocks = clusters.blocks;
+        coarse = solvesAtOnce() ? patcher : patcher.coarser(clusters.clusters, COARSE_PATCHES);
+        fellows = new Fellows(coarse, clusters.clusters);
         boolean white = scene.surfaces().stream()
                 .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
-        rounding = new Rounding(white, shootsBlocks() && !settings.layers());
+        rounding = new Rounding(white, shootsClusters() && !settings.layers());
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {
@@ -104,8 +108,8 @@ final class InitialMesh {
         return settings.schedule() == Schedule.MATRIX;
     }
 
-    /** Whether what shoots together are the patches of a block; a projection would take long for so many at a time. */
-    boolean shootsBlocks() {
+    /** Whether the patches of a cluster shoot together; a projection would take long for so many at a time. */
+    boolean shootsClusters() {
         return predicts() && settings.factors() == FormFactors.RAYCAST;
     }
 

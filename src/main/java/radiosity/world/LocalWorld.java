@@ -46,7 +46,7 @@ public final class LocalWorld extends World {
 
     @Override
     List<Shot> totals() {
-        return partitions.stream().flatMap(partition -> partition.totals().stream()).sorted().toList();
+        return joined(partitions.stream().flatMap(partition -> partition.totals().stream()).toList());
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
@@ -32,8 +33,9 @@ final class PartitionImpl implements Partition {
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
     private final BlockCosts costs;
-    /** Nodes that shoot together: single patches in the paper's schedule, else those of a block. */
+    /** Nodes that shoot together: single patches in the paper's schedule, else a block's part of a cluster. */
     private final int[][] shooters;
+    private final Map<Shot.Place, List<Integer>> parts;
     private final Candidates candidates;
     /** Those of the coarse mesh while their rows are made; else null. */
     private CoarseReceivers coarse;
@@ -54,7 +56,8 @@ final class PartitionImpl implements Partition {
         lights = new LightSources(faces, mesh.bounds());
         nodes = new RadiosityNodes(mesh.patcher, mine);
         costs = new BlockCosts(nodes, mine);
-        shooters = mesh.shootsBlocks() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
+        shooters = mesh.shootsClusters() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
+        parts = mesh.clusters.parts(nodes);
         candidates = new Candidates(mesh, nodes, shooters, crew);
         if (!restored) {
             receivers.bury(nodes, 0);
@@ -98,7 +101,7 @@ final class PartitionImpl implements Partition {
 
     /** Mark what has shot, gather, subdivide. */
     private void shoot(Order order) {
-        order.shots().forEach(shot -> shot.markShot(nodes));
+        order.shots().forEach(shot -> shot.markShot(nodes, parts));
         gather(order, IntStream.range(0, nodes.vertices()).toArray());
         if (!order.more()) {
             subdivide(order.number());

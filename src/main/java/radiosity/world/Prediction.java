@@ -110,7 +110,7 @@ final class Prediction implements Planner {
         if (coarse != null && !coarse.isMade()) {
             return rows();
         }
-        List<Shot> candidates = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE)).candidates;
+        List<Shot> candidates = candidates();
         if (candidates.isEmpty()) {
             return null;
         }
@@ -121,6 +121,12 @@ final class Prediction implements Planner {
         stage = Stage.SHOOT;
         left = unsent;
         return order(Order.Kind.SHOOT, shots);
+    }
+
+    /** All that have something to shoot; in closed rooms all, as what they have in common is taken off. */
+    private List<Shot> candidates() throws IOException {
+        List<Shot> all = world.joined(world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE)).candidates);
+        return all.stream().filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0).toList();
     }
 
     /** With what will become of them; null where it was not to go on. */
@@ -140,7 +146,7 @@ final class Prediction implements Planner {
         if (stage == Stage.NOTHING) {
             weigh(last, candidates, this::interreflected);
         }
-        return candidates;
+        return candidates.stream().map(world.mesh.rounding::of).toList();
     }
 
     /** Flux that would be reflected, as counted by {@link Faces#importance}, if every surface saw every other alike. */

@@ -33,6 +33,11 @@ final class Receivers {
         crew.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
     }
 
+    /** The same for some vertices. */
+    void bury(RadiosityNodes nodes, int[] vertices) {
+        crew.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
+    }
+
     Ambient ambient(Order order) {
         return new Ambient(mesh.rooms, faces.channels(), order.ambient());
     }

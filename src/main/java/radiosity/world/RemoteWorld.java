@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -161,7 +162,11 @@ public final class RemoteWorld extends World {
     /** As the master has it; how elements are divided is asked. */
     @Override
     List<Shot> totals() throws IOException {
-        return totals.of(round(Order.plain(Order.Kind.TREES, 0)));
+        List<Shot> trees = new ArrayList<>();
+        for (byte[] bytes : round(Order.plain(Order.Kind.TREES, 0))) {
+            trees.addAll(Wire.trees(Wire.input(bytes)));
+        }
+        return totals.of(joined(trees));
     }
 
     /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */

@@ -1,8 +1,5 @@
 package radiosity.world;
 
-import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 
 /** What was shot so far as the master has it, and which hosts have it too; only prediction has use for it. */
@@ -45,13 +42,8 @@ final class SharedTotals {
         }
     }
 
-    /** @param answers of all hosts: how their trees are divided */
-    List<Shot> of(List<byte[]> answers) throws IOException {
-        List<Shot> trees = new ArrayList<>();
-        for (byte[] bytes : answers) {
-            trees.addAll(Wire.trees(Wire.input(bytes)));
-        }
-        Collections.sort(trees);
+    /** @param trees of all that shoots together: how they are divided */
+    List<Shot> of(List<Shot> trees) {
         return totals.of(trees);
     }
 }

@@ -5,6 +5,7 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
@@ -37,7 +38,7 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return new Shot(trees, flux);
     }
 
-    /** Of the first tree. */
+    /** Of a node, for a shot that of its first tree. */
     record Place(int face, long path) { }
 
     /** Tells shooters apart. */
@@ -49,12 +50,18 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
         return trees.get(0).channels();
     }
 
-    /** Adds what is shot to what was shot before, where these nodes own it. */
-    void markShot(RadiosityNodes nodes) {
+    /**
+     * Adds what is shot to what was shot before, where these nodes own it.
+     *
+     * @param parts tops of these nodes by the tree that they are parts of
+     */
+    void markShot(RadiosityNodes nodes, Map<Place, List<Integer>> parts) {
         for (PatchTree tree : trees) {
             int top = nodes.find(tree.face(), tree.path());
             if (top >= 0) {
                 tree.addShot(nodes, top);
+            } else {
+                parts.getOrDefault(new Place(tree.face(), tree.path()), List.of()).forEach(part -> tree.addShot(nodes, part));
             }
         }
     }

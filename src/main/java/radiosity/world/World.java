@@ -3,7 +3,6 @@ package radiosity.world;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import radiosity.scene.Scene;
 
@@ -135,8 +134,12 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
         for (byte[] bytes : round(Order.plain(Order.Kind.TOTALS, 0))) {
             totals.addAll(Wire.shots(Wire.input(bytes)));
         }
-        Collections.sort(totals);
-        return totals;
+        return joined(totals);
+    }
+
+    /** Those of blocks as those of what shoots together; sorted. */
+    final List<Shot> joined(List<Shot> shots) {
+        return mesh.shootsClusters() ? mesh.clusters.join(shots, crew) : shots.stream().sorted().toList();
     }
 
     /** The states of all blocks, by id. */
