@@ -24,10 +24,13 @@ final class Balance {
     private final Forecast forecast;
     private final Dealing dealing;
     private final Cadence waiting;
+    private final int clusters;
     /** The last round that was looked ahead at. */
     private int looked;
 
-    Balance(Forecast forecast, Dealing dealing, long patches) {
+    /** @param clusters that may shoot in a round */
+    Balance(Forecast forecast, Dealing dealing, long patches, int clusters) {
+        this.clusters = clusters;
         waiting = new Cadence(PATIENCE, FIRST_COST, patches * FIRST_COST_PER_PATCH);
         this.forecast = forecast;
         this.dealing = dealing;
@@ -97,7 +100,7 @@ final class Balance {
     boolean isDue(Order order, List<Host> hosts) {
         if (order.number() != looked && order.gathers() && forecast.isMeasured()) {
             looked = order.number();
-            int shooters = order.more() ? Math.max(order.shots().size(), forecast.blocks()) : order.shots().size();
+            int shooters = order.more() ? Math.max(order.shots().size(), clusters) : order.shots().size();
             double ahead = shooters * dealing.waiting(hosts, order.kind() == Order.Kind.GATHER);
             return waiting.isDue(behind(hosts) + TRUST * ahead);
         }

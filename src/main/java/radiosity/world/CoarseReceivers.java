@@ -58,7 +58,7 @@ final class CoarseReceivers {
         return Wire.bytes(out -> {
             out.writeLong(nodes.vertexKey(v));
             out.writeBoolean(nodes.isBuried(v));
-            seen.write(out);
+            seen.write(nodes, out);
         });
     }
 }

@@ -1,7 +1,7 @@
 package radiosity.world;
 
-import java.io.DataInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.List;
@@ -15,9 +15,8 @@ import radiosity.patch.Rooms;
 /** What each vertex of a coarse mesh sees of its patches: the rows of a {@link CoarseSystem}. */
 final class CoarseRows {
 
-    /** What an empty row takes on the wire, and what one entry of a row. */
+    /** What an empty row takes on the wire. */
     private static final int ROW_BYTES = 13;
-    private static final int ENTRY_BYTES = 24;
 
     /** Rows that a thread takes at a time. */
     private static final int RUN = 64;
@@ -77,7 +76,7 @@ final class CoarseRows {
     void take(int shots, List<byte[]> rows) throws IOException {
         taken += shots;
         for (byte[] part : rows) {
-            read(Wire.input(part));
+            read(ByteBuffer.wrap(part));
         }
     }
 
@@ -87,24 +86,35 @@ final class CoarseRows {
     }
 
     /** For each vertex its key, whether it is buried, and its {@link Rows}. */
-    private void read(DataInputStream in) throws IOException {
-        for (int n = Wire.count(in, ROW_BYTES); n > 0; n--) {
-            int v = index.find(in.readLong());
-            if (in.readBoolean()) {
+    private void read(ByteBuffer in) throws IOException {
+        for (int n = count(in, ROW_BYTES); n > 0; n--) {
+            int v = in.remaining() < ROW_BYTES ? -1 : index.find(in.getLong());
+            if (v < 0) {
+                throw new IOException("rows: expected one of a vertex of the coarse mesh, got " + in.remaining() + " bytes");
+            }
+            if (in.get() != 0) {
                 nodes.bury(v);
             }
-            int size = Wire.count(in, ENTRY_BYTES);
+            int size = count(in, Rows.entryBytes(nodes));
             int from = parts[v] == taken ? column[v].length - size : column[v].length;
             parts[v] = taken;
             column[v] = Arrays.copyOf(column[v], from + size);
             entry[v] = Arrays.copyOf(entry[v], 3 * (from + size));
             for (int i = from; i < from + size; i++) {
-                column[v][i] = nodes.find(in.readInt(), in.readLong());
+                column[v][i] = Rows.node(nodes, in);
                 for (int k = 0; k < 3; k++) {
-                    entry[v][3 * i + k] = in.readFloat();
+                    entry[v][3 * i + k] = in.getFloat();
                 }
             }
         }
+    }
+
+    private static int count(ByteBuffer in, int least) throws IOException {
+        int count = in.remaining() < Integer.BYTES ? -1 : in.getInt();
+        if (count < 0 || count > in.remaining() / least) {
+            throw new IOException("rows: expected a number of them in " + in.remaining() + " bytes, got " + count);
+        }
+        return count;
     }
 
     /** In a closed room all that a vertex sees adds up to 1. */

@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.io.IOException;
+import java.util.AbstractList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
@@ -124,11 +125,24 @@ final class CoarseSystem {
         return sum * faces.size() * faces.size();
     }
 
-    /** Shots with what their patches will reflect of an irradiance, linear between the vertices. */
+    /**
+     * Shots with what their patches will reflect of an irradiance, linear between the vertices; each is made when it is
+     * first asked for, as others are carried out meanwhile.
+     */
     List<Shot> with(List<Shot> shots, double[] h) {
-        Shot[] all = new Shot[shots.size()];
-        crew.run(all.length, i -> all[i] = with(shots.get(i), h));
-        return List.of(all);
+        Shot[] made = new Shot[shots.size()];
+        return new AbstractList<>() {
+            @Override
+            public Shot get(int i) {
+                made[i] = made[i] == null ? with(shots.get(i), h) : made[i];
+                return made[i];
+            }
+
+            @Override
+            public int size() {
+                return made.length;
+            }
+        };
     }
 
     private Shot with(Shot shot, double[] h) {

@@ -28,10 +28,6 @@ final class Forecast {
         }
     }
 
-    int blocks() {
-        return points.length;
-    }
-
     /** What a block holds after a round. */
     void hold(int block, BlockWork work) {
         points[block] = work.points();

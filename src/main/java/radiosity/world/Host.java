@@ -54,6 +54,8 @@ final class Host implements AutoCloseable {
     double pairs;
     double seconds;
     final Workload load = new Workload();
+    /** What others have gathered for it, to be sent with the next order; or empty. See {@link BorderPoints}. */
+    byte[] gift = {};
 
     /** @param threads that the host computes with */
     Host(Link link, RemotePartition remote, int threads, Consumer<String> notices) {
@@ -128,6 +130,17 @@ final class Host implements AutoCloseable {
         return ++rounds;
     }
 
+    /** @return what it is sent for an order: what others have gathered for it follows */
+    byte[] withGift(byte[] order) {
+        if (gift.length == 0) {
+            return order;
+        }
+        byte[] all = Arrays.copyOf(order, order.length + gift.length);
+        System.arraycopy(gift, 0, all, order.length, gift.length);
+        gift = new byte[0];
+        return all;
+    }
+
     Reply round(long number, byte[] order) throws IOException {
         byte[] bytes = twice(() -> remote.round(session, number, order));
         load.bytes += order.length + bytes.length;
@@ -146,6 +159,21 @@ final class Host implements AutoCloseable {
     Void know(byte[] totals) throws IOException {
         send(totals);
         remote.know(session);
+        return null;
+    }
+
+    /** The points that other hosts may have, too, see {@link BorderPoints#name}. */
+    byte[] border(boolean anew) throws IOException {
+        return remote.border(session, anew);
+    }
+
+    /** @param roles see {@link BorderPoints#agree} */
+    Void share(int agreement, byte[] roles) throws IOException {
+        send(Wire.bytes(out -> {
+            out.writeInt(agreement);
+            out.write(roles);
+        }));
+        remote.share(session);
         return null;
     }
 

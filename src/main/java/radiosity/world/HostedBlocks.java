@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,6 +18,9 @@ final class HostedBlocks {
     private final Set<Integer> owned = new TreeSet<>();
     private PartitionImpl partition;
     private final Totals totals;
+    /** Orders that were not done yet where other hosts gather. */
+    private final List<byte[]> owed = new ArrayList<>();
+    private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
         this.mesh = mesh;
@@ -47,6 +51,7 @@ final class HostedBlocks {
      * @return what the newcomers answer to the orders that are to be answered
      */
     List<byte[]> take(Adoption adoption) throws IOException {
+        settle();
         List<byte[]> answers = new ArrayList<>();
         owned.removeAll(adoption.leave());
         Map<Integer, byte[]> states = states(owned, partition);
@@ -95,17 +100,65 @@ final class HostedBlocks {
     }
 
     byte[] round(byte[] bytes) throws IOException {
-        Order order = Order.decode(bytes);
-        if (order.kind() == Order.Kind.GATHER) {
-            return partition.round(order.shooting(totals.of(order.shots())));
+        DataInputStream in = Wire.input(bytes);
+        Order order = Order.decode(in);
+        if (in.available() > 0 && partition.border().take(in)) {
+            owed.clear();
         }
+        byte[] answer = order.gathers() ? gather(order, bytes) : ask(order);
+        given = order.most() == Order.GIVE && partition.isShared() ? partition.border().give() : new byte[0];
+        return answer;
+    }
+
+    private byte[] gather(Order order, byte[] bytes) throws IOException {
         if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
             totals.add(order.shots());
+        }
+        if (!partition.isShared()) {
+            return partition.round(whole(order));
+        }
+        byte[] nothing = partition.round(whole(order).naming(-1));
+        owed.add(bytes);
+        return order.isAnswered() ? ask(Order.plain(Order.Kind.ASK, order.most()).from(order.least())) : nothing;
+    }
+
+    /** With what was shot, where the order says by whom only. */
+    private Order whole(Order order) {
+        return order.kind() == Order.Kind.GATHER ? order.shooting(totals.of(order.shots())) : order;
+    }
+
+    private byte[] ask(Order order) throws IOException {
+        if (order.most() != Order.GIVE) {
+            settle();
         }
         return partition.round(order);
     }
 
-    byte[] block(int id) {
+    /** For other hosts: what this one has gathered for them up to the last order. */
+    byte[] given() {
+        return given;
+    }
+
+    /** Gathers where others should have gathered and nothing was heard of it. */
+    private void settle() throws IOException {
+        for (byte[] order : owed) {
+            partition.gatherTaken(whole(Order.decode(order)));
+        }
+        owed.clear();
+    }
+
+    /** See {@link BorderPoints#name}. */
+    byte[] border(boolean anew) throws IOException {
+        settle();
+        return partition.border().name(anew);
+    }
+
+    void share(DataInputStream roles) throws IOException {
+        partition.border().agree(roles);
+    }
+
+    byte[] block(int id) throws IOException {
+        settle();
         return partition.block(id);
     }
 }

@@ -113,6 +113,14 @@ final class InitialMesh {
         return predicts() && settings.factors() == FormFactors.RAYCAST;
     }
 
+    /**
+     * Whether at a point that several hosts have only one gathers, for all: where rounds are few, and elements are looked
+     * at after them only.
+     */
+    boolean gathersOnce() {
+        return predicts() && Double.isInfinite(settings.meshing());
+    }
+
     /** Whether all flux that is shot must be received. */
     boolean conserves() {
         return predicts() && rooms.isPlain();
@@ -120,6 +128,12 @@ final class InitialMesh {
 
     boolean predicts() {
         return settings.schedule() == Schedule.PREDICT;
+    }
+
+    /** Entries of the coarse system's rows that come of one shot, about. */
+    int entriesPerShot() {
+        double all = (double) coarse.patches() * coarse.patches();
+        return (int) (all / (solvesAtOnce() ? coarse.patches() : clusters.clusters.size()));
     }
 
     /** Sample points per shooting node, or cells, see {@link FormFactors}. */

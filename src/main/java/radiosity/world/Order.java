@@ -18,12 +18,14 @@ import java.util.List;
  * @param ambient   channels per closed room, see {@link radiosity.patch.Ambient}; empty: none. W/m²
  * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
  * @param begun     whether a part of the round is done: the ambient light has been received
- * @param most      how many candidates for the next round to name; -1: nobody reads the answer
+ * @param most      how many candidates for the next round to name; -1: nobody reads the answer; {@link #GIVE}: only what
+ *                  other hosts need
  * @param least     unshot flux that a candidate has at least, W
  */
 record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
              double meshError, double[] ambient, double[] givenBack, boolean begun, int most, double least) {
 
+    static final int GIVE = -2;
     private static final double[] NONE = {};
 
     /** The kinds of round. */
@@ -139,7 +141,10 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
     }
 
     static Order decode(byte[] bytes) throws IOException {
-        DataInputStream in = Wire.input(bytes);
+        return decode(Wire.input(bytes));
+    }
+
+    static Order decode(DataInputStream in) throws IOException {
         Kind kind = kind(in.readByte());
         int number = in.readInt();
         boolean more = in.readBoolean();

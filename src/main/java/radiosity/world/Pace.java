@@ -11,6 +11,8 @@ final class Pace {
     static final double STEP_SECONDS = 0.25;
     /** A step holds so many times as many shots as the last one, at most. */
     private static final int GROWTH = 4;
+    /** What an entry of the coarse system is taken to need at first, s; other kinds of round may need anything. */
+    private static final double ENTRY_SECONDS = 5e-8;
     /** How much of a slow step is remembered from one step to the next. */
     private static final double MEMORY = 0.8;
 
@@ -28,13 +30,14 @@ final class Pace {
      * How many of the shots that are left to do next.
      *
      * @param now     kind of the present round
-     * @param receive elements that there are
+     * @param receive elements that there are, or entries of the coarse system per shot
      */
     int size(Order.Kind now, int receive, int left) {
         if (now != kind) {
             kind = now;
-            last = 0;
-            secondsPerShot = 0;
+            last = now == Order.Kind.ROWS ? left : 0;
+            secondsPerShot = now == Order.Kind.ROWS ? ENTRY_SECONDS * receive : 0;
+            elements = receive;
         }
         secondsPerShot *= (double) receive / Math.max(1, elements);
         elements = receive;

@@ -37,6 +37,7 @@ final class PartitionImpl implements Partition {
     private final int[][] shooters;
     private final Map<Shot.Place, List<Integer>> parts;
     private final Candidates candidates;
+    private BorderPoints border;
     /** Those of the coarse mesh while their rows are made; else null. */
     private CoarseReceivers coarse;
 
@@ -93,7 +94,7 @@ final class PartitionImpl implements Partition {
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
-            case GATHER -> gather(order, order.number() - 1);
+            case GATHER -> gather(order, points(order, false));
             default -> { }
         }
         return order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
@@ -102,10 +103,33 @@ final class PartitionImpl implements Partition {
     /** Mark what has shot, gather, subdivide. */
     private void shoot(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
-        gather(order, IntStream.range(0, nodes.vertices()).toArray());
+        gather(order, points(order, false));
         if (!order.more()) {
             subdivide(order.number());
         }
+    }
+
+    /** What it has in common with other hosts. */
+    BorderPoints border() {
+        border = border == null ? new BorderPoints(nodes) : border;
+        return border;
+    }
+
+    /** Whether other hosts gather where this one does not. */
+    boolean isShared() {
+        return border != null && border.isAgreed();
+    }
+
+    /** What other hosts did in this step, which have not told. */
+    void gatherTaken(Order order) {
+        gather(order, points(order, true));
+    }
+
+    /** Where is gathered: in a round that gathers only, at the points that the round before has made. */
+    private int[] points(Order order, boolean others) {
+        int[] all = order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
+                : IntStream.range(0, nodes.vertices()).toArray();
+        return border == null ? all : border.of(all, others);
     }
 
     /** Subdivide where it pays. */
@@ -140,13 +164,11 @@ final class PartitionImpl implements Partition {
         return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
     }
 
-    private void gather(Order order, int split) {
-        costs.split(split);
-        gather(order, nodes.verticesMade(split));
-    }
-
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Order order, int[] vertices) {
+        if (order.kind() == Order.Kind.GATHER) {
+            costs.split(order.number() - 1);
+        }
         receiveAmbient(order, vertices);
         Shooter[] source = receivers.shooters(order);
         FormFactorCalculator[] calculator = receivers.calculators(order);

@@ -27,6 +27,11 @@ sealed interface Planner permits ShootAndSort, Prediction, Unsorted, MatrixSolut
         return false;
     }
 
+    /** How many candidates it wants to be told at the beginning. */
+    default int wanted() {
+        return Integer.MAX_VALUE;
+    }
+
     /** Whether so little unshot flux, relative to the emitted, is the end. */
     default boolean isEnough(double unsent, double wanted) {
         return unsent <= wanted;

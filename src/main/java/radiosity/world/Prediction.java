@@ -203,6 +203,12 @@ final class Prediction implements Planner {
         return new Order(kind, 0, false, shots, tolerance, weight, meshError, EvenLight.of(world.mesh, shots), new double[0], false, 0, 0);
     }
 
+    /** It asks when it knows the coarse system. */
+    @Override
+    public int wanted() {
+        return 0;
+    }
+
     @Override
     public boolean isEnough(double unsent, double wanted) {
         return refined && unsent <= wanted;

@@ -51,7 +51,7 @@ public final class ProgressiveRadiosity {
      */
     public void run(RoundListener listener) throws IOException {
         prepare();
-        answer = world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE));
+        answer = world.answer(Order.plain(Order.Kind.ASK, planner.wanted()));
         tally.begin(answer);
         boolean goOn = true;
         while (goOn && !isDone()) {
@@ -141,7 +141,8 @@ public final class ProgressiveRadiosity {
             begin();
         }
         Order pending = agenda.round();
-        int size = Math.min(pending.shots().size(), pace.size(pending.kind(), answer.elements, pending.shots().size()));
+        int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : answer.elements;
+        int size = Math.min(pending.shots().size(), pace.size(pending.kind(), receive, pending.shots().size()));
         if (pending.kind() == Order.Kind.SHOOT) {
             size = Math.min(size, stop.shots() - tally.shots());
         }

@@ -40,11 +40,17 @@ public interface RemotePartition extends Remote {
     /** Takes all that was ever shot from the message that was sent. */
     void know(long session) throws RemoteException;
 
+    /** The keys of receiving points that other hosts may have, too, see {@link BorderPoints#name}. */
+    byte[] border(long session, boolean anew) throws RemoteException;
+
+    /** Takes from the message that was sent who gathers at which of them. */
+    void share(long session) throws RemoteException;
+
     /**
      * One round on the blocks that this host owns. The same number again is not done again.
      *
      * @param number 1, 2, ... in a session; what changes elements and what only asks is counted alike
-     * @param order  as {@link Partition#round} takes it
+     * @param order  as {@link Partition#round} takes it, then what others have gathered for it
      * @return a {@link Reply}
      */
     byte[] round(long session, long number, byte[] order) throws RemoteException;

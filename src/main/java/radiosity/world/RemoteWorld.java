@@ -41,6 +41,9 @@ public final class RemoteWorld extends World {
     private final StepsUnderWay underWay = new StepsUnderWay(calls);
     private final LongSupplier clock;
     private final BlockTransfer transfer;
+    private final PointExchange points;
+    /** Whether hosts have not told each other yet what they have gathered for each other. */
+    private boolean owed;
 
     /**
      * Opens a session with every host that can be reached.
@@ -61,22 +64,31 @@ public final class RemoteWorld extends World {
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);
+        points = new PointExchange(calls, mesh.faces.channels());
         Borders borders = new Borders(mesh);
         Forecast forecast = new Forecast(borders);
         dealing = new Dealing(forecast, borders);
-        balance = new Balance(forecast, dealing, patches());
+        balance = new Balance(forecast, dealing, patches(), mesh.clusters.clusters.size());
         checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS, patches() * CHECKPOINT_SECONDS_PER_PATCH);
         transfer = new BlockTransfer(dealing, log, calls);
         hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
                 new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
         hosts.open(links);
         recover();
+        if (mesh.gathersOnce()) {
+            points.agree(hosts.present());
+            recover();
+        }
     }
 
     @Override
     List<byte[]> round(Order order) throws IOException {
         finish(NOBODY);
-        order = order.isAnswered() ? order : order.naming(0);
+        admit(order);
+        return ask(order.isAnswered() ? order : order.naming(0));
+    }
+
+    private List<byte[]> ask(Order order) throws IOException {
         byte[] bytes = prepare(order);
         while (true) {
             underWay.begin(hosts.present(), order, bytes, now(), times.criticalPath());
@@ -96,10 +108,51 @@ public final class RemoteWorld extends World {
 
     @Override
     void begin(Order step, StepTimes told) throws IOException {
-        underWay.begin(hosts.present(), step, prepare(step), now(), times.criticalPath());
-        totals.count(step);
+        admit(step);
+        share(step);
+        boolean exchanged = step.isAnswered() && isShared(step);
+        send(exchanged ? step.naming(Order.GIVE) : step);
+        if (exchanged) {
+            finish(told);
+            underWay.add(step, ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least())));
+        }
         while (underWay.count() >= STEPS_AHEAD) {
             await(told);
+        }
+    }
+
+    private void send(Order step) throws IOException {
+        underWay.begin(hosts.present(), step, prepare(step), now(), times.criticalPath());
+        totals.count(step);
+        owed |= isShared(step);
+        if (step.kind() == Order.Kind.SPLIT) {
+            points.split();
+        }
+    }
+
+    /*---- Points that several hosts have ----*/
+
+    private boolean isShared(Order order) {
+        return order.gathers() && points.isOn();
+    }
+
+    /** Who gathers where, if that is not known. */
+    private void share(Order order) throws IOException {
+        if (mesh.gathersOnce() && order.gathers() && points.isOpen()) {
+            finish(NOBODY);
+            points.agree(hosts.present());
+            recover();
+        }
+    }
+
+    /** Makes hosts tell each other what they have gathered for each other up to now. */
+    private void exchange() {
+        if (owed) {
+            for (int what : new int[] {Order.GIVE, -1}) {
+                Order order = Order.plain(Order.Kind.ASK, what);
+                underWay.begin(hosts.present(), order, order.encode(), now(), times.criticalPath());
+                awaitAll(NOBODY);
+            }
         }
     }
 
@@ -145,8 +198,7 @@ public final class RemoteWorld extends World {
 
     /** Everything that comes before the hosts are told. */
     private byte[] prepare(Order order) throws IOException {
-        admit(order);
-        if (checkpoints.isDue() || log.bytes() > MOST_LOGGED) {
+        if (order.changes() && (checkpoints.isDue() || log.bytes() > MOST_LOGGED)) {
             blocks();
         }
         if (order.kind() == Order.Kind.GATHER) {
@@ -177,6 +229,10 @@ public final class RemoteWorld extends World {
             hosts.haveDone();
             times.add(step);
             balance.add(step.replies(), step.order());
+            if (step.order().most() == Order.GIVE) {
+                points.deliver(step.replies());
+                owed = false;
+            }
             if (step.order().changes()) {
                 checkpoints.add(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
             }
@@ -190,6 +246,7 @@ public final class RemoteWorld extends World {
         if (calls.isAnyLost()) {
             awaitAll(NOBODY);
             hosts.recover();
+            points.forget();
             underWay.mended();
         }
     }
@@ -204,6 +261,7 @@ public final class RemoteWorld extends World {
         if (come && hosts.isAlone()) {
             blocks();
             hosts.leaveAlone();
+            points.forget();
         } else if (come || due) {
             move(dealing.moves(hosts.present(), order.kind() == Order.Kind.GATHER));
         }
@@ -216,7 +274,9 @@ public final class RemoteWorld extends World {
             return;
         }
         long begin = now();
+        exchange();
         transfer.move(moves);
+        points.forget();
         balance.moved((now() - begin) * 1e-9);
     }
 
@@ -226,6 +286,7 @@ public final class RemoteWorld extends World {
     List<byte[]> blocks() throws IOException {
         finish(NOBODY);
         long begin = now();
+        exchange();
         while (true) {
             recover();
             List<byte[]> all = transfer.states(hosts.present());
@@ -241,6 +302,7 @@ public final class RemoteWorld extends World {
     void restore(List<byte[]> states) throws IOException {
         log.checkpoint(states);
         transfer.restore(hosts.present());
+        points.forget();
         recover();
         if (mesh.predicts()) {
             totals.set(super.totals(), hosts.present());

@@ -11,8 +11,9 @@ import java.util.List;
  * @param cpu     processor time that the round took, s
  * @param seconds wall time that the round took
  * @param work    1 per block that the host owns, in the order of their ids
+ * @param given   for other hosts, see {@link BorderPoints}; or empty
  */
-record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work) {
+record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work, byte[] given) {
 
     byte[] encode() {
         return Wire.bytes(out -> {
@@ -23,6 +24,7 @@ record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work) {
                 block.write(out);
             }
             Wire.write(out, answer);
+            Wire.write(out, given);
         });
     }
 
@@ -34,7 +36,7 @@ record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work) {
         for (int b = 0; b < work.length; b++) {
             work[b] = BlockWork.read(in);
         }
-        return new Reply(Wire.bytes(in), cpu, seconds, List.of(work));
+        return new Reply(Wire.bytes(in), cpu, seconds, List.of(work), Wire.bytes(in));
     }
 
     int elements() {

@@ -2,9 +2,11 @@ package radiosity.world;
 
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.Shooter;
+import radiosity.patch.RadiosityNodes;
 
 /** Takes down what one receiving point sees of which element, instead of adding it up: a row of {@link CoarseSystem}. */
 final class Rows implements Gathering {
@@ -38,15 +40,42 @@ final class Rows implements Gathering {
         closed = size;
     }
 
-    /** Number of elements, then face, path and the weights of the three corners of each. */
-    void write(DataOutputStream out) throws IOException {
-        out.writeInt(size);
+    /**
+     * Number of elements, then for each its node and the weights of its three corners.
+     *
+     * @param nodes the coarse mesh
+     */
+    void write(RadiosityNodes nodes, DataOutputStream out) throws IOException {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + size * entryBytes(nodes)).putInt(size);
         for (int i = 0; i < size; i++) {
-            out.writeInt(shooter[i].face(leaf[i]));
-            out.writeLong(shooter[i].path(leaf[i]));
+            int node = nodes.find(shooter[i].face(leaf[i]), shooter[i].path(leaf[i]));
+            if (isWide(nodes)) {
+                bytes.putInt(node);
+            } else {
+                bytes.putChar((char) node);
+            }
             for (int k = 0; k < 3; k++) {
-                out.writeFloat((float) weight[3 * i + k]);
+                bytes.putFloat((float) weight[3 * i + k]);
             }
         }
+        out.write(bytes.array());
+    }
+
+    /** What an element takes when written. */
+    static int entryBytes(RadiosityNodes nodes) {
+        return (isWide(nodes) ? Integer.BYTES : Character.BYTES) + 3 * Float.BYTES;
+    }
+
+    private static boolean isWide(RadiosityNodes nodes) {
+        return nodes.nodes() > Character.MAX_VALUE;
+    }
+
+    /** The node of an element that was written. */
+    static int node(RadiosityNodes nodes, ByteBuffer in) throws IOException {
+        int node = isWide(nodes) ? in.getInt() : in.getChar();
+        if (node < 0 || node >= nodes.nodes() || !nodes.isElement(node)) {
+            throw new IOException("row: expected an element, got node " + node + " of " + nodes.nodes());
+        }
+        return node;
     }
 }

@@ -175,6 +175,30 @@ final class ServedPartition implements RemotePartition {
     }
 
     @Override
+    public byte[] border(long id, boolean anew) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            try {
+                return session.blocks.border(anew);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Override
+    public void share(long id) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            try {
+                session.blocks.share(Wire.input(message(session)));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Override
     public byte[] round(long id, long number, byte[] order) throws SessionEndedException {
         Session session = session(id);
         synchronized (session) {
@@ -210,7 +234,8 @@ final class ServedPartition implements RemotePartition {
         try {
             byte[] answer = blocks.round(order);
             double spent = processor.seconds() - cpu;
-            return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent)).encode();
+            return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent),
+                    blocks.given()).encode();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -67,7 +67,8 @@ final class StepsUnderWay {
         Map<Host, FutureTask<Reply>> running = new LinkedHashMap<>();
         for (Host host : hosts) {
             long number = host.nextRound();
-            running.put(host, host.begin(() -> host.round(number, bytes)));
+            byte[] all = host.withGift(bytes);
+            running.put(host, host.begin(() -> host.round(number, all)));
         }
         steps.add(new Step(order, now, given, running));
     }
@@ -96,6 +97,11 @@ final class StepsUnderWay {
     /** The answers to the step that was done last, which is then not to be read. */
     List<byte[]> last() {
         return unread.removeLast().answers();
+    }
+
+    /** Keeps what was asked about a step afterwards, to be read. */
+    void add(Order step, List<byte[]> answers) {
+        unread.add(new Answered(step, answers));
     }
 
     boolean isAnyAnswered() {

@@ -76,7 +76,7 @@ final class IdealHost {
         int all = answer.candidates.size();
         Collections.rotate(answer.candidates, (int) (number % TURNS) * all / TURNS);
         answer.candidates.subList(Math.max(0, Math.min(order.most(), all / TURNS)), all).clear();
-        byte[] reply = new Reply(Wire.bytes(answer::write), SECONDS, SECONDS, first.work().stream().map(IdealHost::done).toList())
+        byte[] reply = new Reply(Wire.bytes(answer::write), SECONDS, SECONDS, first.work().stream().map(IdealHost::done).toList(), new byte[0])
                 .encode();
         for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
             LockSupport.parkNanos(left);

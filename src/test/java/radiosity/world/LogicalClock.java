@@ -183,7 +183,7 @@ final class LogicalClock {
     /** Wall time as it would be if nobody else were at work there. */
     private static byte[] onIdleMachine(byte[] reply, double times) throws IOException {
         Reply here = Reply.decode(reply);
-        return new Reply(here.answer(), here.cpu(), times * here.cpu(), here.work()).encode();
+        return new Reply(here.answer(), here.cpu(), times * here.cpu(), here.work(), here.given()).encode();
     }
 
     /*---- What came of it ----*/

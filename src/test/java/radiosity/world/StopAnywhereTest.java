@@ -39,8 +39,12 @@ class StopAnywhereTest {
 
     @Test
     void prediction_isAskedWhileItsRowsAreMade() throws IOException {
+        ProgressiveRadiosity radiosity = new ProgressiveRadiosity(new LocalWorld(SCENE, settings(Schedule.PREDICT), 2), shots(100),
+                Double.MIN_VALUE);
+        int[] left = {2};
+        radiosity.run(progress -> --left[0] > 0);
+        assertEquals(0, radiosity.solution().shots());
         assertEquals(0, stopped(Schedule.PREDICT, 1).shots());
-        assertEquals(0, stopped(Schedule.PREDICT, 2).shots());
     }
 
     /** What was shot before has not reached them: their light and the ledger are those of before they were made. */

@@ -1,0 +1,154 @@
+package radiosity.world;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.stream.IntStream;
+import radiosity.patch.Hash;
+import radiosity.patch.RadiosityNodes;
+
+/**
+ * Receiving points that several hosts have: by prediction one of them gathers there, and the others are given what it has
+ * got before anybody looks at their elements. A point that a split made is the same where it was made by the same split:
+ * it was dark then.
+ */
+final class BorderPoints {
+
+    /** What a host has to do with one of them. */
+    enum Role { ALONE, GIVES, TAKES }
+
+    private final RadiosityNodes nodes;
+    /** Nodes and vertices that were looked at for others. */
+    private int lookedAt;
+    private int known;
+    /** The points that were named last. */
+    private int[] named = {};
+    /** Of what was agreed; 0 where nothing was. */
+    private int agreement;
+    private int[] given = {};
+    private int[] taken = {};
+    private final BitSet isTaken = new BitSet();
+
+    BorderPoints(RadiosityNodes nodes) {
+        this.nodes = nodes;
+    }
+
+    /**
+     * Names those on the border of what this host has.
+     *
+     * @param anew whether all, and not only those that were made since
+     * @return what they are, whoever has them: 8 bytes each
+     */
+    byte[] name(boolean anew) {
+        if (anew) {
+            lookedAt = known = agreement = 0;
+            given = new int[0];
+            taken = new int[0];
+            isTaken.clear();
+        }
+        named = IntStream.of(ends(edges())).filter(v -> v >= known).toArray();
+        lookedAt = nodes.nodes();
+        known = nodes.vertices();
+        ByteBuffer keys = ByteBuffer.allocate(Long.BYTES * named.length);
+        IntStream.of(named).forEach(v -> keys.putLong(key(v)));
+        return keys.array();
+    }
+
+    /** The same for whoever would gather the same there. */
+    private long key(int v) {
+        long key = Hash.mix(nodes.vertexKey(v), nodes.made(v));
+        key = Hash.mix(key, nodes.faces().plane(nodes.vertexFace(v)));
+        for (int a = 0; a < 3; a++) {
+            key = Hash.mix(key, Float.floatToIntBits(nodes.receivers()[3 * v + a]));
+        }
+        return key;
+    }
+
+    /** Of elements that were not looked at yet: two vertices each. */
+    private long[] edges() {
+        long[] edges = new long[3 * (nodes.nodes() - lookedAt)];
+        int count = 0;
+        for (int node = lookedAt; node < nodes.nodes(); node++) {
+            for (int k = 0; k < 3 && nodes.isElement(node); k++) {
+                long p = nodes.corner(node, k);
+                long q = nodes.corner(node, (k + 1) % 3);
+                edges[count++] = Math.min(p, q) << Integer.SIZE | Math.max(p, q);
+            }
+        }
+        return Arrays.copyOf(edges, count);
+    }
+
+    /** The ends of those that belong to one element only. */
+    private static int[] ends(long[] edges) {
+        Arrays.sort(edges);
+        BitSet ends = new BitSet();
+        for (int i = 0, next; i < edges.length; i = next) {
+            next = i + 1;
+            while (next < edges.length && edges[next] == edges[i]) {
+                next++;
+            }
+            if (next == i + 1) {
+                ends.set((int) (edges[i] >> Integer.SIZE));
+                ends.set((int) edges[i]);
+            }
+        }
+        return ends.stream().toArray();
+    }
+
+    /** @param roles number of the agreement, then for each that was named what to do with it */
+    void agree(DataInputStream roles) throws IOException {
+        agreement = roles.readInt();
+        byte[] role = Wire.exactly(roles, named.length);
+        given = IntStream.concat(IntStream.of(given), withRole(role, Role.GIVES)).toArray();
+        taken = IntStream.concat(IntStream.of(taken), withRole(role, Role.TAKES)).toArray();
+        IntStream.of(taken).forEach(isTaken::set);
+        named = new int[0];
+    }
+
+    private IntStream withRole(byte[] role, Role wanted) {
+        return IntStream.range(0, role.length).filter(i -> role[i] == wanted.ordinal()).map(i -> named[i]);
+    }
+
+    boolean isAgreed() {
+        return agreement != 0;
+    }
+
+    /** Of some points those where this host gathers, or those where others do. */
+    int[] of(int[] points, boolean others) {
+        return IntStream.of(points).filter(v -> isTaken.get(v) == others).toArray();
+    }
+
+    /** For others: number of the agreement, then channels per point. */
+    byte[] give() {
+        double[] irradiance = nodes.light().irradiance();
+        int channels = nodes.channels();
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + Double.BYTES * channels * given.length).putInt(agreement);
+        for (int v : given) {
+            for (int c = 0; c < channels; c++) {
+                bytes.putDouble(irradiance[channels * v + c]);
+            }
+        }
+        return bytes.array();
+    }
+
+    /**
+     * @param gift number of the agreement, then channels per point that is taken
+     * @return whether it was of this agreement: if not, nothing is changed
+     */
+    boolean take(DataInputStream gift) throws IOException {
+        if (gift.readInt() != agreement) {
+            return false;
+        }
+        double[] irradiance = nodes.light().irradiance();
+        int channels = nodes.channels();
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(gift, Double.BYTES * channels * taken.length));
+        for (int v : taken) {
+            for (int c = 0; c < channels; c++) {
+                irradiance[channels * v + c] = bytes.getDouble();
+            }
+        }
+        return true;
+    }
+}

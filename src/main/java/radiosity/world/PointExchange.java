@@ -1,0 +1,145 @@
+package radiosity.world;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import radiosity.world.BorderPoints.Role;
+
+/**
+ * Who of several hosts gathers at a point that all of them have, and how the others get to know: what {@link BorderPoints}
+ * are for the master. It saves time, and nothing depends on it: a host that is given nothing gathers itself.
+ */
+final class PointExchange {
+
+    private final HostCalls calls;
+    private final int channels;
+    private int agreement;
+    /** Whether blocks are dealt as they were when this was agreed, and about all points. */
+    private boolean isAgreed;
+    private boolean isWhole;
+    /** Per host: what it takes, in its order. */
+    private final Map<Host, List<Source>> sources = new LinkedHashMap<>();
+    /** How many points each host gathers at for others. */
+    private final Map<Host, Integer> given = new LinkedHashMap<>();
+
+    /** Where what a host takes comes from: place among what the other gives. */
+    private record Source(Host from, int place) { }
+
+    /** One of the border points of a host. */
+    private record Holder(Host host, int place) { }
+
+    PointExchange(HostCalls calls, int channels) {
+        this.calls = calls;
+        this.channels = channels;
+    }
+
+    /** Some hosts have other blocks now. */
+    void forget() {
+        isAgreed = false;
+    }
+
+    /** Whether some points are gathered at by one host for others. */
+    boolean isOn() {
+        return isAgreed && sources.values().stream().anyMatch(all -> !all.isEmpty());
+    }
+
+    /** Some elements were split: about new points nothing was agreed yet. */
+    void split() {
+        isWhole = false;
+    }
+
+    /** Whether there may be points about which nothing was agreed. */
+    boolean isOpen() {
+        return !isAgreed || !isWhole;
+    }
+
+    /** Agrees on what nothing was agreed about. */
+    void agree(Collection<Host> hosts) {
+        boolean anew = !isAgreed;
+        agreement++;
+        Map<Host, byte[]> keys = calls.onAll(hosts, host -> host.border(anew));
+        if (anew) {
+            sources.clear();
+            given.clear();
+        }
+        Map<Host, byte[]> roles = roles(keys);
+        route(keys, roles);
+        calls.onAll(roles.keySet(), host -> host.share(agreement, roles.get(host)));
+        isAgreed = !calls.isAnyLost();
+        isWhole = true;
+    }
+
+    /** Of those who have a point one gathers there; which one, is as good as at random. */
+    private static Map<Host, byte[]> roles(Map<Host, byte[]> keys) {
+        Map<Host, byte[]> roles = new LinkedHashMap<>();
+        Map<Long, List<Holder>> holders = new LinkedHashMap<>();
+        keys.forEach((host, bytes) -> {
+            roles.put(host, new byte[bytes.length / Long.BYTES]);
+            for (int i = 0; i < roles.get(host).length; i++) {
+                holders.computeIfAbsent(key(bytes, i), k -> new ArrayList<>(2)).add(new Holder(host, i));
+            }
+        });
+        holders.forEach((key, all) -> {
+            int giver = Math.floorMod(Long.hashCode(key), all.size());
+            for (int i = 0; i < all.size() && all.size() > 1; i++) {
+                roles.get(all.get(i).host)[all.get(i).place] = (byte) (i == giver ? Role.GIVES : Role.TAKES).ordinal();
+            }
+        });
+        return roles;
+    }
+
+    private static long key(byte[] keys, int place) {
+        return ByteBuffer.wrap(keys).getLong(Long.BYTES * place);
+    }
+
+    /** Hosts give and take in the order in which they have named points. */
+    private void route(Map<Host, byte[]> keys, Map<Host, byte[]> roles) {
+        Map<Long, Source> gifts = new HashMap<>();
+        roles.forEach((host, role) -> {
+            sources.computeIfAbsent(host, h -> new ArrayList<>());
+            for (int i = 0; i < role.length; i++) {
+                if (role[i] == Role.GIVES.ordinal()) {
+                    gifts.put(key(keys.get(host), i), new Source(host, given.merge(host, 1, Integer::sum) - 1));
+                }
+            }
+        });
+        roles.forEach((host, role) -> {
+            for (int i = 0; i < role.length; i++) {
+                if (role[i] == Role.TAKES.ordinal()) {
+                    sources.get(host).add(gifts.get(key(keys.get(host), i)));
+                }
+            }
+        });
+    }
+
+    /** Gives to each host what others have gathered for it; nothing where somebody has not said it. */
+    void deliver(Map<Host, Reply> replies) {
+        boolean all = isAgreed && replies.keySet().containsAll(sources.keySet())
+                && replies.values().stream().allMatch(reply -> agreement(reply) == agreement);
+        sources.forEach((host, from) -> {
+            if (all) {
+                host.gift = gift(from, replies);
+            }
+        });
+    }
+
+    private static int agreement(Reply reply) {
+        return reply.given().length < Integer.BYTES ? 0 : ByteBuffer.wrap(reply.given()).getInt();
+    }
+
+    private byte[] gift(List<Source> from, Map<Host, Reply> replies) {
+        int bytes = Double.BYTES * channels;
+        byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
+                Integer.BYTES + bytes * from.size());
+        for (int i = 0; i < from.size(); i++) {
+            System.arraycopy(replies.get(from.get(i).from).given(), Integer.BYTES + bytes * from.get(i).place, gift,
+                    Integer.BYTES + bytes * i, bytes);
+        }
+        return gift;
+    }
+}
