@@ -170,28 +170,31 @@ public final class MeasureDistribution {
         return values.stream().sorted().toList().get(values.size() / 2);
     }
 
-    /** One thread here, one host, two hosts: the last of some runs of each, as the first ones warm up the JVMs. */
+    /**
+     * One host and two others, in turns once their JVMs are warm: the machine's speed differs by a third from one minute
+     * to the next, so that only what is measured side by side may be compared.
+     */
     private void real() throws IOException {
-        RadiositySettings settings = paper(300, 10);
-        StopRule stop = new StopRule(3000, 0);
-        double[] local = {0, 0, 0};
-        for (int i = 0; i < WARM; i++) {
-            local = timed(new LocalWorld(scene, settings, 1), stop, List.of());
-        }
-        print("this process, one thread: wall %.2f s, CPU %.2f s", local[0], local[1]);
-        double[] one = {0, 0, 0};
-        for (int n = 1; n <= 2; n++) {
-            List<HostProcess> hosts = HostProcess.start(n, SERVER, "-Xmx512m", "-XX:+UseParallelGC");
-            double[] got = {0, 0, 0};
-            for (int i = 0; i < WARM; i++) {
-                try (RemoteWorld world = world(hosts, settings)) {
-                    got = timed(world, stop, hosts);
-                }
+        List<HostProcess> one = HostProcess.start(1, SERVER, "-Xmx512m", "-XX:+UseParallelGC");
+        List<HostProcess> two = HostProcess.start(2, SERVER, "-Xmx512m", "-XX:+UseParallelGC");
+        List<Double> speedups = new ArrayList<>();
+        for (int i = 0; i < WARM + TURNS; i++) {
+            double[] alone = hosted(one);
+            double[] both = hosted(two);
+            if (i >= WARM) {
+                speedups.add(alone[0] / both[0]);
+                print("one host: wall %.2f s, CPU %.2f s; two: wall %.2f s, CPU %.2f s; of it the master %.2f and %.2f s;"
+                        + " speedup %.2f", alone[0], alone[1], both[0], both[1], alone[2], both[2], alone[0] / both[0]);
             }
-            HostProcess.end(hosts);
-            one = n == 1 ? got : one;
-            print("%d host(s): wall %.2f s, CPU %.2f s (of it the master %.2f); speedup over one host %.2f", n, got[0],
-                    got[1], got[2], one[0] / got[0]);
+        }
+        HostProcess.end(one);
+        HostProcess.end(two);
+        print("speedup of two hosts over one: %.2f in the middle of %d turns", median(speedups), TURNS);
+    }
+
+    private double[] hosted(List<HostProcess> hosts) throws IOException {
+        try (RemoteWorld world = world(hosts, paper(300, 10))) {
+            return timed(world, new StopRule(3000, 0), hosts);
         }
     }
 
