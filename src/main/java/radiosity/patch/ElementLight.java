@@ -54,9 +54,12 @@ public final class ElementLight {
 
     /** Irradiance H at corner k of an element, W/m²: that of its vertex, or the mean of the others if it is buried. */
     public double irradiance(int node, int k, int channel) {
-        if (!points.isBuried(tree.corner(node, k))) {
-            return arrived(tree.corner(node, k), channel);
-        }
+        int v = tree.corner(node, k);
+        return points.isBuried(v) ? ofOthers(node, channel) : arrived(v, channel);
+    }
+
+    /** The mean over those corners that are not buried, W/m². */
+    private double ofOthers(int node, int channel) {
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
@@ -140,9 +143,12 @@ public final class ElementLight {
     /** The same at all corners, see {@link PatchTree.Quantity}. */
     public void unshot(int node, double[] values, int at) {
         for (int c = 0; c < channels; c++) {
+            double exitance = nodes.exitance(node, c);
+            double reflectance = nodes.reflectance(node, c);
             double bulge = bulge(node, c);
             for (int k = 0; k < 3; k++) {
-                values[at + channels * k + c] = unshot(node, k, c, bulge);
+                values[at + channels * k + c] = exitance + reflectance * irradiance(node, k, c) - shot(node, k, c)
+                        + reflectance * bulge;
             }
         }
     }
