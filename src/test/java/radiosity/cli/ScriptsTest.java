@@ -78,9 +78,10 @@ class ScriptsTest {
             assertTrue(twin.contains(option.group()) || option.group().contains("Archive"), option.group());
         }
         assertTrue(twin.contains("if not defined JAVA_OPTS"), "the JVM's own words are not shown with them");
-        for (String name : new String[] {"RadiosityRenderer", "PartitionServer"}) {
-            assertTrue(Files.readString(Path.of("scripts", name)).contains("directives=$here/compiler.json"));
-            assertTrue(Files.readString(Path.of("scripts", name + ".cmd"))
+        for (String name : new String[] {"RadiosityRenderer", "PartitionServer", "ViewSceneFile"}) {
+            boolean ends = name.equals("RadiosityRenderer");
+            assertEquals(ends, Files.readString(Path.of("scripts", name)).contains("directives=$here/compiler.json"), name);
+            assertEquals(ends, Files.readString(Path.of("scripts", name + ".cmd"))
                     .contains("set \"DIRECTIVES=%~dp0compiler.json\""), name);
         }
     }
