@@ -145,15 +145,19 @@ public final class RemoteWorld extends World {
         }
     }
 
-    /** Makes hosts tell each other what they have gathered for each other up to now. */
+    /** Makes hosts tell each other what they have gathered for each other up to now; nothing is under way. */
     private void exchange() {
         if (owed) {
-            for (int what : new int[] {Order.GIVE, -1}) {
-                Order order = Order.plain(Order.Kind.ASK, what);
-                underWay.begin(hosts.present(), order, order.encode(), now(), times.criticalPath());
-                awaitAll(NOBODY);
-            }
+            tell(Order.plain(Order.Kind.ASK, Order.GIVE));
+            tell(Order.plain(Order.Kind.ASK, -1));
         }
+    }
+
+    /** Something that changes no element, and is not answered. */
+    private void tell(Order order) {
+        underWay.begin(hosts.present(), order, order.encode(), now(), times.criticalPath());
+        awaitAll(NOBODY);
+        underWay.forget();
     }
 
     @Override

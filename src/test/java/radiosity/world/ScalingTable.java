@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import radiosity.lightwave.LightWaveOptions;
@@ -14,11 +15,13 @@ import radiosity.scene.Scene;
  * <p>All hosts are in this process, each with one thread, on a {@link LogicalClock}: the wall time is that of the
  * slowest host in every call, what the calls cost on a network, and the processor time of the master's thread, which
  * has a second one to help it. Speedup is over a calculation in one process, on one thread, just before: a busy machine
- * is not always as busy. All is done once before it is measured, as hosts serve many renders.
+ * is not always as busy. All is done once before it is measured, as hosts serve many renders, and then some times: what
+ * is printed are medians.
  */
 public final class ScalingTable {
 
     private static final double WARM_UP_SECONDS = 5;
+    private static final int TURNS = 3;
     /** Of the master. */
     private static final int THREADS = 2;
 
@@ -39,7 +42,7 @@ public final class ScalingTable {
             try (RemoteWorld world = world(scene, settings, hosts, new LogicalClock())) {
                 new ProgressiveRadiosity(world, stop).run(progress -> true);
             }
-            print(scene, settings, stop, hosts, alone(scene, settings, stop));
+            print(scene, settings, stop, hosts);
         }
     }
 
@@ -72,7 +75,19 @@ public final class ScalingTable {
         return (BlockCosts.now() - begin) * 1e-9;
     }
 
-    private static void print(Scene scene, RadiositySettings settings, StopRule stop, int hosts, double local)
+    /** The median of each column over some turns. */
+    private static void print(Scene scene, RadiositySettings settings, StopRule stop, int hosts) throws IOException {
+        double[][] turns = new double[TURNS][];
+        for (int t = 0; t < TURNS; t++) {
+            turns[t] = measure(scene, settings, stop, hosts, alone(scene, settings, stop));
+        }
+        Object[] row = new Object[turns[0].length];
+        Arrays.setAll(row, i -> Arrays.stream(turns).mapToDouble(turn -> turn[i]).sorted().toArray()[TURNS / 2]);
+        System.out.printf(Locale.ROOT, "%5.0f %,9.0f %8.2f %6.0f %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", row);
+    }
+
+    /** @param local processor time of one process, s */
+    private static double[] measure(Scene scene, RadiositySettings settings, StopRule stop, int hosts, double local)
             throws IOException {
         LogicalClock clock = new LogicalClock();
         try (RemoteWorld world = world(scene, settings, hosts, clock)) {
@@ -82,10 +97,9 @@ public final class ScalingTable {
             double wall = clock.seconds() - begin;
             List<HostStatistics> all = world.statistics().hosts();
             double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
-            int elements = all.stream().mapToInt(HostStatistics::elements).sum();
-            System.out.printf(Locale.ROOT, "%5d %,9d %8.2f %6d %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", hosts,
-                    elements, local, clock.calls() / hosts, clock.cpu(), clock.busiest(), wall - clock.waited(),
-                    clock.bytes() / 1e6, wall, local / wall, local / wall / hosts, 100 * idle);
+            double elements = all.stream().mapToInt(HostStatistics::elements).sum();
+            return new double[] {hosts, elements, local, clock.calls() / hosts, clock.cpu(), clock.busiest(),
+                wall - clock.waited(), clock.bytes() / 1e6, wall, local / wall, local / wall / hosts, 100 * idle};
         }
     }
 }
