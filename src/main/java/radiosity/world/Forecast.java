@@ -81,7 +81,7 @@ final class Forecast {
     /** Per point that two blocks have in common in the initial mesh; a mesh that was divided has more on a border. */
     private double saved(int b, int c, double[] seconds) {
         double finer = Math.max(1, Math.min(points[b] / borders.points(b), points[c] / borders.points(c)));
-        return Math.sqrt(finer) * (seconds[b] / points[b] + seconds[c] / points[c]) / 2;
+        return Math.sqrt(finer) * Math.min(seconds[b] / points[b], seconds[c] / points[c]);
     }
 
     /** Whether times were measured, and are not only relative. */
