@@ -33,7 +33,10 @@ final class Clusters {
     /** Subtrees of clusters of which blocks have parts only. */
     private final Set<Shot.Place> cut = new HashSet<>();
 
-    /** @param wanted about how many clusters; {@code fine} about how many blocks */
+    /**
+     * @param wanted about how many clusters
+     * @param fine   about how many blocks
+     */
     Clusters(Patcher patcher, int wanted, int fine) {
         clusters = Partitioner.blocks(patcher, wanted);
         first = new int[clusters.size() + 1];
@@ -43,7 +46,7 @@ final class Clusters {
             blocks.addAll(within);
             first[cluster.id() + 1] = blocks.size();
             cut.addAll(places(cluster));
-            within.forEach(block -> cut.removeAll(places(block)));
+            within.forEach(block -> places(block).forEach(cut::remove));
         }
     }
 
@@ -73,7 +76,10 @@ final class Clusters {
         return parts;
     }
 
-    /** @param shots one of each block, in any order; @return one of each cluster, most flux first */
+    /**
+     * @param shots one of each block, in any order
+     * @return one of each cluster, most flux first
+     */
     List<Shot> join(List<Shot> shots, Crew crew) {
         Shot[] ofBlock = new Shot[blocks.size()];
         shots.forEach(shot -> ofBlock[number.get(shot.place())] = shot);
