@@ -161,8 +161,8 @@ final class InitialMesh {
 
     /** What two calculations must have in common for one to go on from the other. */
     String fingerprint() {
-        return String.format(Locale.ROOT, "scene %016x, -pa %s -nr %d -mt %s --schedule %s", digest(), patchArea(),
-                rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT))
+        return String.format(Locale.ROOT, "scene %016x in %d blocks, -pa %s -nr %d -mt %s --schedule %s", digest(),
+                blocks.size(), patchArea(), rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT))
                 + (settings.layers() ? " --layers" : "")
                 + (settings.factors() == FormFactors.RAYCAST ? ""
                 : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT));
