@@ -134,68 +134,59 @@ final class ServedPartition implements RemotePartition {
         return message;
     }
 
-    @Override
-    public byte[] mesh(long id) throws SessionEndedException {
+    /** What is computed for a session. */
+    private interface Work<T> {
+        T on(Session session) throws IOException;
+    }
+
+    private <T> T inSession(long id, Work<T> work) throws SessionEndedException {
         Session session = session(id);
         synchronized (session) {
             try {
-                SceneBytes.Task task = SceneBytes.read(message(session));
-                session.mesh = new InitialMesh(task.scene(), task.settings());
-                session.blocks = new HostedBlocks(session.mesh, threads);
-                return session.mesh.fingerprint().getBytes(StandardCharsets.UTF_8);
+                return work.on(session);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
         }
+    }
+
+    @Override
+    public byte[] mesh(long id) throws SessionEndedException {
+        return inSession(id, session -> {
+            SceneBytes.Task task = SceneBytes.read(message(session));
+            session.mesh = new InitialMesh(task.scene(), task.settings());
+            session.blocks = new HostedBlocks(session.mesh, threads);
+            return session.mesh.fingerprint().getBytes(StandardCharsets.UTF_8);
+        });
     }
 
     @Override
     public byte[] take(long id) throws SessionEndedException {
-        Session session = session(id);
-        synchronized (session) {
-            try {
-                List<byte[]> answers = session.blocks.take(Adoption.decode(message(session)));
-                return Wire.bytes(out -> Wire.write(out, answers));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        }
+        return inSession(id, session -> {
+            List<byte[]> answers = session.blocks.take(Adoption.decode(message(session)));
+            return Wire.bytes(out -> Wire.write(out, answers));
+        });
     }
 
     @Override
     public void know(long id) throws SessionEndedException {
-        Session session = session(id);
-        synchronized (session) {
-            try {
-                session.blocks.know(Wire.shots(Wire.input(message(session))));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        }
+        inSession(id, session -> {
+            session.blocks.know(Wire.shots(Wire.input(message(session))));
+            return null;
+        });
     }
 
     @Override
     public byte[] border(long id, boolean anew) throws SessionEndedException {
-        Session session = session(id);
-        synchronized (session) {
-            try {
-                return session.blocks.border(anew);
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        }
+        return inSession(id, session -> session.blocks.border(anew));
     }
 
     @Override
     public void share(long id) throws SessionEndedException {
-        Session session = session(id);
-        synchronized (session) {
-            try {
-                session.blocks.share(Wire.input(message(session)));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        }
+        inSession(id, session -> {
+            session.blocks.share(Wire.input(message(session)));
+            return null;
+        });
     }
 
     @Override
