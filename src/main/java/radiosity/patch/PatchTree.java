@@ -78,13 +78,37 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         }
     }
 
-    /** The sum of this and another one with the same elements. */
+    /** The sum of this and another one below the same node, on the elements of both. */
     public PatchTree plus(PatchTree other) {
-        double[] sum = radiosity.clone();
+        int[] both = Arrays.equals(child, other.child) ? child : ofBoth(child, other.child);
+        double[] sum = divided(both).radiosity.clone();
+        double[] added = other.divided(both).radiosity;
         for (int i = 0; i < sum.length; i++) {
-            sum[i] += other.radiosity[i];
+            sum[i] += added[i];
         }
-        return new PatchTree(face, path, child, sum);
+        return new PatchTree(face, path, both, sum);
+    }
+
+    /** A tree that goes as deep as the deeper one of two everywhere, as {@link #child}. */
+    private static int[] ofBoth(int[] a, int[] b) {
+        int most = a.length + b.length;
+        int[] child = new int[most];
+        int[] inA = new int[most];
+        int[] inB = new int[most];
+        int next = 1;
+        for (int i = 0; i < next; i++) {
+            int inner = Math.max(below(a, inA[i]), below(b, inB[i]));
+            child[i] = inner < 0 ? -1 : next;
+            for (int k = 0; k < 4 && inner >= 0; k++, next++) {
+                inA[next] = below(a, inA[i]) < 0 ? -1 : a[inA[i]] + k;
+                inB[next] = below(b, inB[i]) < 0 ? -1 : b[inB[i]] + k;
+            }
+        }
+        return Arrays.copyOf(child, next);
+    }
+
+    private static int below(int[] child, int i) {
+        return i < 0 ? -1 : child[i];
     }
 
     private static int[] breadthFirst(RadiosityNodes nodes, int top) {

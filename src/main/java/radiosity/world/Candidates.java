@@ -43,10 +43,14 @@ final class Candidates {
         });
         int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
-        crew.run(named.length, i -> candidates[i] = mesh.rounding.of(
-                Shot.of(nodes, shooters[named[i]], flux[named[i]], nodes.light()::unshot)));
+        crew.run(named.length, i -> candidates[i] = mesh.rounding.of(candidate(named[i])));
         answer.candidates.addAll(List.of(candidates));
         return answer;
+    }
+
+    private Shot candidate(int shooter) {
+        Shot whole = Shot.of(nodes, shooters[shooter], flux[shooter], nodes.light()::unshot);
+        return mesh.shootsClusters() ? whole.pruned(mesh.coarse) : whole;
     }
 
     /** The sums over some shooters. */

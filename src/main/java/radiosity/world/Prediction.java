@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import radiosity.patch.Faces;
 import radiosity.patch.Weights;
 
@@ -123,10 +124,20 @@ final class Prediction implements Planner {
         return order(Order.Kind.SHOOT, shots);
     }
 
-    /** All that have something to shoot; in closed rooms all, as what they have in common is taken off. */
+    /**
+     * All that have something to shoot, or will have if that is foreseen; in closed rooms all, as what they have in common
+     * is taken off.
+     */
     private List<Shot> candidates() throws IOException {
         List<Shot> all = world.joined(world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE)).candidates);
-        return all.stream().filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0).toList();
+        return all.stream().filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0 || coarse != null && reflects(shot))
+                .toList();
+    }
+
+    private boolean reflects(Shot shot) {
+        Faces faces = world.mesh.faces;
+        return shot.trees().stream().anyMatch(tree -> IntStream.range(0, faces.channels())
+                .anyMatch(c -> faces.reflectance(tree.face(), c) > 0));
     }
 
     /** With what will become of them; null where it was not to go on. */

@@ -10,6 +10,8 @@ import radiosity.formfactor.Shooter;
 import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
 import radiosity.patch.PatchTree;
+import radiosity.patch.Patcher;
+import radiosity.patch.PrunedTree;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Weights;
 
@@ -44,6 +46,11 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
     /** Tells shooters apart. */
     Place place() {
         return new Place(trees.get(0).face(), trees.get(0).path());
+    }
+
+    /** The same on as few elements, none larger than a patch of a mesh. */
+    Shot pruned(Patcher mesh) {
+        return new Shot(trees.stream().map(tree -> PrunedTree.of(tree, mesh.level(tree.face()))).toList(), flux);
     }
 
     int channels() {

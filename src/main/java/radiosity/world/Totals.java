@@ -42,8 +42,7 @@ final class Totals {
 
     /** What is shot now. */
     void add(List<Shot> shots) {
-        shots.forEach(shot -> shot.trees().forEach(tree ->
-                trees.put(top(tree), divided(tree).plus(tree))));
+        shots.forEach(shot -> shot.trees().forEach(tree -> trees.merge(top(tree), tree, PatchTree::plus)));
     }
 
     /** What those have shot whose trees are these, on all of their elements. */
