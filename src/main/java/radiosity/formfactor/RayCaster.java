@@ -86,6 +86,7 @@ public final class RayCaster implements FormFactorCalculator {
         double carried = factor * strength * (1 + NEAR * near);
         int first = s.child[node];
         if (first >= 0 && carried > tolerance) {
+            s.open(node);
             for (int k = 0; k < 4; k++) {
                 enter(px, py, pz, nx, ny, nz, key, s, first + k, gathering);
             }

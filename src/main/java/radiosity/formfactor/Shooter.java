@@ -1,5 +1,8 @@
 package radiosity.formfactor;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.util.Arrays;
 import java.util.List;
 import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
@@ -17,6 +20,8 @@ import radiosity.patch.Weights;
  * Clusters: B. Smits, J. Arvo, D. Greenberg, A clustering algorithm for radiosity in complex environments, 1994.
  */
 public final class Shooter {
+
+    private static final VarHandle OPEN = MethodHandles.arrayElementVarHandle(byte[].class);
 
     final int channels;
     private int nodes;
@@ -45,6 +50,8 @@ public final class Shooter {
     /** 3 x channels per node: radiosity to shoot at the corners, of elements. W/m². */
     final double[] radiosity;
 
+    /** 1 per node: not 0 where its parts have been looked at. */
+    private final byte[] open;
     private final Faces faces;
     private final List<PatchTree> trees;
     private final Weights weights;
@@ -78,6 +85,7 @@ public final class Shooter {
         share = new double[most];
         cones = new NormalCones(most);
         radiosity = new double[3 * channels * most];
+        open = new byte[most];
         nodes = 1;
         build(0, 0, trees.size());
     }
@@ -121,73 +129,106 @@ public final class Shooter {
         extent[4 * node + 3] = (float) (r * r * (1 + 1e-5));
     }
 
+    /** A tree's nodes stand as they do in it, its top elsewhere. */
     private void plant(int top, PatchTree tree) {
-        int[] at = new int[tree.child().length];
-        at[0] = top;
+        int before = nodes - 1;
+        int count = tree.child().length;
+        for (int i = 0; i < count; i++) {
+            int below = tree.child()[i];
+            child[i == 0 ? top : before + i] = below < 0 ? -1 : before + below;
+        }
+        face[top] = tree.face();
+        Arrays.fill(face, nodes, before + count, tree.face());
+        path[top] = tree.path();
+        shine(tree, top, before);
+        nodes = before + count;
         for (int i = 0; i < 9; i++) {
             corner[9 * top + i] = faces.corner(tree.face(), i / 3, i % 3);
         }
         for (int level = 1; level <= Path.level(tree.path()); level++) {
             Subdivision.child(corner, 9 * top, Path.step(tree.path(), level), corner, 9 * top);
         }
-        path[top] = tree.path();
         area[top] = (float) (faces.area(tree.face()) / (1L << 2 * Path.level(tree.path())));
-        for (int i = 0; i < at.length; i++) {
-            grow(tree, i, at);
-        }
-        for (int i = at.length - 1; i >= 0; i--) {
-            summarize(at[i]);
-        }
+        survey(top);
         cones.set(top, normal, 3 * top);
     }
 
-    private void grow(PatchTree tree, int i, int[] at) {
-        int node = at[i];
-        face[node] = tree.face();
-        key[node] = Hash.mix(Hash.mix(4, tree.face()), path[node]);
-        for (int a = 0; a < 3; a++) {
-            normal[3 * node + a] = faces.normal(tree.face(), a);
-        }
-        child[node] = -1;
-        if (tree.child()[i] < 0) {
-            System.arraycopy(tree.radiosity(), 3 * channels * i, radiosity, 3 * channels * node, 3 * channels);
-            for (int j = 0; j < 3 * channels; j++) {
-                radiosity[3 * channels * node + j] -= ambient.at(tree.face(), j % channels);
+    /** What the nodes of a tree shoot; the top's own place is not among theirs. */
+    private void shine(PatchTree tree, int top, int before) {
+        int n = 3 * channels;
+        System.arraycopy(tree.radiosity(), 0, radiosity, n * top, n);
+        System.arraycopy(tree.radiosity(), n, radiosity, n * (before + 1), tree.radiosity().length - n);
+        for (int i = 0; i < tree.child().length; i++) {
+            int node = i == 0 ? top : before + i;
+            for (int k = 0; k < 4 && child[node] >= 0; k++) {
+                path[child[node] + k] = Path.child(path[node], k);
             }
-            return;
+            for (int j = 0; j < n && child[node] < 0; j++) {
+                radiosity[n * node + j] -= ambient.at(tree.face(), j % channels);
+            }
         }
-        child[node] = nodes;
-        nodes += 4;
-        for (int k = 0; k < 4; k++) {
-            at[tree.child()[i] + k] = child[node] + k;
-            path[child[node] + k] = Path.child(path[node], k);
-            area[child[node] + k] = area[node] / 4;
-            Subdivision.child(corner, 9 * node, k, corner, 9 * (child[node] + k));
+        for (int i = tree.child().length - 1; i >= 0; i--) {
+            int node = i == 0 ? top : before + i;
+            strength[node] = child[node] < 0 ? ofElement(node) : ofParts(child[node]);
         }
     }
 
-    private void summarize(int i) {
-        for (int a = 0; a < 3; a++) {
-            extent[4 * i + a] = (corner[9 * i + a] + corner[9 * i + 3 + a] + corner[9 * i + 6 + a]) / 3;
+    private double ofParts(int first) {
+        double sum = 0;
+        for (int k = 0; k < 4; k++) {
+            sum += strength[first + k] / 4;
         }
+        return sum;
+    }
+
+    private double ofElement(int node) {
+        double most = 0;
+        for (int c = 0; c < channels; c++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++) {
+                sum += Math.abs(radiosity[channels * (3 * node + k) + c]);
+            }
+            most = Math.max(most, weights.at(face[node], c) * sum / 3);
+        }
+        return most;
+    }
+
+    /*---- Where the parts of triangles lie: found when somebody looks at them ----*/
+
+    /** To be called before anybody looks at the four parts of a triangle. Several threads find the same. */
+    void open(int node) {
+        if ((byte) OPEN.getAcquire(open, node) == 0) {
+            divide(node);
+            OPEN.setRelease(open, node, (byte) 1);
+        }
+    }
+
+    private void divide(int node) {
+        for (int k = 0; k < 4; k++) {
+            int part = child[node] + k;
+            area[part] = area[node] / 4;
+            Subdivision.child(corner, 9 * node, k, corner, 9 * part);
+            survey(part);
+        }
+    }
+
+    /** What follows from a triangle's face, place and corners. */
+    private void survey(int node) {
+        key[node] = Hash.mix(Hash.mix(4, face[node]), path[node]);
+        for (int a = 0; a < 3; a++) {
+            normal[3 * node + a] = faces.normal(face[node], a);
+            extent[4 * node + a] = (corner[9 * node + a] + corner[9 * node + 3 + a] + corner[9 * node + 6 + a]) / 3;
+        }
+        float most = 0;
         for (int k = 0; k < 3; k++) {
             float d2 = 0;
             for (int a = 0; a < 3; a++) {
-                float d = corner[9 * i + 3 * k + a] - extent[4 * i + a];
+                float d = corner[9 * node + 3 * k + a] - extent[4 * node + a];
                 d2 += d * d;
             }
-            extent[4 * i + 3] = Math.max(extent[4 * i + 3], d2);
+            most = Math.max(most, d2);
         }
-        for (int k = 0; k < 4 && child[i] >= 0; k++) {
-            strength[i] += strength[child[i] + k] / 4;
-        }
-        for (int c = 0; c < channels && child[i] < 0; c++) {
-            double sum = 0;
-            for (int k = 0; k < 3; k++) {
-                sum += Math.abs(radiosity[channels * (3 * i + k) + c]);
-            }
-            strength[i] = Math.max(strength[i], weights.at(face[i], c) * sum / 3);
-        }
+        extent[4 * node + 3] = most;
     }
 
     /** The face on which a node lies, or -1 for a cluster. */
