@@ -3,65 +3,56 @@ package radiosity.world;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
-/**
- * How some numbers are written: in the shortest form that loses nothing.
- *
- * @param exponent of shorts, which have it in common: they count units of two to it
- */
-record Numbers(Form form, int exponent, double unit) {
+/** How some numbers are written: in the shortest form that loses nothing. */
+enum Numbers {
+    DOUBLES(Double.BYTES), FLOATS(Float.BYTES),
+    /** Multiples of {@link Units}. */
+    BYTES(Byte.BYTES),
+    /** That are left out. */
+    NONE(0);
 
-    /** Beyond it a unit is no normal number, or its inverse is not. */
-    private static final int MOST_EXPONENT = 1000;
+    /** Of each. */
+    final int bytes;
 
-    /** In what; NONE stands for numbers that are left out. */
-    enum Form { DOUBLES, FLOATS, SHORTS, NONE }
+    Numbers(int bytes) {
+        this.bytes = bytes;
+    }
 
     /** For those. */
-    static Numbers of(double[] numbers) {
-        int exponent = Math.getExponent(Rounding.largest(numbers)) - Short.SIZE + 2;
-        exponent = Math.max(-MOST_EXPONENT, exponent);
-        double unit = Math.scalb(1.0, exponent);
-        boolean isFloat = true;
-        boolean isShort = true;
-        for (double x : numbers) {
-            isFloat &= (float) x == x;
-            isShort &= (short) (x / unit) * unit == x;
+    static Numbers of(double[] numbers, Units units) {
+        if (units.fit(numbers)) {
+            return BYTES;
         }
-        return new Numbers(isShort ? Form.SHORTS : isFloat ? Form.FLOATS : Form.DOUBLES, exponent, unit);
+        for (double x : numbers) {
+            if ((float) x != x) {
+                return DOUBLES;
+            }
+        }
+        return FLOATS;
     }
 
     /** As they were written. */
-    static Numbers of(int form, int exponent) throws IOException {
-        if (form < 0 || form >= Form.NONE.ordinal()) {
-            throw new IOException("shot: expected a form below " + Form.NONE.ordinal() + ", got " + form);
+    static Numbers of(int form) throws IOException {
+        if (form < 0 || form >= NONE.ordinal()) {
+            throw new IOException("shot: expected a form below " + NONE.ordinal() + ", got " + form);
         }
-        return new Numbers(Form.values()[form], exponent, Math.scalb(1.0, exponent));
+        return values()[form];
     }
 
-    /** Of each. */
-    int bytes() {
-        return switch (form) {
-            case DOUBLES -> Double.BYTES;
-            case FLOATS -> Float.BYTES;
-            case SHORTS -> Short.BYTES;
-            case NONE -> 0;
-        };
-    }
-
-    void put(double x, ByteBuffer bytes) {
-        switch (form) {
+    void put(double x, double unit, ByteBuffer bytes) {
+        switch (this) {
             case DOUBLES -> bytes.putDouble(x);
             case FLOATS -> bytes.putFloat((float) x);
-            case SHORTS -> bytes.putShort((short) (x / unit));
+            case BYTES -> bytes.put((byte) (unit == 0 ? 0 : x / unit));
             case NONE -> { }
         }
     }
 
-    double get(ByteBuffer bytes) {
-        return switch (form) {
+    double get(double unit, ByteBuffer bytes) {
+        return switch (this) {
             case DOUBLES -> bytes.getDouble();
             case FLOATS -> bytes.getFloat();
-            case SHORTS -> bytes.getShort() * unit;
+            case BYTES -> bytes.get() * unit;
             case NONE -> 0;
         };
     }

@@ -8,22 +8,20 @@ import radiosity.patch.PatchTree;
  * shot and so not lost.
  *
  * @param exact    whether what is left over would show: among white surfaces it would be a part of what is emitted
- * @param together whether those of a tree have one exponent: many of them, which are shot again if need be.
+ * @param together whether neighbours are counted in one unit: many of them, which are shot again if need be.
  *                 Not where lamps are to be mixed: each alone is then as it is among others to the digits of a float
  */
 record Rounding(boolean exact, boolean together) {
 
     /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
     private static final double LEAST = 1e-30;
-    /** Binary digits of the largest of a tree: with its sign it fits into a short. */
-    private static final int DIGITS = 14;
 
     Shot of(Shot shot) {
         return exact ? shot : new Shot(shot.trees().stream().map(this::of).toList(), shot.flux());
     }
 
     private PatchTree of(PatchTree tree) {
-        return new PatchTree(tree.face(), tree.path(), tree.child(), together ? together(tree.radiosity())
+        return new PatchTree(tree.face(), tree.path(), tree.child(), together ? together(tree)
                 : DoubleStream.of(tree.radiosity()).map(Rounding::toFloat).toArray());
     }
 
@@ -35,21 +33,13 @@ record Rounding(boolean exact, boolean together) {
         return size < LEAST || size > 1 / LEAST;
     }
 
-    private static double[] together(double[] values) {
-        double most = largest(values);
-        if (isFar(most)) {
-            return values;
-        }
-        double unit = Math.scalb(1.0, Math.getExponent(most) - DIGITS + 1);
-        return DoubleStream.of(values).map(x -> Math.rint(x / unit) * unit + 0.0).toArray();
-    }
-
-    /** Largest absolute value. */
-    static double largest(double[] values) {
-        double most = 0;
+    private static double[] together(PatchTree tree) {
+        double[] values = tree.radiosity();
         for (double x : values) {
-            most = Math.max(most, Math.abs(x));
+            if (x != 0 && isFar(Math.abs(x))) {
+                return values;
+            }
         }
-        return most;
+        return Units.of(values, tree.channels()).rounded(values);
     }
 }

@@ -28,14 +28,17 @@ final class TreeBytes {
         double[] radiosity = tree.radiosity();
         int[] same = same(tree.child());
         boolean once = isSame(radiosity, same, channels);
-        Numbers numbers = Numbers.of(radiosity);
-        out.writeByte(numbers.form().ordinal());
+        Units units = Units.of(radiosity, channels);
+        Numbers numbers = Numbers.of(radiosity, units);
+        out.writeByte(numbers.ordinal());
         out.writeBoolean(once);
-        out.writeShort(numbers.exponent());
-        ByteBuffer bytes = ByteBuffer.allocate(corners(same, once) * channels * numbers.bytes());
+        if (numbers == Numbers.BYTES) {
+            units.write(out);
+        }
+        ByteBuffer bytes = ByteBuffer.allocate(corners(same, once) * channels * numbers.bytes);
         for (int corner = 0; corner < same.length; corner++) {
             for (int c = 0; c < channels && isWritten(corner, same, once); c++) {
-                numbers.put(radiosity[channels * corner + c], bytes);
+                numbers.put(radiosity[channels * corner + c], units.at(corner / 3, c), bytes);
             }
         }
         out.write(bytes.array());
@@ -44,7 +47,7 @@ final class TreeBytes {
     /** Without radiosities. */
     static void writeTree(PatchTree tree, DataOutput out) throws IOException {
         writeShape(tree, out);
-        out.writeByte(Numbers.Form.NONE.ordinal());
+        out.writeByte(Numbers.NONE.ordinal());
     }
 
     private static void writeShape(PatchTree tree, DataOutput out) throws IOException {
@@ -71,7 +74,7 @@ final class TreeBytes {
         long path = head.getLong();
         int[] child = children(in, head.getInt());
         int form = in.readByte();
-        double[] radiosity = form == Numbers.Form.NONE.ordinal() ? new double[0]
+        double[] radiosity = form == Numbers.NONE.ordinal() ? new double[0]
                 : radiosity(in, child, channels, form);
         return new PatchTree(face, path, child, radiosity);
     }
@@ -79,13 +82,14 @@ final class TreeBytes {
     private static double[] radiosity(DataInputStream in, int[] child, int channels, int form) throws IOException {
         int[] same = same(child);
         boolean once = in.readBoolean();
-        Numbers numbers = Numbers.of(form, in.readShort());
+        Numbers numbers = Numbers.of(form);
+        Units units = numbers == Numbers.BYTES ? Units.read(in, child.length, channels) : Units.none(child.length, channels);
         double[] radiosity = new double[channels * same.length];
         int written = corners(same, once);
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, written * channels * numbers.bytes()));
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, written * channels * numbers.bytes));
         for (int corner = 0; corner < same.length; corner++) {
             for (int c = 0; c < channels && isWritten(corner, same, once); c++) {
-                radiosity[channels * corner + c] = numbers.get(bytes);
+                radiosity[channels * corner + c] = numbers.get(units.at(corner / 3, c), bytes);
             }
         }
         for (int corner = 0; corner < same.length && once; corner++) {
