@@ -151,8 +151,12 @@ final class CoarseRows {
         }
     }
 
-    /** What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners. */
-    GaussSeidel equations() {
+    /**
+     * What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners.
+     *
+     * @param enough see {@link GaussSeidel}
+     */
+    GaussSeidel equations(double enough) {
         int[][] columns = new int[column.length][];
         float[][] value = new float[column.length][];
         crew.run(column.length, EQUATIONS, (from, to) -> {
@@ -161,7 +165,7 @@ final class CoarseRows {
                 equation(v, place, columns, value);
             }
         });
-        return new GaussSeidel(channels, faces.colours(), columns, value);
+        return new GaussSeidel(channels, faces.colours(), columns, value, enough);
     }
 
     /** @param place scratch, 1 per vertex: where it stands in the equation; what is there first does not matter */

@@ -22,6 +22,10 @@ import radiosity.patch.Subdivision;
  */
 final class CoarseSystem {
 
+    /** What sweeps may leave over: where rows are good to some per cent, and where all that is left over would show. */
+    private static final double ROUGHLY = 1e-5;
+    private static final double EXACTLY = 1e-9;
+
     private final InitialMesh mesh;
     private final Crew crew;
     private final Faces faces;
@@ -83,9 +87,13 @@ final class CoarseSystem {
     double[] irradiance(double[] unshot, BooleanSupplier goOn) {
         if (equations == null) {
             rows.close(rooms);
-            equations = rows.equations();
+            equations = rows.equations(isRough() ? ROUGHLY : EXACTLY);
         }
         return equations.solve(rows.direct(unshot), goOn);
+    }
+
+    private boolean isRough() {
+        return !single && !mesh.rounding.exact();
     }
 
     /** A buried corner takes the mean of the others. */

@@ -13,7 +13,6 @@ import java.util.function.BooleanSupplier;
 final class GaussSeidel {
 
     private static final int MOST_SWEEPS = 500;
-    private static final double ENOUGH = 1e-9;
     /** Sweeps that are remembered. */
     private static final int MEMORY = 6;
     /** A change that is this much of another in its own right tells nothing new. */
@@ -23,16 +22,19 @@ final class GaussSeidel {
     private final int colours;
     private final int[][] column;
     private final float[][] entry;
+    private final double enough;
 
     /**
      * @param column per row: the unknowns in it
      * @param entry  per row: one per colour for each of them; the same in all layers
+     * @param enough a sweep that changes no more of all is the last
      */
-    GaussSeidel(int channels, int colours, int[][] column, float[][] entry) {
+    GaussSeidel(int channels, int colours, int[][] column, float[][] entry, double enough) {
         this.channels = channels;
         this.colours = colours;
         this.column = column;
         this.entry = entry;
+        this.enough = enough;
     }
 
     /**
@@ -151,7 +153,7 @@ final class GaussSeidel {
                 throw new NoNumberException("light that is foreseen: expected numbers, got " + size[c]
                         + "; surfaces may emit too much");
             }
-            done &= change[c] <= ENOUGH * size[c];
+            done &= change[c] <= enough * size[c];
         }
         return done;
     }
