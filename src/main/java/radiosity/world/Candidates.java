@@ -20,6 +20,8 @@ final class Candidates {
     private final Crew crew;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
+    /** Over all shooters; null where something has changed since. */
+    private Answer sums;
 
     /** @param shooters nodes that shoot together */
     Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, Crew crew) {
@@ -34,13 +36,11 @@ final class Candidates {
 
     /** What an order wants to know. */
     Answer answer(Order order) {
+        if (sums == null) {
+            sums = measure();
+        }
         Answer answer = new Answer(faces, mesh.fluxScale());
-        crew.run(shooters.length, RUN, (from, to) -> {
-            Answer sums = measure(from, to);
-            synchronized (answer) {
-                answer.addSums(sums);
-            }
-        });
+        answer.addSums(sums);
         int[] named = largest(order.most(), order.least());
         Shot[] candidates = new Shot[named.length];
         crew.run(named.length, i -> candidates[i] = mesh.rounding.of(candidate(named[i])));
@@ -51,6 +51,22 @@ final class Candidates {
     private Shot candidate(int shooter) {
         Shot whole = Shot.of(nodes, shooters[shooter], flux[shooter], nodes.light()::unshot);
         return mesh.shootsClusters() ? whole.pruned(mesh.coarse) : whole;
+    }
+
+    /** Something has shot or gathered, or was divided. */
+    void changed() {
+        sums = null;
+    }
+
+    private Answer measure() {
+        Answer all = new Answer(faces, mesh.fluxScale());
+        crew.run(shooters.length, RUN, (from, to) -> {
+            Answer some = measure(from, to);
+            synchronized (all) {
+                all.addSums(some);
+            }
+        });
+        return all;
     }
 
     /** The sums over some shooters. */

@@ -25,6 +25,8 @@ final class CoarseSystem {
     /** What sweeps may leave over: where rows are good to some per cent, and where all that is left over would show. */
     private static final double ROUGHLY = 1e-5;
     private static final double EXACTLY = 1e-9;
+    /** Shots that are made together. */
+    private static final int AT_A_TIME = 4;
 
     private final InitialMesh mesh;
     private final Crew crew;
@@ -134,15 +136,17 @@ final class CoarseSystem {
     }
 
     /**
-     * Shots with what their patches will reflect of an irradiance, linear between the vertices; each is made when it is
-     * first asked for, as others are carried out meanwhile.
+     * Shots with what their patches will reflect of an irradiance, linear between the vertices; a few are made when the
+     * first of them is asked for, as others are carried out meanwhile.
      */
     List<Shot> with(List<Shot> shots, double[] h) {
         Shot[] made = new Shot[shots.size()];
         return new AbstractList<>() {
             @Override
             public Shot get(int i) {
-                made[i] = made[i] == null ? with(shots.get(i), h) : made[i];
+                if (made[i] == null) {
+                    crew.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = with(shots.get(i + k), h));
+                }
                 return made[i];
             }
 

@@ -33,9 +33,12 @@ final class EvenLight {
 
     /** @return channels per closed room, W/m²; empty where there is none, or not all of the scene shoots */
     static double[] of(InitialMesh mesh, List<Shot> shots) {
+        if (mesh.rooms.count() == 0) {
+            return new double[0];
+        }
         double shooting = shots.stream().flatMap(shot -> shot.trees().stream())
                 .mapToDouble(tree -> area(mesh.faces, tree)).sum();
-        if (mesh.rooms.count() == 0 || shooting < mesh.faces.area() * (1 - 1e-6)) {
+        if (shooting < mesh.faces.area() * (1 - 1e-6)) {
             return new double[0];
         }
         EvenLight light = new EvenLight(mesh);

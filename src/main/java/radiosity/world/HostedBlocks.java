@@ -102,7 +102,7 @@ final class HostedBlocks {
     byte[] round(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);
-        if (in.available() > 0 && partition.border().take(in)) {
+        if (in.available() > 0 && partition.take(in)) {
             owed.clear();
         }
         byte[] answer = order.gathers() ? gather(order, bytes) : ask(order);

@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
@@ -91,6 +92,9 @@ final class PartitionImpl implements Partition {
 
     /** The same for orders of which the answer is how things stand then. */
     Answer answer(Order order) {
+        if (order.changes()) {
+            candidates.changed();
+        }
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
@@ -120,8 +124,15 @@ final class PartitionImpl implements Partition {
         return border != null && border.isAgreed();
     }
 
+    /** See {@link BorderPoints#take}. */
+    boolean take(DataInputStream gift) throws IOException {
+        candidates.changed();
+        return border().take(gift);
+    }
+
     /** What other hosts did in this step, which have not told. */
     void gatherTaken(Order order) {
+        candidates.changed();
         gather(order, points(order, true));
     }
 
@@ -238,6 +249,7 @@ final class PartitionImpl implements Partition {
 
     @Override
     public void restore(int id, byte[] state) {
+        candidates.changed();
         BlockState.restore(nodes, subtrees(id), state);
     }
 
