@@ -14,9 +14,9 @@ import radiosity.scene.Scene;
  *
  * <p>All hosts are in this process, each with one thread, on a {@link LogicalClock}: the wall time is that of the
  * slowest host in every call, what the calls cost on a network, and the processor time of the master's thread, which
- * has a second one to help it. Speedup is over a calculation in one process, on one thread, just before: a busy machine
- * is not always as busy. All is done once before it is measured, as hosts serve many renders, and then some times: what
- * is printed are medians.
+ * has a second one to help it. Speedup is over the mean of two calculations in one process, on one thread, just before and
+ * just after: a busy machine is not always as busy. All is done once before it is measured, as hosts serve many renders,
+ * and then some times: what is printed are medians.
  */
 public final class ScalingTable {
 
@@ -78,17 +78,20 @@ public final class ScalingTable {
     /** The median of each column over some turns. */
     private static void print(Scene scene, RadiositySettings settings, StopRule stop, int hosts) throws IOException {
         double[][] turns = new double[TURNS][];
+        double before = alone(scene, settings, stop);
         for (int t = 0; t < TURNS; t++) {
-            turns[t] = measure(scene, settings, stop, hosts, alone(scene, settings, stop));
+            turns[t] = measure(scene, settings, stop, hosts);
+            double after = alone(scene, settings, stop);
+            compare(turns[t], (before + after) / 2);
+            before = after;
         }
         Object[] row = new Object[turns[0].length];
         Arrays.setAll(row, i -> Arrays.stream(turns).mapToDouble(turn -> turn[i]).sorted().toArray()[TURNS / 2]);
         System.out.printf(Locale.ROOT, "%5.0f %,9.0f %8.2f %6.0f %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", row);
     }
 
-    /** @param local processor time of one process, s */
-    private static double[] measure(Scene scene, RadiositySettings settings, StopRule stop, int hosts, double local)
-            throws IOException {
+    /** All but what one process takes. */
+    private static double[] measure(Scene scene, RadiositySettings settings, StopRule stop, int hosts) throws IOException {
         LogicalClock clock = new LogicalClock();
         try (RemoteWorld world = world(scene, settings, hosts, clock)) {
             clock.reset();
@@ -98,8 +101,15 @@ public final class ScalingTable {
             List<HostStatistics> all = world.statistics().hosts();
             double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
             double elements = all.stream().mapToInt(HostStatistics::elements).sum();
-            return new double[] {hosts, elements, local, clock.calls() / hosts, clock.cpu(), clock.busiest(),
-                wall - clock.waited(), clock.bytes() / 1e6, wall, local / wall, local / wall / hosts, 100 * idle};
+            return new double[] {hosts, elements, 0, clock.calls() / hosts, clock.cpu(), clock.busiest(),
+                wall - clock.waited(), clock.bytes() / 1e6, wall, 0, 0, 100 * idle};
         }
+    }
+
+    /** @param alone processor time of one process, s */
+    private static void compare(double[] turn, double alone) {
+        turn[2] = alone;
+        turn[9] = alone / turn[8];
+        turn[10] = turn[9] / turn[0];
     }
 }
