@@ -17,8 +17,10 @@ import radiosity.world.BorderPoints.Role;
 final class PointExchange {
 
     private final HostCalls calls;
-    private final int channels;
+    private final InitialMesh mesh;
     private int agreement;
+    /** Whether hosts have not told each other yet what they have gathered for each other. */
+    private boolean owed;
     /** Whether blocks are dealt as they were when this was agreed, and about all points. */
     private boolean isAgreed;
     private boolean isWhole;
@@ -33,9 +35,9 @@ final class PointExchange {
     /** One of the border points of a host. */
     private record Holder(Host host, int place) { }
 
-    PointExchange(HostCalls calls, int channels) {
+    PointExchange(HostCalls calls, InitialMesh mesh) {
         this.calls = calls;
-        this.channels = channels;
+        this.mesh = mesh;
     }
 
     /** Some hosts have other blocks now. */
@@ -43,22 +45,36 @@ final class PointExchange {
         isAgreed = false;
     }
 
-    /** Whether some points are gathered at by one host for others. */
-    boolean isOn() {
-        return isAgreed && sources.values().stream().anyMatch(all -> !all.isEmpty());
+    /** Whether an order makes some hosts gather for others. */
+    boolean isShared(Order order) {
+        return order.gathers() && isAgreed && sources.values().stream().anyMatch(all -> !all.isEmpty());
     }
 
-    /** Some elements were split: about new points nothing was agreed yet. */
-    void split() {
-        isWhole = false;
+    /** Whether by an order points may be gathered at about which nothing was agreed. */
+    boolean isOpen(Order order) {
+        return mesh.gathersOnce() && order.gathers() && (!isAgreed || !isWhole);
     }
 
-    /** Whether there may be points about which nothing was agreed. */
-    boolean isOpen() {
-        return !isAgreed || !isWhole;
+    /** Whether hosts have not told each other yet what they have gathered for each other. */
+    boolean isOwed() {
+        return owed;
     }
 
-    /** Agrees on what nothing was agreed about. */
+    /** Hosts were told to do this. */
+    void begun(Order order) {
+        owed |= isShared(order);
+        isWhole &= order.kind() != Order.Kind.SPLIT;
+    }
+
+    /** Hosts have done this. */
+    void done(Order order, Map<Host, Reply> replies) {
+        if (order.most() == Order.GIVE) {
+            deliver(replies);
+            owed = false;
+        }
+    }
+
+    /** Agrees on what nothing was agreed about; a loss then is for the caller to see to. */
     void agree(Collection<Host> hosts) {
         boolean anew = !isAgreed;
         agreement++;
@@ -118,7 +134,7 @@ final class PointExchange {
     }
 
     /** Gives to each host what others have gathered for it; nothing where somebody has not said it. */
-    void deliver(Map<Host, Reply> replies) {
+    private void deliver(Map<Host, Reply> replies) {
         boolean all = isAgreed && replies.keySet().containsAll(sources.keySet())
                 && replies.values().stream().allMatch(reply -> agreement(reply) == agreement);
         sources.forEach((host, from) -> {
@@ -133,7 +149,7 @@ final class PointExchange {
     }
 
     private byte[] gift(List<Source> from, Map<Host, Reply> replies) {
-        int bytes = Double.BYTES * channels;
+        int bytes = Double.BYTES * mesh.faces.channels();
         byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
                 Integer.BYTES + bytes * from.size());
         for (int i = 0; i < from.size(); i++) {

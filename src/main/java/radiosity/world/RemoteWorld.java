@@ -19,21 +19,10 @@ public final class RemoteWorld extends World {
     /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
     private static final int STEPS_AHEAD = 4;
     private static final StepTimes NOBODY = (shots, seconds) -> { };
-    /**
-     * A checkpoint is taken when the rounds since the last one took so many times as long as it: 1 % of the time at
-     * most, and what n hosts lose with one of them is an n-th of those rounds.
-     */
-    private static final double CHECKPOINT_PATIENCE = 100;
-    private static final double CHECKPOINT_SECONDS = 0.02;
-    /** What the first one is taken to cost: per patch, s. */
-    private static final double CHECKPOINT_SECONDS_PER_PATCH = 1e-6;
-    /** Orders that are kept in memory for the next loss. */
-    private static final long MOST_LOGGED = 128L << 20;
 
     private final Dealing dealing;
-    private final ShotLog log = new ShotLog();
+    private final ShotLog log;
     private final SharedTotals totals;
-    private final Cadence checkpoints;
     private final RoundTimes times;
     private final Balance balance;
     private final Hosts hosts;
@@ -42,8 +31,6 @@ public final class RemoteWorld extends World {
     private final LongSupplier clock;
     private final BlockTransfer transfer;
     private final PointExchange points;
-    /** Whether hosts have not told each other yet what they have gathered for each other. */
-    private boolean owed;
 
     /**
      * Opens a session with every host that can be reached.
@@ -64,12 +51,12 @@ public final class RemoteWorld extends World {
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);
-        points = new PointExchange(calls, mesh.faces.channels());
+        points = new PointExchange(calls, mesh);
+        log = new ShotLog(patches());
         Borders borders = new Borders(mesh);
         Forecast forecast = new Forecast(borders);
         dealing = new Dealing(forecast, borders);
         balance = new Balance(forecast, dealing, patches(), mesh.clusters.clusters.size());
-        checkpoints = new Cadence(CHECKPOINT_PATIENCE, CHECKPOINT_SECONDS, patches() * CHECKPOINT_SECONDS_PER_PATCH);
         transfer = new BlockTransfer(dealing, log, calls);
         hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
                 new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
@@ -110,7 +97,7 @@ public final class RemoteWorld extends World {
     void begin(Order step, StepTimes told) throws IOException {
         admit(step);
         share(step);
-        boolean exchanged = step.isAnswered() && isShared(step);
+        boolean exchanged = step.isAnswered() && points.isShared(step);
         send(exchanged ? step.naming(Order.GIVE) : step);
         if (exchanged) {
             finish(told);
@@ -124,21 +111,14 @@ public final class RemoteWorld extends World {
     private void send(Order step) throws IOException {
         underWay.begin(hosts.present(), step, prepare(step), now(), times.criticalPath());
         totals.count(step);
-        owed |= isShared(step);
-        if (step.kind() == Order.Kind.SPLIT) {
-            points.split();
-        }
+        points.begun(step);
     }
 
     /*---- Points that several hosts have ----*/
 
-    private boolean isShared(Order order) {
-        return order.gathers() && points.isOn();
-    }
-
     /** Who gathers where, if that is not known. */
     private void share(Order order) throws IOException {
-        if (mesh.gathersOnce() && order.gathers() && points.isOpen()) {
+        if (points.isOpen(order)) {
             finish(NOBODY);
             points.agree(hosts.present());
             recover();
@@ -147,7 +127,7 @@ public final class RemoteWorld extends World {
 
     /** Makes hosts tell each other what they have gathered for each other up to now; nothing is under way. */
     private void exchange() {
-        if (owed) {
+        if (points.isOwed()) {
             tell(Order.plain(Order.Kind.ASK, Order.GIVE));
             tell(Order.plain(Order.Kind.ASK, -1));
         }
@@ -202,7 +182,7 @@ public final class RemoteWorld extends World {
 
     /** Everything that comes before the hosts are told. */
     private byte[] prepare(Order order) throws IOException {
-        if (order.changes() && (checkpoints.isDue() || log.bytes() > MOST_LOGGED)) {
+        if (order.changes() && log.isCheckpointDue()) {
             blocks();
         }
         if (order.kind() == Order.Kind.GATHER) {
@@ -233,12 +213,9 @@ public final class RemoteWorld extends World {
             hosts.haveDone();
             times.add(step);
             balance.add(step.replies(), step.order());
-            if (step.order().most() == Order.GIVE) {
-                points.deliver(step.replies());
-                owed = false;
-            }
+            points.done(step.order(), step.replies());
             if (step.order().changes()) {
-                checkpoints.add(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
+                log.took(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
             }
         }
     }
@@ -295,8 +272,7 @@ public final class RemoteWorld extends World {
             recover();
             List<byte[]> all = transfer.states(hosts.present());
             if (!calls.isAnyLost()) {
-                log.checkpoint(all);
-                checkpoints.done((now() - begin) * 1e-9);
+                log.checkpoint(all, (now() - begin) * 1e-9);
                 return all;
             }
         }

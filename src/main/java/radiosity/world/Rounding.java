@@ -15,6 +15,8 @@ record Rounding(boolean exact, boolean together) {
 
     /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
     private static final double LEAST = 1e-30;
+    /** Likewise for what is counted in units. */
+    private static final double LEAST_UNITS = 1e-290;
 
     Shot of(Shot shot) {
         return exact ? shot : new Shot(shot.trees().stream().map(this::of).toList(), shot.flux());
@@ -35,11 +37,10 @@ record Rounding(boolean exact, boolean together) {
 
     private static double[] together(PatchTree tree) {
         double[] values = tree.radiosity();
+        double largest = 0;
         for (double x : values) {
-            if (x != 0 && isFar(Math.abs(x))) {
-                return values;
-            }
+            largest = Math.max(largest, Math.abs(x));
         }
-        return Units.of(values, tree.channels()).rounded(values);
+        return largest > LEAST_UNITS && largest < 1 / LEAST_UNITS ? Units.of(values, tree.channels()).rounded(values) : values;
     }
 }

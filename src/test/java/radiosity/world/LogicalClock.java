@@ -211,6 +211,11 @@ final class LogicalClock {
         return cpu.values().stream().mapToDouble(Double::doubleValue).max().orElse(0);
     }
 
+    /** Of the one that had least, s. */
+    double idlest() {
+        return cpu.values().stream().mapToDouble(Double::doubleValue).min().orElse(0);
+    }
+
     /** How long the master waited, s. */
     double waited() {
         return waited;

@@ -20,6 +20,8 @@ public final class MeasureDistribution {
     /** Renders until JVMs have compiled what matters. */
     private static final int WARM = 3;
     private static final int TURNS = 5;
+    /** Of what differs by a few per cent: the machine's speed differs by more from one to the next. */
+    private static final int MANY_TURNS = 15;
 
     private final Scene scene;
 
@@ -142,28 +144,32 @@ public final class MeasureDistribution {
     }
 
     /**
-     * A host over sockets against no host, in turns. Both are in this process: from one JVM to the next the same code
-     * takes up to a quarter more or less.
+     * A host over sockets against no host, in turns, each against the mean of what comes before and after it. Both are in
+     * this process: from one JVM to the next the same code takes up to a quarter more or less.
      */
     private void loopback() throws IOException {
         RadiositySettings settings = paper(300, 10);
         StopRule stop = new StopRule(3000, 0);
-        List<Double> local = new ArrayList<>();
-        List<Double> remote = new ArrayList<>();
+        List<Double> more = new ArrayList<>();
         int number = HostProcess.freePort();
         try (PartitionPort port = PartitionPort.open(new PartitionPort.Options(number, 0, null, null, 1), line -> { })) {
-            for (int i = 0; i < WARM + TURNS; i++) {
-                local.add(timed(new LocalWorld(scene, settings, 1), stop, List.of())[1]);
+            double before = timed(new LocalWorld(scene, settings, 1), stop, List.of())[1];
+            for (int i = 0; i < WARM + MANY_TURNS; i++) {
+                double hosted;
                 try (RemoteWorld world = new RemoteWorld(scene, settings, List.of(new HostAddress("localhost", port.port())),
                         null, 1, line -> print("  %s", line))) {
-                    remote.add(timed(world, stop, List.of())[1]);
+                    hosted = timed(world, stop, List.of())[1];
                 }
+                double after = timed(new LocalWorld(scene, settings, 1), stop, List.of())[1];
+                if (i >= WARM) {
+                    more.add(100 * (2 * hosted / (before + after) - 1));
+                    print("no host: CPU %.2f and %.2f s; between them one host and its master, over sockets: CPU %.2f s, %+.1f %%",
+                            before, after, hosted, more.get(more.size() - 1));
+                }
+                before = after;
             }
         }
-        double alone = median(local.subList(WARM, WARM + TURNS));
-        double hosted = median(remote.subList(WARM, WARM + TURNS));
-        print("no host: CPU %.2f s; one host and its master, over sockets: CPU %.2f s, %+.1f %%", alone, hosted,
-                100 * (hosted / alone - 1));
+        print("one host over sockets: %+.1f %% in the middle of %d turns", median(more), MANY_TURNS);
     }
 
     private static double median(List<Double> values) {

@@ -36,7 +36,7 @@ public final class ScalingTable {
         RadiositySettings settings = settings(arguments);
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
         warmUp(new LocalWorld(scene, settings, 1), stop);
-        System.out.println("hosts  elements  alone s  calls   CPU s busiest s  master s       MB   wall s  speedup  efficiency  worst idle %");
+        System.out.println("hosts  elements  alone s  calls   CPU s busiest s  idlest s  master s       MB   wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
             int hosts = Integer.parseInt(arguments[i]);
             try (RemoteWorld world = world(scene, settings, hosts, new LogicalClock())) {
@@ -87,7 +87,7 @@ public final class ScalingTable {
         }
         Object[] row = new Object[turns[0].length];
         Arrays.setAll(row, i -> Arrays.stream(turns).mapToDouble(turn -> turn[i]).sorted().toArray()[TURNS / 2]);
-        System.out.printf(Locale.ROOT, "%5.0f %,9.0f %8.2f %6.0f %7.2f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", row);
+        System.out.printf(Locale.ROOT, "%5.0f %,9.0f %8.2f %6.0f %7.2f %9.3f %9.3f %9.3f %8.1f %8.3f %8.2f %11.3f %13.1f%n", row);
     }
 
     /** All but what one process takes. */
@@ -102,14 +102,14 @@ public final class ScalingTable {
             double idle = all.stream().mapToDouble(HostStatistics::idle).max().orElse(0);
             double elements = all.stream().mapToInt(HostStatistics::elements).sum();
             return new double[] {hosts, elements, 0, clock.calls() / hosts, clock.cpu(), clock.busiest(),
-                wall - clock.waited(), clock.bytes() / 1e6, wall, 0, 0, 100 * idle};
+                clock.idlest(), wall - clock.waited(), clock.bytes() / 1e6, wall, 0, 0, 100 * idle};
         }
     }
 
     /** @param alone processor time of one process, s */
     private static void compare(double[] turn, double alone) {
         turn[2] = alone;
-        turn[9] = alone / turn[8];
-        turn[10] = turn[9] / turn[0];
+        turn[10] = alone / turn[9];
+        turn[11] = turn[10] / turn[0];
     }
 }
