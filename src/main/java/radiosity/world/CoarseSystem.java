@@ -138,14 +138,16 @@ final class CoarseSystem {
     /**
      * Shots with what their patches will reflect of an irradiance, linear between the vertices; a few are made when the
      * first of them is asked for, as others are carried out meanwhile.
+     *
+     * @param first whether nothing was shot before
      */
-    List<Shot> with(List<Shot> shots, double[] h) {
+    List<Shot> with(List<Shot> shots, double[] h, boolean first) {
         Shot[] made = new Shot[shots.size()];
         return new AbstractList<>() {
             @Override
             public Shot get(int i) {
                 if (made[i] == null) {
-                    crew.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = with(shots.get(i + k), h));
+                    crew.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = with(shots.get(i + k), h, first));
                 }
                 return made[i];
             }
@@ -157,8 +159,9 @@ final class CoarseSystem {
         };
     }
 
-    private Shot with(Shot shot, double[] h) {
-        return mesh.rounding.of(new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux()));
+    private Shot with(Shot shot, double[] h, boolean first) {
+        Shot made = new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
+        return first ? mesh.rounding.finely(made) : mesh.rounding.of(made);
     }
 
     private PatchTree with(PatchTree tree, double[] h) {

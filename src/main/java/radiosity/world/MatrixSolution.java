@@ -32,7 +32,7 @@ final class MatrixSolution implements Planner {
         }
         double[] h = system.irradiance(system.unshot(last.candidates), goOn);
         return h == null ? null
-                : order(Order.Kind.SHOOT, system.with(last.candidates, h));
+                : order(Order.Kind.SHOOT, system.with(last.candidates, h, false));
     }
 
     private Order order(Order.Kind kind, List<Shot> shots) {

@@ -149,7 +149,7 @@ final class Prediction implements Planner {
         if (stage == Stage.NOTHING) {
             weigh(last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
         }
-        return coarse.with(candidates, h);
+        return coarse.with(candidates, h, stage == Stage.NOTHING);
     }
 
     /** In a scene of too many patches every block shoots what it has. */

@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import radiosity.patch.PatchTree;
 
@@ -19,12 +20,17 @@ record Rounding(boolean exact, boolean together) {
     private static final double LEAST_UNITS = 1e-290;
 
     Shot of(Shot shot) {
-        return exact ? shot : new Shot(shot.trees().stream().map(this::of).toList(), shot.flux());
+        return exact ? shot : together ? rounded(shot, Rounding::together) : finely(shot);
     }
 
-    private PatchTree of(PatchTree tree) {
-        return new PatchTree(tree.face(), tree.path(), tree.child(), together ? together(tree)
-                : DoubleStream.of(tree.radiosity()).map(Rounding::toFloat).toArray());
+    /** Of what is nearly all that will ever be shot, and is said of few elements. */
+    Shot finely(Shot shot) {
+        return exact ? shot : rounded(shot, tree -> DoubleStream.of(tree.radiosity()).map(Rounding::toFloat).toArray());
+    }
+
+    private static Shot rounded(Shot shot, Function<PatchTree, double[]> values) {
+        return new Shot(shot.trees().stream().map(tree -> new PatchTree(tree.face(), tree.path(), tree.child(),
+                values.apply(tree))).toList(), shot.flux());
     }
 
     private static double toFloat(double x) {
