@@ -145,7 +145,7 @@ final class CoarseSystem {
         Shot[] made = new Shot[shots.size()];
         return new AbstractList<>() {
             @Override
-            public Shot get(int i) {
+            public synchronized Shot get(int i) {
                 if (made[i] == null) {
                     crew.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = with(shots.get(i + k), h, first));
                 }
