@@ -5,16 +5,19 @@ import java.nio.ByteBuffer;
 
 /** How some numbers are written: in the shortest form that loses nothing. */
 enum Numbers {
-    DOUBLES(Double.BYTES), FLOATS(Float.BYTES),
+    DOUBLES(0, Double.BYTES), FLOATS(1, Float.BYTES),
     /** Multiples of {@link Units}. */
-    BYTES(Byte.BYTES),
+    BYTES(3, Byte.BYTES),
     /** That are left out. */
-    NONE(0);
+    NONE(4, 0);
 
+    /** As it is written; 2 stood for shorts, which saved calculations may still have. */
+    final int form;
     /** Of each. */
     final int bytes;
 
-    Numbers(int bytes) {
+    Numbers(int form, int bytes) {
+        this.form = form;
         this.bytes = bytes;
     }
 
@@ -33,10 +36,12 @@ enum Numbers {
 
     /** As they were written. */
     static Numbers of(int form) throws IOException {
-        if (form < 0 || form >= NONE.ordinal()) {
-            throw new IOException("shot: expected a form below " + NONE.ordinal() + ", got " + form);
+        for (Numbers numbers : values()) {
+            if (numbers.form == form) {
+                return numbers;
+            }
         }
-        return values()[form];
+        throw new IOException("shot: expected numbers in a form that this version writes, got form " + form);
     }
 
     void put(double x, double unit, ByteBuffer bytes) {

@@ -30,7 +30,7 @@ final class TreeBytes {
         boolean once = isSame(radiosity, same, channels);
         Units units = Units.of(radiosity, channels);
         Numbers numbers = Numbers.of(radiosity, units);
-        out.writeByte(numbers.ordinal());
+        out.writeByte(numbers.form);
         out.writeBoolean(once);
         if (numbers == Numbers.BYTES) {
             units.write(out);
@@ -47,7 +47,7 @@ final class TreeBytes {
     /** Without radiosities. */
     static void writeTree(PatchTree tree, DataOutput out) throws IOException {
         writeShape(tree, out);
-        out.writeByte(Numbers.NONE.ordinal());
+        out.writeByte(Numbers.NONE.form);
     }
 
     private static void writeShape(PatchTree tree, DataOutput out) throws IOException {
@@ -73,16 +73,14 @@ final class TreeBytes {
         int face = head.getInt();
         long path = head.getLong();
         int[] child = children(in, head.getInt());
-        int form = in.readByte();
-        double[] radiosity = form == Numbers.NONE.ordinal() ? new double[0]
-                : radiosity(in, child, channels, form);
+        Numbers numbers = Numbers.of(in.readByte());
+        double[] radiosity = numbers == Numbers.NONE ? new double[0] : radiosity(in, child, channels, numbers);
         return new PatchTree(face, path, child, radiosity);
     }
 
-    private static double[] radiosity(DataInputStream in, int[] child, int channels, int form) throws IOException {
+    private static double[] radiosity(DataInputStream in, int[] child, int channels, Numbers numbers) throws IOException {
         int[] same = same(child);
         boolean once = in.readBoolean();
-        Numbers numbers = Numbers.of(form);
         Units units = numbers == Numbers.BYTES ? Units.read(in, child.length, channels) : Units.none(child.length, channels);
         double[] radiosity = new double[channels * same.length];
         int written = corners(same, once);

@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.patch.PatchTree;
 
 /** What is shot is read as it was written, to the last bit, in as little room as it needs. */
@@ -118,10 +120,11 @@ class TreeBytesTest {
         assertThrows(IOException.class, () -> TreeBytes.read(Wire.input(bytes), 1));
     }
 
-    @Test
-    void unknownForm_isRefused() {
+    @ParameterizedTest
+    @ValueSource(bytes = {-1, 2, 5, 9})
+    void unknownForm_isRefused(byte form) {
         byte[] bytes = written(tree(random(4)));
-        bytes[4 + 8 + 4 + 1] = 9;
+        bytes[4 + 8 + 4 + 1] = form;
         assertThrows(IOException.class, () -> TreeBytes.read(Wire.input(bytes), 1));
     }
 }
