@@ -63,8 +63,7 @@ public final class RemoteWorld extends World {
         hosts.open(links);
         recover();
         if (mesh.gathersOnce()) {
-            points.agree(hosts.present());
-            recover();
+            agree();
         }
     }
 
@@ -120,9 +119,13 @@ public final class RemoteWorld extends World {
     private void share(Order order) throws IOException {
         if (points.isOpen(order)) {
             finish(NOBODY);
-            points.agree(hosts.present());
-            recover();
+            agree();
         }
+    }
+
+    private void agree() throws IOException {
+        points.agree(hosts.present());
+        recover();
     }
 
     /** Makes hosts tell each other what they have gathered for each other up to now; nothing is under way. */

@@ -34,11 +34,12 @@ record Rounding(boolean exact, boolean together) {
     }
 
     private static double toFloat(double x) {
-        return isFar(Math.abs(x)) ? x : (float) x;
+        return isNear(Math.abs(x), LEAST) ? (float) x : x;
     }
 
-    private static boolean isFar(double size) {
-        return size < LEAST || size > 1 / LEAST;
+    /** Whether neither a size nor its inverse is below the least. */
+    private static boolean isNear(double size, double least) {
+        return size >= least && size <= 1 / least;
     }
 
     private static double[] together(PatchTree tree) {
@@ -47,6 +48,6 @@ record Rounding(boolean exact, boolean together) {
         for (double x : values) {
             largest = Math.max(largest, Math.abs(x));
         }
-        return largest > LEAST_UNITS && largest < 1 / LEAST_UNITS ? Units.of(values, tree.channels()).rounded(values) : values;
+        return isNear(largest, LEAST_UNITS) ? Units.of(values, tree.channels()).rounded(values) : values;
     }
 }

@@ -63,28 +63,20 @@ record Units(int channels, double[] unit) {
             int run = run(node);
             for (int i = perNode * node; i < perNode * (node + 1); i += channels) {
                 for (int c = 0; c < channels; c++) {
-                    rounded[i + c] = rounded(radiosity[i + c], unit[run + c]);
+                    double u = unit[run + c];
+                    rounded[i + c] = u == 0 ? 0 : Math.rint(radiosity[i + c] / u) * u + 0.0;
                 }
             }
         }
         return rounded;
     }
 
-    private static double rounded(double x, double unit) {
-        return unit == 0 ? 0 : Math.rint(x / unit) * unit + 0.0;
-    }
-
     /** Whether these are multiples. */
     boolean fit(double[] radiosity) {
-        int perNode = 3 * channels;
-        for (int node = 0; node < radiosity.length / perNode; node++) {
-            int run = run(node);
-            for (int i = perNode * node; i < perNode * (node + 1); i += channels) {
-                for (int c = 0; c < channels; c++) {
-                    if (rounded(radiosity[i + c], unit[run + c]) != radiosity[i + c]) {
-                        return false;
-                    }
-                }
+        double[] rounded = rounded(radiosity);
+        for (int i = 0; i < rounded.length; i++) {
+            if (rounded[i] != radiosity[i]) {
+                return false;
             }
         }
         return true;
