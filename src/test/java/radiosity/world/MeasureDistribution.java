@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
 import radiosity.lightwave.LightWaveOptions;
 import radiosity.lightwave.LightWaveReader;
@@ -20,8 +21,8 @@ public final class MeasureDistribution {
     /** Renders until JVMs have compiled what matters. */
     private static final int WARM = 3;
     private static final int TURNS = 5;
-    /** Of what differs by a few per cent: the machine's speed differs by more from one to the next. */
-    private static final int MANY_TURNS = 15;
+    /** A step of who has half a processor, by the clock, s. */
+    private static final double HALF_STEP = 2 * Pace.STEP_SECONDS;
 
     private final Scene scene;
 
@@ -30,7 +31,7 @@ public final class MeasureDistribution {
     }
 
     /** @param arguments what to measure, and a scene */
-    public static void main(String[] arguments) throws IOException {
+    public static void main(String[] arguments) throws Exception {
         MeasureDistribution measure = new MeasureDistribution(LightWaveReader.read(Path.of(arguments[1]),
                 LightWaveOptions.defaults(), line -> { }));
         switch (arguments[0]) {
@@ -51,9 +52,7 @@ public final class MeasureDistribution {
 
     /** Processor time of one process on one thread, s. */
     private double alone(RadiositySettings settings, StopRule stop) throws IOException {
-        long begin = BlockCosts.now();
-        new ProgressiveRadiosity(new LocalWorld(scene, settings, 1), stop).run(progress -> true);
-        return (BlockCosts.now() - begin) * 1e-9;
+        return spent(new LocalWorld(scene, settings, 1), stop);
     }
 
     private static void print(String format, Object... values) {
@@ -144,32 +143,51 @@ public final class MeasureDistribution {
     }
 
     /**
-     * A host over sockets against no host, in turns, each against the mean of what comes before and after it. Both are in
-     * this process: from one JVM to the next the same code takes up to a quarter more or less.
+     * A host over sockets and no host at the same time, on one processor, which the script sees to: what is done in turns
+     * differs by more than is to be measured, as the machine is not as fast from one second to the next. All that this
+     * process does beside the thread that has no host counts for the one that has: master, host, both ends of the
+     * sockets, collecting garbage and compiling.
      */
-    private void loopback() throws IOException {
-        RadiositySettings settings = paper(300, 10);
-        StopRule stop = new StopRule(3000, 0);
-        List<Double> more = new ArrayList<>();
+    private void loopback() throws Exception {
         int number = HostProcess.freePort();
+        List<Double> more = new ArrayList<>();
         try (PartitionPort port = PartitionPort.open(new PartitionPort.Options(number, 0, null, null, 1), line -> { })) {
-            double before = timed(new LocalWorld(scene, settings, 1), stop, List.of())[1];
-            for (int i = 0; i < WARM + MANY_TURNS; i++) {
-                double hosted;
-                try (RemoteWorld world = new RemoteWorld(scene, settings, List.of(new HostAddress("localhost", port.port())),
-                        null, 1, line -> print("  %s", line))) {
-                    hosted = timed(world, stop, List.of())[1];
-                }
-                double after = timed(new LocalWorld(scene, settings, 1), stop, List.of())[1];
+            for (int i = 0; i < WARM + TURNS; i++) {
+                double[] seconds = sideBySide(new HostAddress("localhost", port.port()));
                 if (i >= WARM) {
-                    more.add(100 * (2 * hosted / (before + after) - 1));
-                    print("no host: CPU %.2f and %.2f s; between them one host and its master, over sockets: CPU %.2f s, %+.1f %%",
-                            before, after, hosted, more.get(more.size() - 1));
+                    more.add(100 * (seconds[1] / seconds[0] - 1));
+                    print("no host: CPU %.3f s; at the same time one host and its master, over sockets: CPU %.3f s, %+.1f %%",
+                            seconds[0], seconds[1], more.get(more.size() - 1));
                 }
-                before = after;
             }
         }
-        print("one host over sockets: %+.1f %% in the middle of %d turns", median(more), MANY_TURNS);
+        print("one host over sockets: %+.1f %% in the middle of %d turns", median(more), TURNS);
+    }
+
+    /** Processor time without a host and with one, s. */
+    private double[] sideBySide(HostAddress address) throws Exception {
+        RadiositySettings settings = paper(300, 10);
+        StopRule stop = new StopRule(3000, 0);
+        LocalWorld local = new LocalWorld(scene, settings, 1);
+        try (RemoteWorld remote = new RemoteWorld(scene, settings, List.of(address), null, 1, line -> print("  %s", line))) {
+            double begin = cpu();
+            FutureTask<Double> without = new FutureTask<>(() -> spent(local, stop, HALF_STEP));
+            new Thread(without).start();
+            spent(remote, stop, HALF_STEP);
+            double alone = without.get();
+            return new double[] {alone, cpu() - begin - alone};
+        }
+    }
+
+    /** Of this thread, s. */
+    private static double spent(World world, StopRule stop) throws IOException {
+        return spent(world, stop, Pace.STEP_SECONDS);
+    }
+
+    private static double spent(World world, StopRule stop, double stepSeconds) throws IOException {
+        long begin = BlockCosts.now();
+        new ProgressiveRadiosity(world, stop, stepSeconds).run(progress -> true);
+        return (BlockCosts.now() - begin) * 1e-9;
     }
 
     private static double median(List<Double> values) {
