@@ -8,6 +8,8 @@ import radiosity.world.StopRule;
 final class StopRuleCourse implements Course {
 
     private static final double NANOSECONDS = 1e9;
+    /** A smaller part that is done says nothing about the rest: a first shot may change almost nothing. */
+    private static final double LEAST_DONE = 1e-4;
 
     private final StopRule stop;
     private final LongSupplier clock;
@@ -35,12 +37,12 @@ final class StopRuleCourse implements Course {
         return whole > 0 && gone > 0 ? Math.min(1, gone / whole) : 0;
     }
 
-    /** If it goes on as so far. */
+    /** If it goes on as so far; 0 where little is known of that. */
     @Override
     public double left(Progress now) {
         double done = done(now);
         double elapsed = (clock.getAsLong() - start) / NANOSECONDS;
-        return done > 0 ? elapsed * (1 - done) / done : 0;
+        return done >= LEAST_DONE ? elapsed * (1 - done) / done : 0;
     }
 
     @Override

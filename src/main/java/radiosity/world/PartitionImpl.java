@@ -180,6 +180,9 @@ final class PartitionImpl implements Partition {
         if (order.kind() == Order.Kind.GATHER) {
             costs.split(order.number() - 1);
         }
+        if (vertices.length == 0) {
+            return;
+        }
         receiveAmbient(order, vertices);
         Shooter[] source = receivers.shooters(order);
         FormFactorCalculator[] calculator = receivers.calculators(order);
