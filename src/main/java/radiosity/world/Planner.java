@@ -27,7 +27,7 @@ sealed interface Planner permits ShootAndSort, Prediction, Unsorted, MatrixSolut
         return false;
     }
 
-    /** How many candidates it wants to be told at the beginning. */
+    /** How many candidates it wants to be told, where nothing is known of them. */
     default int wanted() {
         return Integer.MAX_VALUE;
     }

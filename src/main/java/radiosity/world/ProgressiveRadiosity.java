@@ -114,11 +114,11 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    /** From the last answer, which knows nothing of the last round; where too little is left, all is asked for. */
+    /** From the last answer, which knows nothing of the last round; where that names nobody who is left, it is asked. */
     private void choose() throws IOException {
         double left = tally.flux.unsent(answer);
         Order next = planner.next(answer.without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
-        agenda.add(next == null ? Order.plain(Order.Kind.ASK, Integer.MAX_VALUE) : next, left);
+        agenda.add(next == null ? Order.plain(Order.Kind.ASK, planner.wanted()) : next, left);
     }
 
     private void read() throws IOException {

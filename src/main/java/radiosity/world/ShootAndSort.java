@@ -11,17 +11,14 @@ import java.util.function.BooleanSupplier;
  * Shooting and sorting (section 2.2 of the paper): whoever has most unshot flux shoots.
  *
  * <p>A round may hold several shots: a part of those already done and a part of all patches, so that the first are
- * single. Later rounds overlap: who shoots in one is chosen by what was known before the last, so nobody waits for
- * anybody.
+ * single. Rounds overlap: who shoots in one is chosen by what was known before the last, so nobody waits for anybody.
  */
 final class ShootAndSort implements Planner {
 
     private static final int MOST_IN_ROUND = 64;
     private static final int SHOTS_PER_SHOT = 16;
     private static final int PATCHES_PER_SHOT = 32;
-    /** From so many shots on, rounds overlap. */
-    private static final int ONE_BY_ONE = 64;
-    /** Where they do, those are named that have this part of the flux of the last one that was chosen. */
+    /** Those are named that have this part of the flux of the last one that was chosen. */
     private static final double NAMED = 0.5;
 
     private final double[] weight;
@@ -43,19 +40,20 @@ final class ShootAndSort implements Planner {
         }
         List<Shot> best = last.candidates.subList(0, size);
         shots += size;
-        int next = batch(shots);
-        return looksAhead()
-                ? order(best, 2 * (next + batch(shots + next))).from(NAMED * best.get(size - 1).flux())
-                : order(best, next);
-    }
-
-    private Order order(List<Shot> best, int named) {
-        return Order.of(Order.Kind.SHOOT, best, Double.POSITIVE_INFINITY, weight, 0, named);
+        return Order.of(Order.Kind.SHOOT, best, Double.POSITIVE_INFINITY, weight, 0, wanted())
+                .from(NAMED * best.get(size - 1).flux());
     }
 
     @Override
     public boolean looksAhead() {
-        return shots >= ONE_BY_ONE;
+        return true;
+    }
+
+    /** Twice as many as two rounds may hold. */
+    @Override
+    public int wanted() {
+        int next = batch(shots);
+        return 2 * (next + batch(shots + next));
     }
 
     /** How many may shoot in the next round; follows from the scene and the number of shots done, so everybody agrees. */
