@@ -1,0 +1,37 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import radiosity.world.Progress;
+import radiosity.world.StopRule;
+
+/** What is foretold of the time that a render still takes. */
+class StopRuleCourseTest {
+
+    private static final long SECOND = 1_000_000_000L;
+
+    private final AtomicLong clock = new AtomicLong();
+    private final StopRuleCourse course = new StopRuleCourse(new StopRule(Integer.MAX_VALUE, 0.01), clock::get);
+
+    private static Progress unsent(double unsent) {
+        return new Progress(1, 1, unsent, 1000, false);
+    }
+
+    @Test
+    void aFirstShotThatChangesAlmostNothing_foretellsNothing() {
+        course.done(unsent(1));
+        clock.set(SECOND);
+        assertEquals(0, course.left(unsent(1 - 1e-8)));
+    }
+
+    @Test
+    void halfTheWay_takesAsLongAgain() {
+        course.done(unsent(1));
+        clock.set(10 * SECOND);
+        assertEquals(10, course.left(unsent(0.1)), 1e-3);
+        assertTrue(course.left(unsent(0.5)) > 10);
+    }
+}
