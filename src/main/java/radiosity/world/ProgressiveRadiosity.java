@@ -18,8 +18,6 @@ public final class ProgressiveRadiosity {
 
     /** So often at least it is asked within a round how things stand, for whoever watches; it costs time. */
     private static final double ANSWER_SECONDS = 4;
-    /** Steps that are under way at the same time may take so many times as long together as one alone: each is a call. */
-    private static final double TOGETHER = 2;
 
     private final World world;
     private final StopRule stop;
@@ -42,7 +40,7 @@ public final class ProgressiveRadiosity {
         this.world = world;
         this.stop = stop;
         known = world.now();
-        pace = new Pace(stepSeconds * Math.min(1, TOGETHER / world.stepsAhead()));
+        pace = new Pace(stepSeconds / world.stepsAhead());
         tally = new Tally(world.mesh);
     }
 
