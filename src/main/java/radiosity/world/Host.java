@@ -25,7 +25,7 @@ final class Host implements AutoCloseable {
 
     /** Silent for so long: the user is told; the host is lost. Seconds. */
     private static final double NOTICED = 3;
-    private static final double LOST = 10;
+    static final double LOST = 10;
     private static final long HEARTBEAT_MILLISECONDS = 1000;
     private static final long LOOK_MILLISECONDS = 100;
     private static final int PART_BYTES = 1 << 20;
@@ -142,7 +142,7 @@ final class Host implements AutoCloseable {
     }
 
     Reply round(long number, byte[] order) throws IOException {
-        byte[] bytes = twice(() -> remote.round(session, number, order));
+        byte[] bytes = Attempts.repeat(() -> remote.round(session, number, order));
         load.bytes += order.length + bytes.length;
         return Reply.decode(bytes);
     }
@@ -182,7 +182,7 @@ final class Host implements AutoCloseable {
         List<byte[]> states = new ArrayList<>();
         while (states.size() < blocks.size()) {
             byte[] wanted = ids(blocks.subList(states.size(), blocks.size()));
-            byte[] some = twice(() -> remote.blocks(session, wanted));
+            byte[] some = Attempts.repeat(() -> remote.blocks(session, wanted));
             load.bytes += some.length;
             int before = states.size();
             states.addAll(Wire.list(some));
@@ -197,27 +197,6 @@ final class Host implements AutoCloseable {
         ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * blocks.size());
         blocks.forEach(bytes::putInt);
         return bytes.array();
-    }
-
-    /** A connection that breaks is no host that is lost: a call that may be repeated is. */
-    private <T> T twice(Callable<T> call) throws IOException {
-        try {
-            return call(call);
-        } catch (SessionEndedException | java.rmi.ServerError e) {
-            throw e;
-        } catch (RemoteException e) {
-            return call(call);
-        }
-    }
-
-    private static <T> T call(Callable<T> call) throws IOException {
-        try {
-            return call.call();
-        } catch (IOException | RuntimeException e) {
-            throw e;
-        } catch (Exception e) {
-            throw new IllegalStateException(e);
-        }
     }
 
     /** Begins calls to this host; belongs to the thread of the world. */

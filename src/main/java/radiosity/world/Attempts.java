@@ -1,0 +1,59 @@
+package radiosity.world;
+
+import java.io.IOException;
+import java.rmi.ConnectIOException;
+import java.rmi.RemoteException;
+import java.util.concurrent.Callable;
+
+/** How often a call to a host is made that may be repeated: a connection that breaks is no host that is lost. */
+final class Attempts {
+
+    /** How long a connection is tried to be made: longer than a host may be silent, so that is what it is lost for. */
+    private static final double SECONDS = 1.5 * Host.LOST;
+    private static final long PAUSE_MILLISECONDS = 100;
+
+    private Attempts() { }
+
+    /** Repeats a call once where its connection broke, or as soon as one can be made again. */
+    static <T> T repeat(Callable<T> call) throws IOException {
+        try {
+            return once(call);
+        } catch (SessionEndedException | java.rmi.ServerError e) {
+            throw e;
+        } catch (RemoteException e) {
+            return onceConnected(call);
+        }
+    }
+
+    private static <T> T onceConnected(Callable<T> call) throws IOException {
+        long begin = System.nanoTime();
+        while (true) {
+            try {
+                return once(call);
+            } catch (ConnectIOException e) {
+                if ((System.nanoTime() - begin) * 1e-9 > SECONDS) {
+                    throw e;
+                }
+                pause(e);
+            }
+        }
+    }
+
+    private static void pause(ConnectIOException failure) throws ConnectIOException {
+        try {
+            Thread.sleep(PAUSE_MILLISECONDS);
+        } catch (InterruptedException e) {
+            throw failure;
+        }
+    }
+
+    private static <T> T once(Callable<T> call) throws IOException {
+        try {
+            return call.call();
+        } catch (IOException | RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}
