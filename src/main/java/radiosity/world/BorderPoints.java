@@ -10,9 +10,10 @@ import radiosity.patch.Hash;
 import radiosity.patch.RadiosityNodes;
 
 /**
- * Receiving points that several hosts have: by prediction one of them gathers there, and the others are given what it has
- * got before anybody looks at their elements. A point that a split made is the same where it was made by the same split:
- * it was dark then.
+ * Receiving points that several hosts have: one of them gathers there where no elements are divided between rounds. By
+ * prediction the others are given what it has got before anybody looks at their elements; in the paper's schedule the
+ * master looks at them, see {@link Seam}. A point that a split made is the same where it was made by the same split: it
+ * was dark then.
  */
 final class BorderPoints {
 
@@ -51,9 +52,18 @@ final class BorderPoints {
         named = IntStream.of(ends(edges())).filter(v -> v >= known).toArray();
         lookedAt = nodes.nodes();
         known = nodes.vertices();
-        ByteBuffer keys = ByteBuffer.allocate(Long.BYTES * named.length);
-        IntStream.of(named).forEach(v -> keys.putLong(key(v)));
+        return keys(named);
+    }
+
+    private byte[] keys(int[] points) {
+        ByteBuffer keys = ByteBuffer.allocate(Long.BYTES * points.length);
+        IntStream.of(points).forEach(v -> keys.putLong(key(v)));
         return keys.array();
+    }
+
+    /** Of all points, whether others have them or not. */
+    byte[] keys() {
+        return keys(IntStream.range(0, nodes.vertices()).toArray());
     }
 
     /** The same for whoever would gather the same there. */
@@ -111,6 +121,28 @@ final class BorderPoints {
         return IntStream.range(0, role.length).filter(i -> role[i] == wanted.ordinal()).map(i -> named[i]);
     }
 
+    /** Gives what it gathers at these points, too. */
+    void giveAlso(BitSet points) {
+        BitSet more = (BitSet) points.clone();
+        more.andNot(isTaken);
+        IntStream.of(given).forEach(more::clear);
+        given = IntStream.concat(IntStream.of(given), more.stream()).toArray();
+    }
+
+    byte[] givenKeys() {
+        return keys(given);
+    }
+
+    /** Others gather at these points, and nowhere else. */
+    void take(BitSet points) {
+        isTaken.clear();
+        isTaken.or(points);
+    }
+
+    boolean isTaken(int point) {
+        return isTaken.get(point);
+    }
+
     boolean isAgreed() {
         return agreement != 0;
     }
@@ -141,14 +173,18 @@ final class BorderPoints {
         if (gift.readInt() != agreement) {
             return false;
         }
-        double[] irradiance = nodes.light().irradiance();
-        int channels = nodes.channels();
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(gift, Double.BYTES * channels * taken.length));
-        for (int v : taken) {
-            for (int c = 0; c < channels; c++) {
-                irradiance[channels * v + c] = bytes.getDouble();
-            }
+        int size = Double.BYTES * nodes.channels();
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(gift, size * taken.length));
+        for (int i = 0; i < taken.length; i++) {
+            put(taken[i], bytes, size * i);
         }
         return true;
+    }
+
+    /** What has arrived at a point: channels from a place on. */
+    void put(int point, ByteBuffer irradiance, int at) {
+        for (int c = 0; c < nodes.channels(); c++) {
+            nodes.light().irradiance()[nodes.channels() * point + c] = irradiance.getDouble(at + Double.BYTES * c);
+        }
     }
 }

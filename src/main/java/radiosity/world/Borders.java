@@ -13,8 +13,8 @@ import radiosity.patch.RadiosityNodes;
 
 /**
  * How large the blocks of the initial mesh are, and which lie side by side: a receiving point on a border gathers once
- * where one host has both sides, and on each of two hosts where it has not. By prediction it gathers once in any case,
- * see {@link BorderPoints}.
+ * where one host has both sides, and on each of two hosts where it has not and elements are divided between rounds; else
+ * one of them gathers, see {@link BorderPoints}.
  */
 final class Borders {
 

@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.PriorityQueue;
 import radiosity.patch.ElementLight;
@@ -20,6 +21,8 @@ final class Candidates {
     private final Crew crew;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
+    /** Those at which somebody else looks. */
+    private BitSet left = new BitSet();
     /** Over all shooters; null where something has changed since. */
     private Answer sums;
 
@@ -53,6 +56,12 @@ final class Candidates {
         return mesh.shootsClusters() ? whole.pruned(mesh.coarse) : whole;
     }
 
+    /** Somebody else looks at these shooters. */
+    void leave(BitSet shooters) {
+        left = shooters;
+        changed();
+    }
+
     /** Something has shot or gathered, or was divided. */
     void changed() {
         sums = null;
@@ -74,8 +83,8 @@ final class Candidates {
         Answer sums = new Answer(faces, mesh.fluxScale());
         for (int p = from; p < to; p++) {
             flux[p] = 0;
-            for (int top : shooters[p]) {
-                flux[p] += measure(top, sums);
+            for (int i = 0; i < shooters[p].length && !left.get(p); i++) {
+                flux[p] += measure(shooters[p][i], sums);
             }
         }
         return sums;

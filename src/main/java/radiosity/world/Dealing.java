@@ -2,7 +2,9 @@ package radiosity.world;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Who owns which block (section 4.3 of the paper): hosts own as much as they are fast, and what lies side by side has
@@ -76,6 +78,16 @@ final class Dealing {
      */
     double waiting(List<Host> hosts, boolean gather) {
         return shares(hosts, gather).waiting();
+    }
+
+    /** Per host what it has to do in the next rounds, counted in points of which all take the same time. */
+    Map<Host, Double> load(List<Host> hosts) {
+        Shares shares = shares(hosts, false);
+        Map<Host, Double> load = new LinkedHashMap<>();
+        for (int h = 0; h < hosts.size(); h++) {
+            load.put(hosts.get(h), shares.points(h));
+        }
+        return load;
     }
 
     /** What shortens the next rounds; empty where too little is to be won. */

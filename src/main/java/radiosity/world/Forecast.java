@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
@@ -8,8 +9,14 @@ final class Forecast {
 
     /** So many shooters later, what was measured counts for an e-th; the last ones may all stand in one corner. */
     private static final double MEMORY = 300;
+    /**
+     * What a point counts for that two blocks have, where it is gathered at once anyway: patches between hosts are work
+     * for the master, so neighbours go to one host where that costs little balance.
+     */
+    private static final double NEAR = 0.25;
 
     private final Borders borders;
+    private final boolean isShared;
     /** 1 per block: what it holds. */
     private final double[] points;
     private final double[] fresh;
@@ -17,7 +24,9 @@ final class Forecast {
     private final double[] time;
     private final double[] pairs;
 
-    Forecast(Borders borders) {
+    /** @param isShared whether one host gathers at a point of two */
+    Forecast(Borders borders, boolean isShared) {
+        this.isShared = isShared;
         this.borders = borders;
         points = new double[borders.blocks()];
         fresh = new double[points.length];
@@ -75,7 +84,20 @@ final class Forecast {
                 saved[b][i] = borders.shared(b)[i] * saved(b, beside[i], seconds);
             }
         }
-        return new Work(seconds, saved);
+        return isShared ? new Work(halved(seconds, saved), lessened(saved)) : new Work(seconds, saved);
+    }
+
+    /** Where one of two owners gathers, each does half of it. */
+    private static double[] halved(double[] seconds, double[][] saved) {
+        double[] less = seconds.clone();
+        for (int b = 0; b < less.length; b++) {
+            less[b] -= (1 - NEAR) / 2 * DoubleStream.of(saved[b]).sum();
+        }
+        return less;
+    }
+
+    private static double[][] lessened(double[][] saved) {
+        return Arrays.stream(saved).map(some -> DoubleStream.of(some).map(s -> NEAR * s).toArray()).toArray(double[][]::new);
     }
 
     /** Per point that two blocks have in common in the initial mesh; a mesh that was divided has more on a border. */

@@ -167,14 +167,18 @@ final class Host implements AutoCloseable {
         return remote.border(session, anew);
     }
 
-    /** @param roles see {@link BorderPoints#agree} */
-    Void share(int agreement, byte[] roles) throws IOException {
+    /**
+     * @param roles see {@link BorderPoints#agree}
+     * @return what it leaves to the master: a {@link SeamReport}, or nothing
+     */
+    byte[] share(int agreement, byte[] roles) throws IOException {
         send(Wire.bytes(out -> {
             out.writeInt(agreement);
             out.write(roles);
         }));
-        remote.share(session);
-        return null;
+        byte[] left = remote.share(session);
+        load.bytes += left.length;
+        return left;
     }
 
     /** The states of some of its blocks, in their order. */

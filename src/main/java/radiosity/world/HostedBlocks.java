@@ -106,7 +106,8 @@ final class HostedBlocks {
             owed.clear();
         }
         byte[] answer = order.gathers() ? gather(order, bytes) : ask(order);
-        given = order.most() == Order.GIVE && partition.isShared() ? partition.border().give() : new byte[0];
+        given = partition.isShared() && (mesh.hasSeams() || order.most() == Order.GIVE) ? partition.border().give()
+                : new byte[0];
         return answer;
     }
 
@@ -117,8 +118,11 @@ final class HostedBlocks {
         if (!partition.isShared()) {
             return partition.round(whole(order));
         }
-        byte[] nothing = partition.round(whole(order).naming(-1));
         owed.add(bytes);
+        if (mesh.hasSeams()) {
+            return partition.round(order);
+        }
+        byte[] nothing = partition.round(whole(order).naming(-1));
         return order.isAnswered() ? ask(Order.plain(Order.Kind.ASK, order.most()).from(order.least())) : nothing;
     }
 
@@ -128,7 +132,7 @@ final class HostedBlocks {
     }
 
     private byte[] ask(Order order) throws IOException {
-        if (order.most() != Order.GIVE) {
+        if (order.most() != Order.GIVE && !(mesh.hasSeams() && order.kind() == Order.Kind.ASK)) {
             settle();
         }
         return partition.round(order);
@@ -153,8 +157,10 @@ final class HostedBlocks {
         return partition.border().name(anew);
     }
 
-    void share(DataInputStream roles) throws IOException {
+    /** @return what it leaves to the master: a {@link SeamReport}, or nothing */
+    byte[] share(DataInputStream roles) throws IOException {
         partition.border().agree(roles);
+        return mesh.hasSeams() ? partition.leaveSeam() : new byte[0];
     }
 
     byte[] block(int id) throws IOException {

@@ -113,12 +113,14 @@ final class InitialMesh {
         return predicts() && settings.factors() == FormFactors.RAYCAST;
     }
 
-    /**
-     * Whether at a point that several hosts have only one gathers, for all: where rounds are few, and elements are looked
-     * at after them only.
-     */
+    /** Whether at a point that several hosts have only one gathers, for all: where no elements are divided between rounds. */
     boolean gathersOnce() {
-        return predicts() && Double.isInfinite(settings.meshing());
+        return (predicts() || settings.schedule() == Schedule.PAPER) && Double.isInfinite(settings.meshing());
+    }
+
+    /** Whether then the master looks at patches between hosts: where everybody looks at all of them in every round. */
+    boolean hasSeams() {
+        return gathersOnce() && !predicts();
     }
 
     /** Whether all flux that is shot must be received. */

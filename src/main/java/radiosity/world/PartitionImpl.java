@@ -119,6 +119,13 @@ final class PartitionImpl implements Partition {
         return border;
     }
 
+    /** Leaves the patches between this host and others to the master. */
+    byte[] leaveSeam() {
+        Seam seam = new Seam(nodes, border());
+        candidates.leave(seam.patches());
+        return seam.report();
+    }
+
     /** Whether other hosts gather where this one does not. */
     boolean isShared() {
         return border != null && border.isAgreed();

@@ -1,9 +1,9 @@
 package radiosity.world;
 
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,6 +18,7 @@ final class PointExchange {
 
     private final HostCalls calls;
     private final InitialMesh mesh;
+    private final Seams seams;
     private int agreement;
     /** Whether hosts have not told each other yet what they have gathered for each other. */
     private boolean owed;
@@ -30,12 +31,10 @@ final class PointExchange {
     private final Map<Host, Integer> given = new LinkedHashMap<>();
 
     /** Where what a host takes comes from: place among what the other gives. */
-    private record Source(Host from, int place) { }
+    record Source(Host host, int place) { }
 
-    /** One of the border points of a host. */
-    private record Holder(Host host, int place) { }
-
-    PointExchange(HostCalls calls, InitialMesh mesh) {
+    PointExchange(HostCalls calls, InitialMesh mesh, Seams seams) {
+        this.seams = seams;
         this.calls = calls;
         this.mesh = mesh;
     }
@@ -75,7 +74,7 @@ final class PointExchange {
     }
 
     /** Agrees on what nothing was agreed about; a loss then is for the caller to see to. */
-    void agree(Collection<Host> hosts) {
+    void agree(List<Host> hosts, Dealing dealing) {
         boolean anew = !isAgreed;
         agreement++;
         Map<Host, byte[]> keys = calls.onAll(hosts, host -> host.border(anew));
@@ -83,30 +82,25 @@ final class PointExchange {
             sources.clear();
             given.clear();
         }
-        Map<Host, byte[]> roles = roles(keys);
+        Map<Host, byte[]> roles = new Givers(keys, dealing.load(hosts)).roles();
         route(keys, roles);
-        calls.onAll(roles.keySet(), host -> host.share(agreement, roles.get(host)));
+        Map<Host, SeamPatches> left = calls.onAll(roles.keySet(), host -> share(host, roles.get(host)));
         isAgreed = !calls.isAnyLost();
         isWhole = true;
+        if (isAgreed && mesh.hasSeams()) {
+            seams.agree(agreement, left);
+        }
     }
 
-    /** Of those who have a point one gathers there; which one, is as good as at random. */
-    private static Map<Host, byte[]> roles(Map<Host, byte[]> keys) {
-        Map<Host, byte[]> roles = new LinkedHashMap<>();
-        Map<Long, List<Holder>> holders = new LinkedHashMap<>();
-        keys.forEach((host, bytes) -> {
-            roles.put(host, new byte[bytes.length / Long.BYTES]);
-            for (int i = 0; i < roles.get(host).length; i++) {
-                holders.computeIfAbsent(key(bytes, i), k -> new ArrayList<>(2)).add(new Holder(host, i));
-            }
-        });
-        holders.forEach((key, all) -> {
-            int giver = Math.floorMod(Long.hashCode(key), all.size());
-            for (int i = 0; i < all.size() && all.size() > 1; i++) {
-                roles.get(all.get(i).host)[all.get(i).place] = (byte) (i == giver ? Role.GIVES : Role.TAKES).ordinal();
-            }
-        });
-        return roles;
+    /** @return what the host leaves to the master */
+    private SeamPatches share(Host host, byte[] roles) throws IOException {
+        byte[] left = host.share(agreement, roles);
+        return mesh.hasSeams() ? new SeamPatches(mesh, SeamReport.decode(left, mesh)) : null;
+    }
+
+    /** Whether nobody was lost since this was agreed, and no blocks have moved. */
+    boolean isAgreed() {
+        return isAgreed;
     }
 
     private static long key(byte[] keys, int place) {
@@ -153,7 +147,7 @@ final class PointExchange {
         byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
                 Integer.BYTES + bytes * from.size());
         for (int i = 0; i < from.size(); i++) {
-            System.arraycopy(replies.get(from.get(i).from).given(), Integer.BYTES + bytes * from.get(i).place, gift,
+            System.arraycopy(replies.get(from.get(i).host).given(), Integer.BYTES + bytes * from.get(i).place, gift,
                     Integer.BYTES + bytes * i, bytes);
         }
         return gift;

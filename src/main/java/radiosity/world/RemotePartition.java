@@ -43,8 +43,12 @@ public interface RemotePartition extends Remote {
     /** The keys of receiving points that other hosts may have, too, see {@link BorderPoints#name}. */
     byte[] border(long session, boolean anew) throws RemoteException;
 
-    /** Takes from the message that was sent who gathers at which of them. */
-    void share(long session) throws RemoteException;
+    /**
+     * Takes from the message that was sent who gathers at which of them.
+     *
+     * @return what it leaves to the master then: a {@link SeamReport}, or nothing
+     */
+    byte[] share(long session) throws RemoteException;
 
     /**
      * One round on the blocks that this host owns. The same number again is not done again.

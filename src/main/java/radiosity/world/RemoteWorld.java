@@ -27,7 +27,7 @@ public final class RemoteWorld extends World {
     private final Balance balance;
     private final Hosts hosts;
     private final HostCalls calls = new HostCalls();
-    private final StepsUnderWay underWay = new StepsUnderWay(calls);
+    private final StepsUnderWay underWay;
     private final LongSupplier clock;
     private final BlockTransfer transfer;
     private final PointExchange points;
@@ -51,10 +51,12 @@ public final class RemoteWorld extends World {
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);
-        points = new PointExchange(calls, mesh);
+        Seams seams = new Seams(threads);
+        underWay = new StepsUnderWay(calls, seams);
+        points = new PointExchange(calls, mesh, seams);
         log = new ShotLog(patches());
         Borders borders = new Borders(mesh);
-        Forecast forecast = new Forecast(borders);
+        Forecast forecast = new Forecast(borders, mesh.hasSeams());
         dealing = new Dealing(forecast, borders);
         balance = new Balance(forecast, dealing, patches(), mesh.clusters.clusters.size());
         transfer = new BlockTransfer(dealing, log, calls);
@@ -96,7 +98,7 @@ public final class RemoteWorld extends World {
     void begin(Order step, StepTimes told) throws IOException {
         admit(step);
         share(step);
-        boolean exchanged = step.isAnswered() && points.isShared(step);
+        boolean exchanged = step.isAnswered() && points.isShared(step) && !mesh.hasSeams();
         send(exchanged ? step.naming(Order.GIVE) : step);
         if (exchanged) {
             finish(told);
@@ -124,8 +126,10 @@ public final class RemoteWorld extends World {
     }
 
     private void agree() throws IOException {
-        points.agree(hosts.present());
-        recover();
+        do {
+            points.agree(hosts.present(), dealing);
+            recover();
+        } while (!points.isAgreed());
     }
 
     /** Makes hosts tell each other what they have gathered for each other up to now; nothing is under way. */
@@ -252,7 +256,7 @@ public final class RemoteWorld extends World {
         recover();
     }
 
-    private void move(List<Dealing.Move> moves) {
+    private void move(List<Dealing.Move> moves) throws IOException {
         if (moves.isEmpty()) {
             balance.notMoved();
             return;
@@ -261,6 +265,9 @@ public final class RemoteWorld extends World {
         exchange();
         transfer.move(moves);
         points.forget();
+        if (mesh.hasSeams()) {
+            agree();
+        }
         balance.moved((now() - begin) * 1e-9);
     }
 

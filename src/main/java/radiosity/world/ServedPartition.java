@@ -182,11 +182,8 @@ final class ServedPartition implements RemotePartition {
     }
 
     @Override
-    public void share(long id) throws SessionEndedException {
-        inSession(id, session -> {
-            session.blocks.share(Wire.input(message(session)));
-            return null;
-        });
+    public byte[] share(long id) throws SessionEndedException {
+        return inSession(id, session -> session.blocks.share(Wire.input(message(session))));
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /**
  * Blocks shared out to hosts, so that the slowest host is done as early as may be: one goes to another host, or two
@@ -61,6 +62,12 @@ final class Shares {
 
     private double time(int host) {
         return DoubleStream.of(time[host]).sum();
+    }
+
+    /** What a host has to do, counted in receiving points that take as long as all on average. */
+    double points(int host) {
+        double points = IntStream.range(0, owner.length).mapToDouble(borders::points).sum();
+        return points * time(host) / (mean * DoubleStream.of(speed).sum());
     }
 
     double slowest() {

@@ -22,6 +22,7 @@ import java.util.stream.Stream;
 final class StepsUnderWay {
 
     private final HostCalls calls;
+    private final Seams seams;
     private final Deque<Step> steps = new ArrayDeque<>();
     /** Done, but not by all: the last ones, in their order. */
     private final List<Torn> torn = new ArrayList<>();
@@ -29,8 +30,9 @@ final class StepsUnderWay {
     /** When the last one was seen to be done, ns. */
     private long seen;
 
-    StepsUnderWay(HostCalls calls) {
+    StepsUnderWay(HostCalls calls, Seams seams) {
         this.calls = calls;
+        this.seams = seams;
     }
 
     private record Step(Order order, long begin, double given, Map<Host, FutureTask<Reply>> running) { }
@@ -82,6 +84,7 @@ final class StepsUnderWay {
         seen = now;
         Map<Host, List<byte[]>> answers = new LinkedHashMap<>();
         replies.forEach((host, reply) -> answers.put(host, new ArrayList<>(List.of(reply.answer()))));
+        seams.answers(first.order(), replies).forEach((host, answer) -> answers.get(host).add(answer));
         torn.add(new Torn(first.order(), answers));
         if (!calls.isAnyLost()) {
             mended();

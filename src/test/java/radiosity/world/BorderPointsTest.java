@@ -10,65 +10,83 @@ import static radiosity.world.SameBitsTest.solve;
 import java.io.IOException;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
-/** By prediction clusters belong to several hosts, and one of them gathers at a point for all who have it. */
+/** Where no elements are divided between rounds, one of several hosts gathers at a point for all who have it. */
 class BorderPointsTest {
 
-    private static final RadiositySettings SETTINGS = new RadiositySettings(SCENE.area() / 3000, 1,
-            Double.POSITIVE_INFINITY, Schedule.PREDICT, 1, 1e-2);
-    private static final StopRule STOP = shots(1000);
+    private static final Map<Schedule, RadiositySettings> SETTINGS = Map.of(
+            Schedule.PREDICT, new RadiositySettings(SCENE.area() / 3000, 1, Double.POSITIVE_INFINITY, Schedule.PREDICT, 1, 1e-2),
+            Schedule.PAPER, new RadiositySettings(SCENE.area() / 300, 1, Double.POSITIVE_INFINITY, Schedule.PAPER));
+    private static final Map<Schedule, StopRule> STOP = Map.of(Schedule.PREDICT, shots(1000), Schedule.PAPER, shots(120));
+    /** Of one host of three after which it dies. */
+    private static final Map<Schedule, IntStream> ROUNDS = Map.of(
+            Schedule.PREDICT, IntStream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16),
+            Schedule.PAPER, IntStream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20, 25, 30, 35, 40, 41, 42, 43));
 
-    private static Solution local;
+    private static final Map<Schedule, Solution> LOCAL = new EnumMap<>(Schedule.class);
 
     @BeforeAll
     static void solveHere() throws IOException {
-        local = solve(new LocalWorld(SCENE, SETTINGS, 2), STOP);
+        for (Schedule schedule : SETTINGS.keySet()) {
+            LOCAL.put(schedule, solve(new LocalWorld(SCENE, SETTINGS.get(schedule), 2), STOP.get(schedule)));
+        }
     }
 
-    private static RemoteWorld world(List<Link> links) throws IOException {
-        return new RemoteWorld(SCENE, SETTINGS, 1, line -> { }, links, System::nanoTime);
+    private static RemoteWorld world(Schedule schedule, List<Link> links) throws IOException {
+        return new RemoteWorld(SCENE, SETTINGS.get(schedule), 1, line -> { }, links, System::nanoTime);
     }
 
-    private static Solution remote(List<Link> links) throws IOException {
-        try (RemoteWorld world = world(links)) {
-            return solve(world, STOP);
+    private static Solution remote(Schedule schedule, List<Link> links) throws IOException {
+        try (RemoteWorld world = world(schedule, links)) {
+            return solve(world, STOP.get(schedule));
         }
     }
 
     @Test
     void clustersAreCut_inParts() {
-        InitialMesh mesh = new InitialMesh(SCENE, SETTINGS);
+        InitialMesh mesh = new InitialMesh(SCENE, SETTINGS.get(Schedule.PREDICT));
         assertTrue(mesh.blocks.size() >= 2 * mesh.clusters.clusters.size(), mesh.blocks.size() + " blocks");
     }
 
-    @ParameterizedTest
-    @ValueSource(ints = {1, 2, 5})
-    void anyNumberOfHosts_givesTheSameBitsAsLocal(int hosts) throws IOException {
-        assertSame(local, remote(TestLink.sound(hosts, 2)));
+    static Stream<Arguments> numbersOfHosts() {
+        return SETTINGS.keySet().stream().flatMap(schedule -> Stream.of(1, 2, 5).map(n -> Arguments.of(schedule, n)));
     }
 
-    @Test
-    void pointsOfSeveralHosts_areGatheredOnce() throws IOException {
-        long one = gathered(1);
+    @ParameterizedTest
+    @MethodSource("numbersOfHosts")
+    void anyNumberOfHosts_givesTheSameBitsAsLocal(Schedule schedule, int hosts) throws IOException {
+        assertSame(LOCAL.get(schedule), remote(schedule, TestLink.sound(hosts, 2)));
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"PREDICT", "PAPER"})
+    void pointsOfSeveralHosts_areGatheredOnce(Schedule schedule) throws IOException {
+        long one = gathered(schedule, 1);
         assertTrue(one > 0);
-        assertEquals(one, gathered(4));
+        assertEquals(one, gathered(schedule, 4));
     }
 
     /** Pairs of point and step, on all hosts together. */
-    private static long gathered(int hosts) throws IOException {
+    private static long gathered(Schedule schedule, int hosts) throws IOException {
         AtomicLong told = new AtomicLong();
         List<Link> links = new ArrayList<>();
         for (int h = 0; h < hosts; h++) {
             links.add(counting(new TestLink("host" + h, 1, round -> false), told));
         }
-        try (RemoteWorld world = world(links)) {
-            new ProgressiveRadiosity(world, STOP, Double.MIN_VALUE).run(progress -> true);
+        try (RemoteWorld world = world(schedule, links)) {
+            new ProgressiveRadiosity(world, STOP.get(schedule), Double.MIN_VALUE).run(progress -> true);
         }
         return told.get();
     }
@@ -86,24 +104,46 @@ class BorderPointsTest {
         return link;
     }
 
+    static Stream<Arguments> lastRounds() {
+        return ROUNDS.entrySet().stream().flatMap(e -> e.getValue().mapToObj(round -> Arguments.of(e.getKey(), round)));
+    }
+
     @ParameterizedTest
-    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16})
-    void hostThatDiesAnywhere_losesNothing(int round) throws IOException {
+    @MethodSource("lastRounds")
+    void hostThatDiesAnywhere_losesNothing(Schedule schedule, int round) throws IOException {
         List<Link> links = new ArrayList<>(TestLink.sound(2, 1));
         links.add(1, new TestLink("igge", 1, r -> r == round));
-        assertSame(local, remote(links));
+        assertSame(LOCAL.get(schedule), remote(schedule, links));
+    }
+
+    /** The second one sometimes while what the first one had is made again. */
+    @ParameterizedTest
+    @EnumSource(names = {"PREDICT", "PAPER"})
+    void twoHostsThatDieOneAfterTheOther_loseNothing(Schedule schedule) throws IOException {
+        for (int later = 0; later < 4; later++) {
+            int second = 6 + later;
+            List<Link> links = new ArrayList<>(TestLink.sound(2, 1));
+            links.add(1, new TestLink("igge", 1, r -> r == 6));
+            links.add(1, new TestLink("daniel", 1, r -> r == second));
+            assertSame(LOCAL.get(schedule), remote(schedule, links));
+        }
+    }
+
+    static Stream<Arguments> midRounds() {
+        return SETTINGS.keySet().stream().flatMap(schedule ->
+                IntStream.of(0, 4, 5, 6, 7, 8, 9, 10, 11, 12).mapToObj(round -> Arguments.of(schedule, round)));
     }
 
     /** Between any two steps: what hosts owe each other is told before; 0: nobody dies. */
     @ParameterizedTest
-    @ValueSource(ints = {0, 4, 5, 6, 7, 8, 9, 10, 11, 12})
-    void statesAskedForInMidRound_changeNothing(int dies) throws IOException {
+    @MethodSource("midRounds")
+    void statesAskedForInMidRound_changeNothing(Schedule schedule, int dies) throws IOException {
         List<Link> links = new ArrayList<>(TestLink.sound(2, 1));
         links.add(new TestLink("igge", 1, r -> r == dies));
-        try (RemoteWorld world = world(links)) {
-            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, STOP, Double.MIN_VALUE);
+        try (RemoteWorld world = world(schedule, links)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, STOP.get(schedule), Double.MIN_VALUE);
             rounds.run(progress -> state(rounds).length > 0);
-            assertSame(local, rounds.solution());
+            assertSame(LOCAL.get(schedule), rounds.solution());
         }
     }
 
@@ -115,10 +155,12 @@ class BorderPointsTest {
         }
     }
 
-    @Test
-    void stoppedInMidRound_isResumedOnOthersToTheSameBits() throws IOException {
-        Solution half = solve(world(TestLink.sound(3, 1)), shots(local.shots() / 2));
-        ProgressiveRadiosity rest = new ProgressiveRadiosity(world(TestLink.sound(2, 1)), STOP);
+    @ParameterizedTest
+    @EnumSource(names = {"PREDICT", "PAPER"})
+    void stoppedInMidRound_isResumedOnOthersToTheSameBits(Schedule schedule) throws IOException {
+        Solution local = LOCAL.get(schedule);
+        Solution half = solve(world(schedule, TestLink.sound(3, 1)), shots(local.shots() / 2));
+        ProgressiveRadiosity rest = new ProgressiveRadiosity(world(schedule, TestLink.sound(2, 1)), STOP.get(schedule));
         rest.resume(half.state());
         rest.run(progress -> true);
         assertSame(local, rest.solution());

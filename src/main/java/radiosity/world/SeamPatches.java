@@ -1,0 +1,66 @@
+package radiosity.world;
+
+import java.nio.ByteBuffer;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import radiosity.world.PointExchange.Source;
+
+/** The patches of a host's {@link Seam}, as the master keeps them: hosts gather at their corners. */
+final class SeamPatches {
+
+    private final PartitionImpl partition;
+    private final int bytesPerPoint;
+    /** Keys of the points of which the host says what has arrived there. */
+    private final long[] given;
+    /** 1 per point of these patches. */
+    private Source[] sources;
+
+    SeamPatches(InitialMesh mesh, SeamReport report) {
+        partition = new PartitionImpl(mesh, List.of(report.patches()), 1, true);
+        partition.restore(report.patches().id(), report.state());
+        bytesPerPoint = Double.BYTES * mesh.faces.channels();
+        given = report.given();
+    }
+
+    /** Adds where this host gathers. */
+    void addTo(Map<Long, Source> gathering, Host host) {
+        for (int i = 0; i < given.length; i++) {
+            gathering.put(given[i], new Source(host, i));
+        }
+    }
+
+    /** @throws IllegalStateException where nobody gathers at some point */
+    void find(Map<Long, Source> gathering) {
+        ByteBuffer keys = ByteBuffer.wrap(partition.border().keys());
+        sources = new Source[keys.remaining() / Long.BYTES];
+        for (int v = 0; v < sources.length; v++) {
+            sources[v] = gathering.get(keys.getLong());
+            if (sources[v] == null) {
+                throw new IllegalStateException("seam: expected somebody to gather at each of its points, got nobody");
+            }
+        }
+    }
+
+    /** Whether the host has said this under an agreement. */
+    boolean isOf(int agreement, byte[] said) {
+        return said.length == Integer.BYTES + bytesPerPoint * given.length && ByteBuffer.wrap(said).getInt() == agreement;
+    }
+
+    /**
+     * Does a step, gathering where a host is lost that would have.
+     *
+     * @param said what hosts have gathered up to now
+     */
+    Answer answer(Order order, Map<Host, byte[]> said) {
+        BitSet heard = new BitSet();
+        for (int v = 0; v < sources.length; v++) {
+            heard.set(v, said.containsKey(sources[v].host()));
+        }
+        partition.border().take(heard);
+        partition.answer(order.naming(-1));
+        heard.stream().forEach(v -> partition.border().put(v, ByteBuffer.wrap(said.get(sources[v].host())),
+                Integer.BYTES + bytesPerPoint * sources[v].place()));
+        return partition.answer(Order.plain(Order.Kind.ASK, order.most()).from(order.least()));
+    }
+}
