@@ -45,14 +45,16 @@ final class Answer {
         return List.of(unshotFlux, received, absorbed, unshot);
     }
 
-    /** Adds another partition's answer; keeps the best candidates of both. */
-    void add(Answer other, int most) {
-        candidates.addAll(other.candidates);
+    /** Adds other partitions' answers; keeps the best candidates of all. */
+    void add(List<Answer> others, int most) {
+        others.forEach(other -> {
+            candidates.addAll(other.candidates);
+            addSums(other);
+        });
         Collections.sort(candidates);
         if (candidates.size() > most) {
             candidates.subList(most, candidates.size()).clear();
         }
-        addSums(other);
     }
 
     /** The same without those candidates whose place is that of one of these. */

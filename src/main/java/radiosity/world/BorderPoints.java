@@ -139,6 +139,11 @@ final class BorderPoints {
         isTaken.or(points);
     }
 
+    /** Whether others gather at some of them. */
+    boolean isTaking() {
+        return !isTaken.isEmpty();
+    }
+
     boolean isTaken(int point) {
         return isTaken.get(point);
     }

@@ -118,7 +118,9 @@ final class HostedBlocks {
         if (!partition.isShared()) {
             return partition.round(whole(order));
         }
-        owed.add(bytes);
+        if (partition.border().isTaking()) {
+            owed.add(bytes);
+        }
         if (mesh.hasSeams()) {
             return partition.round(order);
         }
@@ -154,7 +156,7 @@ final class HostedBlocks {
     /** See {@link BorderPoints#name}. */
     byte[] border(boolean anew) throws IOException {
         settle();
-        return partition.border().name(anew);
+        return partition.nameBorder(anew);
     }
 
     /** @return what it leaves to the master: a {@link SeamReport}, or nothing */

@@ -4,6 +4,7 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -117,6 +118,14 @@ final class PartitionImpl implements Partition {
     BorderPoints border() {
         border = border == null ? new BorderPoints(nodes) : border;
         return border;
+    }
+
+    /** See {@link BorderPoints#name}; what was left to the master before is not any more. */
+    byte[] nameBorder(boolean anew) {
+        if (anew) {
+            candidates.leave(new BitSet());
+        }
+        return border().name(anew);
     }
 
     /** Leaves the patches between this host and others to the master. */

@@ -33,6 +33,9 @@ final class Seams {
      */
     Map<Host, byte[]> answers(Order order, Map<Host, Reply> replies) {
         Map<Host, byte[]> said = new LinkedHashMap<>();
+        if (!order.changes() && order.kind() != Order.Kind.ASK) {
+            return said;
+        }
         replies.forEach((host, reply) -> {
             if (patches.containsKey(host) && patches.get(host).isOf(agreement, reply.given())) {
                 said.put(host, reply.given());

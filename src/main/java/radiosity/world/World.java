@@ -124,7 +124,7 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
 
     private Answer sum(List<Answer> answers, int most) {
         Answer all = new Answer(mesh.faces, mesh.fluxScale());
-        answers.forEach(one -> all.add(one, most));
+        all.add(answers, most);
         return all;
     }
 

@@ -15,13 +15,14 @@ import radiosity.scene.Scene;
  * <p>All hosts are in this process, each with one thread, on a {@link LogicalClock}: the wall time is that of the
  * slowest host in every call, what the calls cost on a network, and the processor time of the master's thread, which
  * has a second one to help it. Speedup is over the mean of two calculations in one process, on one thread, just before and
- * just after: a busy machine is not always as busy. All is done once before it is measured, as hosts serve many renders,
- * and then some times: what is printed are medians.
+ * just after: a busy machine is not always as busy. All is done some times before it is measured, as hosts serve many
+ * renders, and then again: what is printed are medians.
  */
 public final class ScalingTable {
 
     private static final double WARM_UP_SECONDS = 5;
-    private static final int TURNS = 3;
+    private static final int WARM_UPS = 3;
+    private static final int TURNS = 5;
     /** Of the master. */
     private static final int THREADS = 2;
 
@@ -39,8 +40,8 @@ public final class ScalingTable {
         System.out.println("hosts  elements  alone s  calls   CPU s busiest s  idlest s  master s       MB   wall s  speedup  efficiency  worst idle %");
         for (int i = 6; i < arguments.length; i++) {
             int hosts = Integer.parseInt(arguments[i]);
-            try (RemoteWorld world = world(scene, settings, hosts, new LogicalClock())) {
-                new ProgressiveRadiosity(world, stop).run(progress -> true);
+            for (int t = 0; t < WARM_UPS; t++) {
+                measure(scene, settings, stop, hosts);
             }
             print(scene, settings, stop, hosts);
         }
