@@ -3,6 +3,7 @@ package radiosity.cli;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import radiosity.world.Progress;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
@@ -38,6 +39,7 @@ final class Rounds implements RoundListener {
         when = options.file;
         snapshots = options.picture.snapshotInterval;
         before = radiosity.shots();
+        Stream.of(when.saveInterval, snapshots).flatMap(Stream::ofNullable).forEach(radiosity::pauseEvery);
     }
 
     @Override
@@ -74,7 +76,7 @@ final class Rounds implements RoundListener {
         }
     }
 
-    /** Whether a multiple of the interval lies in the shots of the round: a round may hold several. */
+    /** Whether a multiple of the interval was reached. */
     private boolean passed(Integer interval, int now) {
         return interval != null && now / interval > before / interval;
     }

@@ -20,6 +20,8 @@ public final class ProgressiveRadiosity {
     private static final double ANSWER_SECONDS = 4;
 
     private final World world;
+    /** Shots after which the listener is to be asked. */
+    private final List<Integer> pauses = new ArrayList<>();
     private final StopRule stop;
     private final Tally tally;
     private final Agenda agenda = new Agenda();
@@ -89,6 +91,11 @@ public final class ProgressiveRadiosity {
         };
     }
 
+    /** No step goes beyond a multiple of so many shots, so that the listener is asked there; at least 1. */
+    public void pauseEvery(int shots) {
+        pauses.add(shots);
+    }
+
     private void prepare() {
         if (planner == null) {
             planner = world.settings().schedule().planner(world);
@@ -125,11 +132,15 @@ public final class ProgressiveRadiosity {
         isKnown = world.unread() == 0 && agenda.isBetweenRounds();
     }
 
-    /** Reads what is answered by now, and chooses by it what was to be chosen by it. */
-    private void readAll() throws IOException {
+    private void catchUp() throws IOException {
         while (world.unread() > 0) {
             read();
         }
+    }
+
+    /** Reads what is answered by now, and chooses by it what was to be chosen by it. */
+    private void readAll() throws IOException {
+        catchUp();
         if (agenda.wantsNext() && planner.looksAhead()) {
             choose();
         }
@@ -145,6 +156,9 @@ public final class ProgressiveRadiosity {
         int size = Math.min(pending.shots().size(), pace.size(pending.kind(), receive, pending.shots().size()));
         if (pending.kind() == Order.Kind.SHOOT) {
             size = Math.min(size, stop.shots() - tally.shots());
+            for (int every : pauses) {
+                size = Math.min(size, every - tally.shots() % every);
+            }
         }
         Order now = pending.first(size);
         if (now.more() && world.now() - known <= ANSWER_SECONDS * 1e9) {
@@ -171,8 +185,8 @@ public final class ProgressiveRadiosity {
         boolean isRead = now.isAnswered() && (now.more() || !planner.looksAhead() || !now.changes());
         if (now.changes()) {
             world.begin(now, pace::took);
-            while (isRead && world.unread() > 0) {
-                read();
+            if (isRead) {
+                catchUp();
             }
             isKnown = isRead;
         } else {
@@ -182,6 +196,7 @@ public final class ProgressiveRadiosity {
 
     private void await(Order now) throws IOException {
         world.finish(pace::took);
+        catchUp();
         long begin = world.now();
         if (now.kind() == Order.Kind.ROWS) {
             planner.take(now.shots().size(), world.round(now));

@@ -161,6 +161,14 @@ class RenderTest {
         assertFalse(Files.exists(directory.resolve("box.scene-35.jpg")));
     }
 
+    @Test
+    void snapshotInterval_isKeptWithinRoundsOfManyShots() throws IOException {
+        succeeds(Run.of("-q", "-pa", 2000, "-it", 170, "-sn", 50, "--size", "40x30", BOX, output));
+        for (int shots = 50; shots < 170; shots += 50) {
+            assertTrue(Files.exists(directory.resolve("box.scene-" + shots + ".jpg")), shots + " shots");
+        }
+    }
+
     /** One triangle's texture has room, those of the whole surface do not: that is found out at the end. */
     @Test
     void texturesThatAreTooLarge_doNotCostTheSolution() throws IOException {
@@ -214,7 +222,7 @@ class RenderTest {
     void quiet_silencesProgressOnly() {
         Run run = render("-q", "-it", 5);
         assertEquals("", run.err());
-        assertTrue(run.out().contains("5 shots in 5 rounds"), run.out());
+        assertTrue(run.out().contains("5 shots in 3 rounds"), run.out());
         assertTrue(render("-it", 5).err().startsWith("1 shot, "));
     }
 
@@ -223,7 +231,7 @@ class RenderTest {
         succeeds(render("-q", "-it", 5));
         Run info = Run.of("--info", output);
         succeeds(info);
-        assertTrue(info.out().contains("5 in 5 rounds"), info.out());
+        assertTrue(info.out().contains("5 in 3 rounds"), info.out());
     }
 
     @Test
