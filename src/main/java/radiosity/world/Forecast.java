@@ -8,7 +8,7 @@ import java.util.stream.DoubleStream;
 final class Forecast {
 
     /** So many shooters later, what was measured counts for an e-th; the last ones may all stand in one corner. */
-    private static final double MEMORY = 300;
+    private static final double MEMORY = 1000;
     /**
      * What a point counts for that two blocks have, where it is gathered at once anyway: patches between hosts are work
      * for the master, so neighbours go to one host where that costs little balance.

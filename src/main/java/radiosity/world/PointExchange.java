@@ -30,6 +30,9 @@ final class PointExchange {
     /** How many points each host gathers at for others. */
     private final Map<Host, Integer> given = new LinkedHashMap<>();
 
+    /** What hosts have said last. */
+    private Map<Host, Reply> said = Map.of();
+
     /** Where what a host takes comes from: place among what the other gives. */
     record Source(Host host, int place) { }
 
@@ -67,9 +70,9 @@ final class PointExchange {
 
     /** Hosts have done this. */
     void done(Order order, Map<Host, Reply> replies) {
+        said = replies;
         if (order.most() == Order.GIVE) {
-            deliver(replies);
-            owed = false;
+            deliver();
         }
     }
 
@@ -127,27 +130,31 @@ final class PointExchange {
         });
     }
 
-    /** Gives to each host what others have gathered for it; nothing where somebody has not said it. */
-    private void deliver(Map<Host, Reply> replies) {
-        boolean all = isAgreed && replies.keySet().containsAll(sources.keySet())
-                && replies.values().stream().allMatch(reply -> agreement(reply) == agreement);
+    /**
+     * Gives to each host with its next order what others have gathered for it, as far as they have told in the last step;
+     * nothing where somebody has not.
+     */
+    void deliver() {
+        boolean all = isAgreed && said.keySet().containsAll(sources.keySet())
+                && said.values().stream().allMatch(reply -> agreement(reply) == agreement);
         sources.forEach((host, from) -> {
             if (all) {
-                host.gift = gift(from, replies);
+                host.gift = gift(from);
             }
         });
+        owed = false;
     }
 
     private static int agreement(Reply reply) {
         return reply.given().length < Integer.BYTES ? 0 : ByteBuffer.wrap(reply.given()).getInt();
     }
 
-    private byte[] gift(List<Source> from, Map<Host, Reply> replies) {
+    private byte[] gift(List<Source> from) {
         int bytes = Double.BYTES * mesh.faces.channels();
         byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
                 Integer.BYTES + bytes * from.size());
         for (int i = 0; i < from.size(); i++) {
-            System.arraycopy(replies.get(from.get(i).host).given(), Integer.BYTES + bytes * from.get(i).place, gift,
+            System.arraycopy(said.get(from.get(i).host).given(), Integer.BYTES + bytes * from.get(i).place, gift,
                     Integer.BYTES + bytes * i, bytes);
         }
         return gift;

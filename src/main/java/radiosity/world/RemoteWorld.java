@@ -132,10 +132,14 @@ public final class RemoteWorld extends World {
         } while (!points.isAgreed());
     }
 
-    /** Makes hosts tell each other what they have gathered for each other up to now; nothing is under way. */
+    /** Tells hosts what they have gathered for each other up to now; nothing is under way. */
     private void exchange() {
         if (points.isOwed()) {
-            tell(Order.plain(Order.Kind.ASK, Order.GIVE));
+            if (mesh.hasSeams()) {
+                points.deliver();
+            } else {
+                tell(Order.plain(Order.Kind.ASK, Order.GIVE));
+            }
             tell(Order.plain(Order.Kind.ASK, -1));
         }
     }
