@@ -31,6 +31,9 @@ final class BorderPoints {
     private int[] given = {};
     private int[] taken = {};
     private final BitSet isTaken = new BitSet();
+    /** Those where others do not gather; null where they are to be found. */
+    private int[] own;
+    private int vertices;
 
     BorderPoints(RadiosityNodes nodes) {
         this.nodes = nodes;
@@ -48,6 +51,7 @@ final class BorderPoints {
             given = new int[0];
             taken = new int[0];
             isTaken.clear();
+            own = null;
         }
         named = IntStream.of(ends(edges())).filter(v -> v >= known).toArray();
         lookedAt = nodes.nodes();
@@ -114,6 +118,7 @@ final class BorderPoints {
         given = IntStream.concat(IntStream.of(given), withRole(role, Role.GIVES)).toArray();
         taken = IntStream.concat(IntStream.of(taken), withRole(role, Role.TAKES)).toArray();
         IntStream.of(taken).forEach(isTaken::set);
+        own = null;
         named = new int[0];
     }
 
@@ -137,6 +142,7 @@ final class BorderPoints {
     void take(BitSet points) {
         isTaken.clear();
         isTaken.or(points);
+        own = null;
     }
 
     /** Whether others gather at some of them. */
@@ -150,6 +156,15 @@ final class BorderPoints {
 
     boolean isAgreed() {
         return agreement != 0;
+    }
+
+    /** Of all points those where this host gathers; every step of a round wants them. Not to be modified. */
+    int[] own() {
+        if (own == null || vertices != nodes.vertices()) {
+            vertices = nodes.vertices();
+            own = IntStream.range(0, vertices).filter(v -> !isTaken.get(v)).toArray();
+        }
+        return own;
     }
 
     /** Of some points those where this host gathers, or those where others do. */

@@ -154,6 +154,9 @@ final class PartitionImpl implements Partition {
 
     /** Where is gathered: in a round that gathers only, at the points that the round before has made. */
     private int[] points(Order order, boolean others) {
+        if (border != null && order.kind() != Order.Kind.GATHER && !others) {
+            return border.own();
+        }
         int[] all = order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
                 : IntStream.range(0, nodes.vertices()).toArray();
         return border == null ? all : border.of(all, others);

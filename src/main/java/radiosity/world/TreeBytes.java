@@ -37,8 +37,10 @@ final class TreeBytes {
         }
         ByteBuffer bytes = ByteBuffer.allocate(corners(same, once) * channels * numbers.bytes);
         for (int corner = 0; corner < same.length; corner++) {
-            for (int c = 0; c < channels && isWritten(corner, same, once); c++) {
-                numbers.put(radiosity[channels * corner + c], units.at(corner / 3, c), bytes);
+            if (isWritten(corner, same, once)) {
+                for (int c = 0; c < channels; c++) {
+                    numbers.put(radiosity[channels * corner + c], units.at(corner / 3, c), bytes);
+                }
             }
         }
         out.write(bytes.array());
@@ -86,13 +88,15 @@ final class TreeBytes {
         int written = corners(same, once);
         ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, written * channels * numbers.bytes));
         for (int corner = 0; corner < same.length; corner++) {
-            for (int c = 0; c < channels && isWritten(corner, same, once); c++) {
-                radiosity[channels * corner + c] = numbers.get(units.at(corner / 3, c), bytes);
+            if (isWritten(corner, same, once)) {
+                for (int c = 0; c < channels; c++) {
+                    radiosity[channels * corner + c] = numbers.get(units.at(corner / 3, c), bytes);
+                }
             }
         }
         for (int corner = 0; corner < same.length && once; corner++) {
-            for (int c = 0; c < channels && same[corner] != INNER; c++) {
-                radiosity[channels * corner + c] = radiosity[channels * same[corner] + c];
+            if (same[corner] != INNER && same[corner] != corner) {
+                System.arraycopy(radiosity, channels * same[corner], radiosity, channels * corner, channels);
             }
         }
         return radiosity;
@@ -120,7 +124,7 @@ final class TreeBytes {
 
     private static boolean isSame(double[] radiosity, int[] same, int channels) {
         for (int corner = 0; corner < same.length; corner++) {
-            for (int c = 0; c < channels && same[corner] != INNER; c++) {
+            for (int c = 0; c < channels && same[corner] != INNER && same[corner] != corner; c++) {
                 if (radiosity[channels * corner + c] != radiosity[channels * same[corner] + c]) {
                     return false;
                 }

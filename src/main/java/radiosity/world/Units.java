@@ -31,7 +31,8 @@ record Units(int channels, double[] unit) {
             int run = units.run(node);
             for (int i = perNode * node; i < perNode * (node + 1); i += channels) {
                 for (int c = 0; c < channels; c++) {
-                    unit[run + c] = Math.max(unit[run + c], Math.abs(radiosity[i + c]));
+                    double size = Math.abs(radiosity[i + c]);
+                    unit[run + c] = size > unit[run + c] ? size : unit[run + c];
                 }
             }
         }
