@@ -8,6 +8,9 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import radiosity.world.BorderPoints.Role;
 
 /**
@@ -87,7 +90,7 @@ final class PointExchange {
         }
         Map<Host, byte[]> roles = new Givers(keys, dealing.load(hosts)).roles();
         route(keys, roles);
-        Map<Host, SeamPatches> left = calls.onAll(roles.keySet(), host -> share(host, roles.get(host)));
+        Map<Host, SeamPatches> left = calls.onAll(roles.keySet(), host -> share(host, keys.get(host), roles.get(host)));
         isAgreed = !calls.isAnyLost();
         isWhole = true;
         if (isAgreed && mesh.hasSeams()) {
@@ -96,9 +99,15 @@ final class PointExchange {
     }
 
     /** @return what the host leaves to the master */
-    private SeamPatches share(Host host, byte[] roles) throws IOException {
+    private SeamPatches share(Host host, byte[] keys, byte[] roles) throws IOException {
         byte[] left = host.share(agreement, roles);
-        return mesh.hasSeams() ? new SeamPatches(mesh, SeamReport.decode(left, mesh)) : null;
+        return mesh.hasSeams() ? new SeamPatches(mesh, SeamReport.decode(left, mesh),
+                with(Role.GIVES, keys, roles), with(Role.TAKES, keys, roles)) : null;
+    }
+
+    private static Set<Long> with(Role wanted, byte[] keys, byte[] roles) {
+        return IntStream.range(0, roles.length).filter(i -> roles[i] == wanted.ordinal()).mapToObj(i -> key(keys, i))
+                .collect(Collectors.toSet());
     }
 
     /** Whether nobody was lost since this was agreed, and no blocks have moved. */

@@ -1,9 +1,14 @@
 package radiosity.world;
 
+import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.LongBuffer;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.LongStream;
 import radiosity.world.PointExchange.Source;
 
 /** The patches of a host's {@link Seam}, as the master keeps them: hosts gather at their corners. */
@@ -16,11 +21,26 @@ final class SeamPatches {
     /** 1 per point of these patches. */
     private Source[] sources;
 
-    SeamPatches(InitialMesh mesh, SeamReport report) {
+    /**
+     * @param gives keys of the points at which the host gathers for others
+     * @param takes of those at which others gather for it
+     * @throws IOException where it does not tell of all points that it has to tell of
+     */
+    SeamPatches(InitialMesh mesh, SeamReport report, Set<Long> gives, Set<Long> takes) throws IOException {
         partition = new PartitionImpl(mesh, List.of(report.patches()), 1, true);
         partition.restore(report.patches().id(), report.state());
         bytesPerPoint = Double.BYTES * mesh.faces.channels();
         given = report.given();
+        Set<Long> missing = new HashSet<>(gives);
+        LongBuffer own = ByteBuffer.wrap(partition.border().keys()).asLongBuffer();
+        while (own.hasRemaining()) {
+            missing.add(own.get());
+        }
+        missing.removeAll(takes);
+        LongStream.of(given).forEach(missing::remove);
+        if (!missing.isEmpty()) {
+            throw new IOException("seam: expected to be told of all points, got " + missing.size() + " too few");
+        }
     }
 
     /** Adds where this host gathers. */
@@ -30,15 +50,12 @@ final class SeamPatches {
         }
     }
 
-    /** @throws IllegalStateException where nobody gathers at some point */
+    /** Who gathers at each point; every one has somebody. */
     void find(Map<Long, Source> gathering) {
         ByteBuffer keys = ByteBuffer.wrap(partition.border().keys());
         sources = new Source[keys.remaining() / Long.BYTES];
         for (int v = 0; v < sources.length; v++) {
             sources[v] = gathering.get(keys.getLong());
-            if (sources[v] == null) {
-                throw new IllegalStateException("seam: expected somebody to gather at each of its points, got nobody");
-            }
         }
     }
 

@@ -7,6 +7,7 @@ import static radiosity.world.SameBitsTest.SCENE;
 import static radiosity.world.SameBitsTest.shots;
 import static radiosity.world.SameBitsTest.solve;
 
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
@@ -33,7 +34,7 @@ class BorderPointsTest {
     /** Of one host of three after which it dies. */
     private static final Map<Schedule, IntStream> ROUNDS = Map.of(
             Schedule.PREDICT, IntStream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16),
-            Schedule.PAPER, IntStream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20, 25, 30, 35, 40, 41, 42, 43));
+            Schedule.PAPER, IntStream.rangeClosed(1, 19));
 
     private static final Map<Schedule, Solution> LOCAL = new EnumMap<>(Schedule.class);
 
@@ -112,8 +113,45 @@ class BorderPointsTest {
     @MethodSource("lastRounds")
     void hostThatDiesAnywhere_losesNothing(Schedule schedule, int round) throws IOException {
         List<Link> links = new ArrayList<>(TestLink.sound(2, 1));
-        links.add(1, new TestLink("igge", 1, r -> r == round));
+        TestLink mortal = new TestLink("igge", 1, r -> r == round);
+        links.add(1, mortal);
         assertSame(LOCAL.get(schedule), remote(schedule, links));
+        assertTrue(mortal.isDead());
+    }
+
+    /** A host that leaves out points of which it should tell is lost. */
+    @Test
+    void hostThatTellsTooLittle_changesNothing() throws IOException {
+        List<Link> links = new ArrayList<>(TestLink.sound(2, 1));
+        AtomicLong leftOut = new AtomicLong();
+        links.add(1, telling(new TestLink("igge", 1, r -> false), leftOut));
+        assertSame(LOCAL.get(Schedule.PAPER), remote(Schedule.PAPER, links));
+        assertTrue(leftOut.get() > 0);
+    }
+
+    private static Link telling(TestLink link, AtomicLong leftOut) {
+        RemotePartition behind = link.behind;
+        link.behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
+                new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
+                    Object result = method.invoke(behind, arguments);
+                    return method.getName().equals("share") ? withoutGiven((byte[]) result, leftOut) : result;
+                });
+        return link;
+    }
+
+    /** A {@link SeamReport} that names no points. */
+    private static byte[] withoutGiven(byte[] report, AtomicLong leftOut) throws IOException {
+        DataInputStream in = Wire.input(report);
+        int tops = in.readInt();
+        byte[] patches = Wire.exactly(in, tops * (Integer.BYTES + Long.BYTES));
+        byte[] state = Wire.bytes(in);
+        leftOut.addAndGet(Wire.bytes(in).length);
+        return Wire.bytes(out -> {
+            out.writeInt(tops);
+            out.write(patches);
+            Wire.write(out, state);
+            Wire.write(out, new byte[0]);
+        });
     }
 
     /** The second one sometimes while what the first one had is made again. */
