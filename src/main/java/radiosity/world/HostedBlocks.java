@@ -118,7 +118,7 @@ final class HostedBlocks {
         if (!partition.isShared()) {
             return partition.round(whole(order));
         }
-        if (partition.border().isTaking()) {
+        if (partition.takes(order)) {
             owed.add(bytes);
         }
         if (mesh.hasSeams()) {

@@ -140,6 +140,11 @@ final class PartitionImpl implements Partition {
         return border != null && border.isAgreed();
     }
 
+    /** Whether others gather at some points in this step. */
+    boolean takes(Order order) {
+        return border().isTaking() && (order.kind() != Order.Kind.GATHER || points(order, true).length > 0);
+    }
+
     /** See {@link BorderPoints#take}. */
     boolean take(DataInputStream gift) throws IOException {
         candidates.changed();

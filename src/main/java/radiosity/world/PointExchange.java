@@ -19,6 +19,9 @@ import radiosity.world.BorderPoints.Role;
  */
 final class PointExchange {
 
+    /** New elements of all. */
+    private static final double FEW = 0.01;
+
     private final HostCalls calls;
     private final InitialMesh mesh;
     private final Seams seams;
@@ -28,6 +31,9 @@ final class PointExchange {
     /** Whether blocks are dealt as they were when this was agreed, and about all points. */
     private boolean isAgreed;
     private boolean isWhole;
+    /** How many there were when about all points something was agreed, and now. */
+    private int agreedElements;
+    private int elements;
     /** Per host: what it takes, in its order. */
     private final Map<Host, List<Source>> sources = new LinkedHashMap<>();
     /** How many points each host gathers at for others. */
@@ -52,12 +58,17 @@ final class PointExchange {
 
     /** Whether an order makes some hosts gather for others. */
     boolean isShared(Order order) {
-        return order.gathers() && isAgreed && sources.values().stream().anyMatch(all -> !all.isEmpty());
+        return order.gathers() && isAgreed && (isWhole || order.kind() != Order.Kind.GATHER)
+                && sources.values().stream().anyMatch(all -> !all.isEmpty());
     }
 
-    /** Whether by an order points may be gathered at about which nothing was agreed. */
+    /**
+     * Whether by an order points may be gathered at about which nothing was agreed. Where few elements are new, every
+     * host gathers once at all points that it has got: that takes less time than to agree and to tell each other.
+     */
     boolean isOpen(Order order) {
-        return mesh.gathersOnce() && order.gathers() && (!isAgreed || !isWhole);
+        double few = order.kind() == Order.Kind.GATHER ? FEW * agreedElements : 0;
+        return mesh.gathersOnce() && order.gathers() && (!isAgreed || !isWhole && elements - agreedElements > few);
     }
 
     /** Whether hosts have not told each other yet what they have gathered for each other. */
@@ -68,12 +79,16 @@ final class PointExchange {
     /** Hosts were told to do this. */
     void begun(Order order) {
         owed |= isShared(order);
-        isWhole &= order.kind() != Order.Kind.SPLIT;
+        if (isWhole && order.kind() == Order.Kind.SPLIT) {
+            isWhole = false;
+            agreedElements = elements;
+        }
     }
 
     /** Hosts have done this. */
     void done(Order order, Map<Host, Reply> replies) {
         said = replies;
+        elements = replies.values().stream().mapToInt(Reply::elements).sum();
         if (order.most() == Order.GIVE) {
             deliver();
         }

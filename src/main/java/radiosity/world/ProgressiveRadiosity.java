@@ -16,22 +16,15 @@ import radiosity.scene.SceneFormatException;
  */
 public final class ProgressiveRadiosity {
 
-    /** So often at least it is asked within a round how things stand, for whoever watches; it costs time. */
-    private static final double ANSWER_SECONDS = 4;
-
     private final World world;
     /** Shots after which the listener is to be asked. */
     private final List<Integer> pauses = new ArrayList<>();
     private final StopRule stop;
     private final Tally tally;
     private final Agenda agenda = new Agenda();
-    private Planner planner;
-    private Answer answer;
-    /** Whether that is the answer to the last order. */
-    private boolean isKnown = true;
-    /** When the last answer came, ns. */
-    private long known;
     private final Pace pace;
+    private final LastAnswer last;
+    private Planner planner;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this(world, stop, Pace.STEP_SECONDS);
@@ -41,8 +34,8 @@ public final class ProgressiveRadiosity {
     ProgressiveRadiosity(World world, StopRule stop, double stepSeconds) {
         this.world = world;
         this.stop = stop;
-        known = world.now();
         pace = new Pace(stepSeconds / world.stepsAhead());
+        last = new LastAnswer(world, agenda, pace);
         tally = new Tally(world.mesh);
     }
 
@@ -53,16 +46,16 @@ public final class ProgressiveRadiosity {
      */
     public void run(RoundListener listener) throws IOException {
         prepare();
-        answer = world.answer(Order.plain(Order.Kind.ASK, planner.wanted()));
-        tally.begin(answer);
+        last.ask(Order.plain(Order.Kind.ASK, planner.wanted()));
+        tally.begin(last.get());
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (agenda.isEmpty()) {
-                Order next = planner.next(answer, tally.flux.unsent(answer), nowAndThen(listener));
+                Order next = planner.next(last.get(), unsent(), nowAndThen(listener));
                 if (next == null) {
                     return;
                 }
-                agenda.add(next, tally.flux.unsent(answer));
+                agenda.add(next, unsent());
             }
             step();
             goOn = listener.afterRound(progress());
@@ -73,10 +66,12 @@ public final class ProgressiveRadiosity {
     /** Asks how things stand, where the last order wanted no answer. */
     private void know() throws IOException {
         readAll();
-        if (!isKnown) {
-            answer = world.answer(Order.plain(Order.Kind.ASK, 0));
-            isKnown = true;
-        }
+        last.know();
+    }
+
+    /** What was left to shoot by the last answer, relative to what was emitted. */
+    private double unsent() {
+        return tally.flux.unsent(last.get());
     }
 
     /** Asks the listener as often as between steps. */
@@ -103,7 +98,7 @@ public final class ProgressiveRadiosity {
     }
 
     private boolean isDone() {
-        double left = agenda.isEmpty() ? tally.flux.unsent(answer) : agenda.unsent();
+        double left = agenda.isEmpty() ? unsent() : agenda.unsent();
         return tally.shots() >= stop.shots() || agenda.isBetweenRounds() && planner.isEnough(left, stop.unsent());
     }
 
@@ -113,7 +108,7 @@ public final class ProgressiveRadiosity {
     private void lookAhead(Order done) throws IOException {
         if (agenda.isEmpty() && done.changes() && planner.looksAhead()) {
             while (world.unread() > 1) {
-                read();
+                last.read();
             }
             choose();
         }
@@ -121,26 +116,14 @@ public final class ProgressiveRadiosity {
 
     /** From the last answer, which knows nothing of the last round; where that names nobody who is left, it is asked. */
     private void choose() throws IOException {
-        double left = tally.flux.unsent(answer);
-        Order next = planner.next(answer.without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
+        double left = unsent();
+        Order next = planner.next(last.get().without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
         agenda.add(next == null ? Order.plain(Order.Kind.ASK, planner.wanted()) : next, left);
-    }
-
-    private void read() throws IOException {
-        answer = world.read(pace::took);
-        known = world.now();
-        isKnown = world.unread() == 0 && agenda.isBetweenRounds();
-    }
-
-    private void catchUp() throws IOException {
-        while (world.unread() > 0) {
-            read();
-        }
     }
 
     /** Reads what is answered by now, and chooses by it what was to be chosen by it. */
     private void readAll() throws IOException {
-        catchUp();
+        last.catchUp();
         if (agenda.wantsNext() && planner.looksAhead()) {
             choose();
         }
@@ -152,7 +135,7 @@ public final class ProgressiveRadiosity {
             begin();
         }
         Order pending = agenda.round();
-        int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : answer.elements;
+        int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : last.get().elements;
         int size = Math.min(pending.shots().size(), pace.size(pending.kind(), receive, pending.shots().size()));
         if (pending.kind() == Order.Kind.SHOOT) {
             size = Math.min(size, stop.shots() - tally.shots());
@@ -161,14 +144,14 @@ public final class ProgressiveRadiosity {
             }
         }
         Order now = pending.first(size);
-        if (now.more() && world.now() - known <= ANSWER_SECONDS * 1e9) {
+        if (now.more() && !last.isOld()) {
             now = now.naming(-1);
         } else if (now.more()) {
             readAll();
         }
-        Answer before = answer;
+        Answer before = last.get();
         carryOut(now);
-        tally.count(now, before, answer);
+        tally.count(now, before, last.get());
         agenda.done(size);
         if (!now.more()) {
             lookAhead(now);
@@ -186,9 +169,9 @@ public final class ProgressiveRadiosity {
         if (now.changes()) {
             world.begin(now, pace::took);
             if (isRead) {
-                catchUp();
+                last.catchUp();
             }
-            isKnown = isRead;
+            last.begun(isRead);
         } else {
             await(now);
         }
@@ -196,25 +179,23 @@ public final class ProgressiveRadiosity {
 
     private void await(Order now) throws IOException {
         world.finish(pace::took);
-        catchUp();
+        last.catchUp();
         long begin = world.now();
         if (now.kind() == Order.Kind.ROWS) {
             planner.take(now.shots().size(), world.round(now));
         } else {
-            answer = world.answer(now);
-            isKnown = true;
-            known = world.now();
+            last.ask(now);
         }
         pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
     }
 
     /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
     private double[] missing() {
-        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(answer) : new double[0];
+        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(last.get()) : new double[0];
     }
 
     public Progress progress() {
-        return tally.progress(answer);
+        return tally.progress(last.get());
     }
 
     /**
@@ -228,7 +209,7 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return tally.flux.ofAllLayers(tally.shown(answer));
+        return tally.flux.ofAllLayers(tally.shown(last.get()));
     }
 
     /** Everything so far, merged from all partitions; may be asked for between rounds. */
@@ -236,7 +217,7 @@ public final class ProgressiveRadiosity {
         know();
         List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, tally.dark()).solution(tally.shots(), tally.rounds(),
-                Flux.sum(tally.shown(answer).unshotFlux), ledger(), state(blocks));
+                Flux.sum(tally.shown(last.get()).unshotFlux), ledger(), state(blocks));
     }
 
     /**
@@ -249,8 +230,8 @@ public final class ProgressiveRadiosity {
         if (tally.dark() != 0 || tally.shots() == 0) {
             return Optional.empty();
         }
-        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(answer), answer.elements, threads)
-                .certificate(Flux.sum(answer.unshotFlux))).filter(certificate -> certificate.points() > 0);
+        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(last.get()), last.get().elements, threads)
+                .certificate(Flux.sum(last.get().unshotFlux))).filter(certificate -> certificate.points() > 0);
     }
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */

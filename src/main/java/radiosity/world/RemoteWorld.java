@@ -18,7 +18,6 @@ public final class RemoteWorld extends World {
 
     /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
     private static final int STEPS_AHEAD = 4;
-    private static final StepTimes NOBODY = (shots, seconds) -> { };
 
     private final Dealing dealing;
     private final ShotLog log;
@@ -28,6 +27,7 @@ public final class RemoteWorld extends World {
     private final Hosts hosts;
     private final HostCalls calls = new HostCalls();
     private final StepsUnderWay underWay;
+    private final RemoteSteps steps;
     private final LongSupplier clock;
     private final BlockTransfer transfer;
     private final PointExchange points;
@@ -62,6 +62,7 @@ public final class RemoteWorld extends World {
         transfer = new BlockTransfer(dealing, log, calls);
         hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
                 new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
+        steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, balance), points, clock);
         hosts.open(links);
         recover();
         if (mesh.gathersOnce()) {
@@ -79,9 +80,8 @@ public final class RemoteWorld extends World {
     private List<byte[]> ask(Order order) throws IOException {
         byte[] bytes = prepare(order);
         while (true) {
-            underWay.begin(hosts.present(), order, bytes, now(), times.criticalPath());
-            totals.count(order);
-            await(NOBODY);
+            steps.begin(order, bytes);
+            steps.await(NOBODY);
             boolean isLost = calls.isAnyLost();
             if (isLost && !order.changes()) {
                 underWay.forget();
@@ -99,20 +99,15 @@ public final class RemoteWorld extends World {
         admit(step);
         share(step);
         boolean exchanged = step.isAnswered() && points.isShared(step) && !mesh.hasSeams();
-        send(exchanged ? step.naming(Order.GIVE) : step);
+        Order now = exchanged ? step.naming(Order.GIVE) : step;
+        steps.begin(now, prepare(now));
         if (exchanged) {
             finish(told);
             underWay.add(step, ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least())));
         }
         while (underWay.count() >= STEPS_AHEAD) {
-            await(told);
+            steps.await(told);
         }
-    }
-
-    private void send(Order step) throws IOException {
-        underWay.begin(hosts.present(), step, prepare(step), now(), times.criticalPath());
-        totals.count(step);
-        points.begun(step);
     }
 
     /*---- Points that several hosts have ----*/
@@ -138,30 +133,17 @@ public final class RemoteWorld extends World {
             if (mesh.hasSeams()) {
                 points.deliver();
             } else {
-                tell(Order.plain(Order.Kind.ASK, Order.GIVE));
+                steps.tell(Order.plain(Order.Kind.ASK, Order.GIVE));
             }
-            tell(Order.plain(Order.Kind.ASK, -1));
+            steps.tell(Order.plain(Order.Kind.ASK, -1));
         }
-    }
-
-    /** Something that changes no element, and is not answered. */
-    private void tell(Order order) {
-        underWay.begin(hosts.present(), order, order.encode(), now(), times.criticalPath());
-        awaitAll(NOBODY);
-        underWay.forget();
     }
 
     @Override
     void finish(StepTimes told) throws IOException {
-        awaitAll(told);
+        steps.awaitAll(told);
         recover();
         balance.settle(hosts.present());
-    }
-
-    private void awaitAll(StepTimes told) {
-        while (underWay.count() > 0) {
-            await(told);
-        }
     }
 
     @Override
@@ -172,7 +154,7 @@ public final class RemoteWorld extends World {
     @Override
     Answered next(StepTimes told) throws IOException {
         while (!underWay.isAnyAnswered()) {
-            await(told);
+            steps.await(told);
             if (calls.isAnyLost()) {
                 finish(told);
             }
@@ -216,27 +198,12 @@ public final class RemoteWorld extends World {
         return totals.of(joined(trees));
     }
 
-    /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
-    private void await(StepTimes told) {
-        StepsUnderWay.Done step = underWay.await(clock);
-        told.took(step.order().shots().size(), step.seconds());
-        if (!calls.isAnyLost()) {
-            hosts.haveDone();
-            times.add(step);
-            balance.add(step.replies(), step.order());
-            points.done(step.order(), step.replies());
-            if (step.order().changes()) {
-                log.took(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
-            }
-        }
-    }
-
     /*---- Losing hosts, and finding them again ----*/
 
     /** All steps are done, by hosts that are there, on all blocks. */
     private void recover() throws IOException {
         if (calls.isAnyLost()) {
-            awaitAll(NOBODY);
+            steps.awaitAll(NOBODY);
             hosts.recover();
             points.forget();
             underWay.mended();

@@ -65,6 +65,9 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
         void took(int shots, double seconds);
     }
 
+    /** Is not told. */
+    static final StepTimes NOBODY = (shots, seconds) -> { };
+
     /**
      * A step of a round that may still be under way afterwards, and others with it. Where it is answered, that is kept
      * to be {@linkplain #read read}.

@@ -1,0 +1,63 @@
+package radiosity.world;
+
+import java.util.function.LongSupplier;
+
+/** Gives steps to all hosts and waits for them; whoever keeps count of what hosts do is told of every one that is done. */
+final class RemoteSteps {
+
+    private final HostCalls calls;
+    private final StepsUnderWay underWay;
+    private final Hosts hosts;
+    private final Counts counts;
+    private final PointExchange points;
+    private final LongSupplier clock;
+
+    /** Who keeps count. */
+    record Counts(ShotLog log, SharedTotals totals, RoundTimes times, Balance balance) { }
+
+    /** @param clock for differences, ns */
+    RemoteSteps(HostCalls calls, StepsUnderWay underWay, Hosts hosts, Counts counts, PointExchange points,
+                LongSupplier clock) {
+        this.calls = calls;
+        this.underWay = underWay;
+        this.hosts = hosts;
+        this.counts = counts;
+        this.points = points;
+        this.clock = clock;
+    }
+
+    /** @param bytes what hosts are told of it */
+    void begin(Order step, byte[] bytes) {
+        underWay.begin(hosts.present(), step, bytes, clock.getAsLong(), counts.times.criticalPath());
+        counts.totals.count(step);
+        points.begun(step);
+    }
+
+    /** Does something that changes no element, and is not answered; nothing is under way. */
+    void tell(Order order) {
+        begin(order, order.encode());
+        awaitAll(World.NOBODY);
+        underWay.forget();
+    }
+
+    void awaitAll(World.StepTimes told) {
+        while (underWay.count() > 0) {
+            await(told);
+        }
+    }
+
+    /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
+    void await(World.StepTimes told) {
+        StepsUnderWay.Done step = underWay.await(clock);
+        told.took(step.order().shots().size(), step.seconds());
+        if (!calls.isAnyLost()) {
+            hosts.haveDone();
+            counts.times.add(step);
+            counts.balance.add(step.replies(), step.order());
+            points.done(step.order(), step.replies());
+            if (step.order().changes()) {
+                counts.log.took(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
+            }
+        }
+    }
+}
