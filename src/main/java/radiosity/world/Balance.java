@@ -31,7 +31,7 @@ final class Balance {
     /** @param clusters that may shoot in a round */
     Balance(Forecast forecast, Dealing dealing, long patches, int clusters) {
         this.clusters = clusters;
-        waiting = new Cadence(PATIENCE, FIRST_COST, patches * FIRST_COST_PER_PATCH);
+        waiting = new Cadence(PATIENCE, FIRST_COST, Math.max(FIRST_COST, patches * FIRST_COST_PER_PATCH));
         this.forecast = forecast;
         this.dealing = dealing;
     }

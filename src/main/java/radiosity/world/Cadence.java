@@ -12,13 +12,13 @@ final class Cadence {
     private double gain;
 
     /**
-     * @param leastCost what it is taken to cost at least, s
-     * @param firstCost what it is taken to cost before it was done, s
+     * @param leastCost what it is taken to cost at least, once it was done, s
+     * @param firstCost what it is taken to cost before, s
      */
     Cadence(double multiple, double leastCost, double firstCost) {
         this.multiple = multiple;
         this.leastCost = leastCost;
-        cost = Math.max(leastCost, firstCost);
+        cost = firstCost;
     }
 
     /** @param seconds that doing it now would save, beside what was added before */

@@ -15,8 +15,9 @@ final class ShotLog {
      */
     private static final double PATIENCE = 100;
     private static final double SECONDS = 0.02;
-    /** What the first one is taken to cost: per patch, s. */
-    private static final double SECONDS_PER_PATCH = 1e-6;
+    /** What the first one is taken to cost, before which all is lost: in any case, and per patch, s. */
+    private static final double FIRST_SECONDS = 0.001;
+    private static final double SECONDS_PER_PATCH = 5e-7;
     /** Orders that are kept in memory for the next loss. */
     private static final long MOST_BYTES = 128L << 20;
 
@@ -27,7 +28,7 @@ final class ShotLog {
     private final Cadence cadence;
 
     ShotLog(long patches) {
-        cadence = new Cadence(PATIENCE, SECONDS, patches * SECONDS_PER_PATCH);
+        cadence = new Cadence(PATIENCE, SECONDS, Math.max(FIRST_SECONDS, patches * SECONDS_PER_PATCH));
     }
 
     /** @param encoded what the hosts were told, or null where that is not all */
