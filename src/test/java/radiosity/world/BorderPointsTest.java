@@ -27,13 +27,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Where no elements are divided between rounds, one of several hosts gathers at a point for all who have it. */
 class BorderPointsTest {
 
+    /** By prediction elements are divided three times: into many more, some more, and few more. */
     private static final Map<Schedule, RadiositySettings> SETTINGS = Map.of(
-            Schedule.PREDICT, new RadiositySettings(SCENE.area() / 3000, 1, Double.POSITIVE_INFINITY, Schedule.PREDICT, 1, 1e-2),
+            Schedule.PREDICT, new RadiositySettings(SCENE.area() / 3000, 1, Double.POSITIVE_INFINITY, Schedule.PREDICT, 1, 2e-3),
             Schedule.PAPER, new RadiositySettings(SCENE.area() / 300, 1, Double.POSITIVE_INFINITY, Schedule.PAPER));
     private static final Map<Schedule, StopRule> STOP = Map.of(Schedule.PREDICT, shots(1000), Schedule.PAPER, shots(120));
     /** Of one host of three after which it dies. */
     private static final Map<Schedule, IntStream> ROUNDS = Map.of(
-            Schedule.PREDICT, IntStream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16),
+            Schedule.PREDICT, IntStream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 28, 32, 36, 40, 44, 48),
             Schedule.PAPER, IntStream.rangeClosed(1, 19));
 
     private static final Map<Schedule, Solution> LOCAL = new EnumMap<>(Schedule.class);
@@ -97,7 +98,7 @@ class BorderPointsTest {
         link.behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
                 new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
                     Object result = method.invoke(behind, arguments);
-                    if (method.getName().equals("round") && Order.decode((byte[]) arguments[2]).gathers()) {
+                    if (method.getName().equals("round") && Order.decode((byte[]) arguments[2]).kind() == Order.Kind.SHOOT) {
                         told.addAndGet(Reply.decode((byte[]) result).work().stream().mapToLong(BlockWork::told).sum());
                     }
                     return result;
