@@ -47,12 +47,7 @@ final class ShootAndSort implements Planner {
         List<Shot> best = last.candidates.subList(0, size);
         shots += size;
         return Order.of(Order.Kind.SHOOT, best, Double.POSITIVE_INFINITY, weight, 0, wanted())
-                .from(isLast(last, size) ? 0 : NAMED * best.get(size - 1).flux());
-    }
-
-    /** Whether hardly more than these have been named: who comes after them need not be like them. */
-    private boolean isLast(Answer last, int size) {
-        return last.candidates.size() - size <= Math.max(mostAlike, batch(shots));
+                .from(NAMED * best.get(size - 1).flux());
     }
 
     @Override
