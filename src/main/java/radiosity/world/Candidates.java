@@ -3,6 +3,7 @@ package radiosity.world;
 import java.util.BitSet;
 import java.util.List;
 import java.util.PriorityQueue;
+import java.util.stream.IntStream;
 import radiosity.patch.ElementLight;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
@@ -25,6 +26,8 @@ final class Candidates {
     private BitSet left = new BitSet();
     /** Over all shooters; null where something has changed since. */
     private Answer sums;
+    /** 1 per shooter, as far as they were asked for. */
+    private Shot[] shots;
 
     /** @param shooters nodes that shoot together */
     Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, Crew crew) {
@@ -41,19 +44,22 @@ final class Candidates {
     Answer answer(Order order) {
         if (sums == null) {
             sums = measure();
+            shots = new Shot[shooters.length];
         }
         Answer answer = new Answer(faces, mesh.fluxScale());
         answer.addSums(sums);
         int[] named = largest(order.most(), order.least());
-        Shot[] candidates = new Shot[named.length];
-        crew.run(named.length, i -> candidates[i] = mesh.rounding.of(candidate(named[i])));
-        answer.candidates.addAll(List.of(candidates));
+        crew.run(named.length, i -> find(named[i]));
+        boolean means = order.kind() == Order.Kind.MEANS;
+        IntStream.of(named).mapToObj(p -> means ? shots[p].mean(mesh.coarse) : shots[p]).forEach(answer.candidates::add);
         return answer;
     }
 
-    private Shot candidate(int shooter) {
-        Shot whole = Shot.of(nodes, shooters[shooter], flux[shooter], nodes.light()::unshot);
-        return mesh.shootsClusters() ? whole.pruned(mesh.coarse) : whole;
+    private void find(int shooter) {
+        if (shots[shooter] == null) {
+            Shot whole = Shot.of(nodes, shooters[shooter], flux[shooter], nodes.light()::unshot);
+            shots[shooter] = mesh.rounding.of(mesh.shootsClusters() ? whole.pruned(mesh.coarse) : whole);
+        }
     }
 
     /** Somebody else looks at these shooters. */
@@ -65,6 +71,7 @@ final class Candidates {
     /** Something has shot or gathered, or was divided. */
     void changed() {
         sums = null;
+        shots = null;
     }
 
     private Answer measure() {

@@ -1,7 +1,6 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.util.AbstractList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
@@ -25,8 +24,6 @@ final class CoarseSystem {
     /** What sweeps may leave over: where rows are good to some per cent, and where all that is left over would show. */
     private static final double ROUGHLY = 1e-5;
     private static final double EXACTLY = 1e-9;
-    /** Shots that are made together. */
-    private static final int AT_A_TIME = 4;
 
     private final InitialMesh mesh;
     private final Crew crew;
@@ -136,27 +133,12 @@ final class CoarseSystem {
     }
 
     /**
-     * Shots with what their patches will reflect of an irradiance, linear between the vertices; a few are made when the
-     * first of them is asked for, as others are carried out meanwhile.
+     * Shots with what their patches will reflect of an irradiance, linear between the vertices.
      *
      * @param first whether nothing was shot before
      */
     List<Shot> with(List<Shot> shots, double[] h, boolean first) {
-        Shot[] made = new Shot[shots.size()];
-        return new AbstractList<>() {
-            @Override
-            public synchronized Shot get(int i) {
-                if (made[i] == null) {
-                    crew.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = with(shots.get(i + k), h, first));
-                }
-                return made[i];
-            }
-
-            @Override
-            public int size() {
-                return made.length;
-            }
-        };
+        return new ShotsOnDemand(shots.size(), i -> with(shots.get(i), h, first), crew);
     }
 
     private Shot with(Shot shot, double[] h, boolean first) {

@@ -17,6 +17,8 @@ final class Givers {
     private final Map<Host, byte[]> roles = new LinkedHashMap<>();
     /** Per host: points that it will gather at, half of those about which nothing is known yet. */
     private final Map<Host, Double> load;
+    /** Of each point that several have. */
+    private final List<List<Holder>> holders;
 
     /** One of the border points of a host. */
     private record Holder(Host host, int place) { }
@@ -24,17 +26,20 @@ final class Givers {
     /**
      * @param keys of each host's border points, 8 bytes each
      * @param load per host: points that it has to gather at if every point on a border is half its own; modified
+     * @param whole whether the load counts points on a border as if they were all its own
      */
-    Givers(Map<Host, byte[]> keys, Map<Host, Double> load) {
+    Givers(Map<Host, byte[]> keys, Map<Host, Double> load, boolean whole) {
         this.keys = keys;
         this.load = load;
         keys.forEach((host, bytes) -> roles.put(host, new byte[bytes.length / Long.BYTES]));
+        holders = holders();
+        holders.forEach(all -> all.forEach(holder -> load.merge(holder.host, whole ? -0.5 : 0, Double::sum)));
     }
 
     /** @return per host and point of its: number of a {@link Role} */
     Map<Host, byte[]> roles() {
         Map<List<Host>, List<List<Holder>>> alike = new LinkedHashMap<>();
-        for (List<Holder> all : holders()) {
+        for (List<Holder> all : holders) {
             alike.computeIfAbsent(all.stream().map(Holder::host).toList(), hosts -> new ArrayList<>()).add(all);
         }
         alike.forEach((hosts, points) -> {

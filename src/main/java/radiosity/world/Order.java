@@ -3,6 +3,7 @@ package radiosity.world;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -42,6 +43,8 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         TOTALS,
         /** Say how all trees are divided. */
         TREES,
+        /** Say who could shoot, on the patches of the coarse mesh: their means. */
+        MEANS,
         /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
         ROWS
     }
@@ -72,6 +75,18 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
     Order after(int size) {
         return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, ambient,
                 givenBack, true, most, least);
+    }
+
+    /** All of it, in parts of up to so many shots. */
+    List<Order> parts(int size) {
+        List<Order> parts = new ArrayList<>();
+        Order rest = this;
+        for (int left = shots.size(); left > size; left -= size) {
+            parts.add(rest.first(size));
+            rest = rest.after(size);
+        }
+        parts.add(rest);
+        return parts;
     }
 
     /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */

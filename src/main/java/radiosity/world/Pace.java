@@ -3,7 +3,8 @@ package radiosity.world;
 /**
  * How many shots to do at a time, so that a user who wants to stop does not wait; without influence on the result.
  *
- * <p>The first of a kind of round is done alone. Shots are not alike: of those before, the slow ones are remembered.
+ * <p>The first of a kind of round is done alone, and where nobody is at work, so that all begin soon. Shots are not
+ * alike: of those before, the slow ones are remembered.
  */
 final class Pace {
 
@@ -43,6 +44,11 @@ final class Pace {
         elements = receive;
         double most = secondsPerShot == 0 ? 1 : Math.min(GROWTH * (double) last, stepSeconds / secondsPerShot);
         return (int) Math.max(1, Math.min(left, most));
+    }
+
+    /** Nothing is under way. */
+    void rest() {
+        last = 0;
     }
 
     /** Told what a step took; several may have been under way. */

@@ -103,7 +103,7 @@ final class PointExchange {
             sources.clear();
             given.clear();
         }
-        Map<Host, byte[]> roles = new Givers(keys, dealing.load(hosts)).roles();
+        Map<Host, byte[]> roles = new Givers(keys, dealing.load(hosts), !mesh.hasSeams()).roles();
         route(keys, roles);
         Map<Host, SeamPatches> left = calls.onAll(roles.keySet(), host -> share(host, keys.get(host), roles.get(host)));
         isAgreed = !calls.isAnyLost();

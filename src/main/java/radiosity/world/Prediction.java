@@ -30,6 +30,9 @@ final class Prediction implements Planner {
     /** Patches of the coarse mesh up to which there is foresight: its system grows with their square. */
     private static final int MOST_FORESEEN = 20_000;
 
+    /** Everybody. */
+    private static final Order ALL = Order.plain(Order.Kind.ASK, Integer.MAX_VALUE);
+
     /** Flux that is foreseen to matter on some of the faces, W. */
     private interface ForeseenFlux {
         double of(IntPredicate counts, int channel);
@@ -111,12 +114,8 @@ final class Prediction implements Planner {
         if (coarse != null && !coarse.isMade()) {
             return rows();
         }
-        List<Shot> candidates = candidates();
-        if (candidates.isEmpty()) {
-            return null;
-        }
-        List<Shot> shots = coarse == null ? unforeseen(last, candidates) : foreseen(last, candidates, goOn);
-        if (shots == null) {
+        List<Shot> shots = coarse == null ? unforeseen(last) : foreseen(last, goOn);
+        if (shots.isEmpty()) {
             return null;
         }
         stage = Stage.SHOOT;
@@ -128,10 +127,9 @@ final class Prediction implements Planner {
      * All that have something to shoot, or will have if that is foreseen; in closed rooms all, as what they have in common
      * is taken off.
      */
-    private List<Shot> candidates() throws IOException {
-        List<Shot> all = world.joined(world.answer(Order.plain(Order.Kind.ASK, Integer.MAX_VALUE)).candidates);
-        return all.stream().filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0 || coarse != null && reflects(shot))
-                .toList();
+    private List<Shot> candidates(Answer answer) {
+        return world.joined(answer.candidates).stream()
+                .filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0 || coarse != null && reflects(shot)).toList();
     }
 
     private boolean reflects(Shot shot) {
@@ -140,11 +138,14 @@ final class Prediction implements Planner {
                 .anyMatch(c -> faces.reflectance(tree.face(), c) > 0));
     }
 
-    /** With what will become of them; null where it was not to go on. */
-    private List<Shot> foreseen(Answer last, List<Shot> candidates, BooleanSupplier goOn) {
-        double[] h = coarse.irradiance(coarse.unshot(candidates), goOn);
-        if (h == null) {
-            return null;
+    /** With what will become of them, which is reckoned while they are on their way; none where it was not to go on. */
+    private List<Shot> foreseen(Answer last, BooleanSupplier goOn) throws IOException {
+        world.begin(Order.plain(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
+        world.begin(ALL, World.NOBODY);
+        double[] h = coarse.irradiance(coarse.unshot(world.joined(world.read(World.NOBODY).candidates)), goOn);
+        List<Shot> candidates = candidates(world.read(World.NOBODY));
+        if (h == null || candidates.isEmpty()) {
+            return List.of();
         }
         if (stage == Stage.NOTHING) {
             weigh(last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
@@ -153,7 +154,8 @@ final class Prediction implements Planner {
     }
 
     /** In a scene of too many patches every block shoots what it has. */
-    private List<Shot> unforeseen(Answer last, List<Shot> candidates) {
+    private List<Shot> unforeseen(Answer last) throws IOException {
+        List<Shot> candidates = candidates(world.answer(ALL));
         if (stage == Stage.NOTHING) {
             weigh(last, candidates, this::interreflected);
         }

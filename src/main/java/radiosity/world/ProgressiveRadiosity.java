@@ -159,6 +159,9 @@ public final class ProgressiveRadiosity {
     }
 
     private void begin() throws IOException {
+        if (!planner.looksAhead()) {
+            pace.rest();
+        }
         Order next = agenda.round();
         next = next.changes() ? next.numbered(tally.nextRound()) : next;
         agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next, planner.looksAhead());
@@ -182,7 +185,7 @@ public final class ProgressiveRadiosity {
         last.catchUp();
         long begin = world.now();
         if (now.kind() == Order.Kind.ROWS) {
-            planner.take(now.shots().size(), world.round(now));
+            world.rows(now, planner);
         } else {
             last.ask(now);
         }

@@ -19,6 +19,9 @@ public final class RemoteWorld extends World {
     /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
     private static final int STEPS_AHEAD = 4;
 
+    /** Shots of which rows are made together. */
+    private static final int ROWS_AT_A_TIME = 8;
+
     private final Dealing dealing;
     private final ShotLog log;
     private final SharedTotals totals;
@@ -78,19 +81,26 @@ public final class RemoteWorld extends World {
     }
 
     private List<byte[]> ask(Order order) throws IOException {
-        byte[] bytes = prepare(order);
-        while (true) {
-            steps.begin(order, bytes);
+        steps.begin(order, prepare(order));
+        while (underWay.count() > 0) {
             steps.await(NOBODY);
-            boolean isLost = calls.isAnyLost();
-            if (isLost && !order.changes()) {
-                underWay.forget();
-            }
             recover();
-            if (!isLost || order.changes()) {
-                balance.settle(hosts.present());
-                return underWay.last();
-            }
+        }
+        balance.settle(hosts.present());
+        return underWay.last();
+    }
+
+    /** In parts: the next ones are made while one is on its way. */
+    @Override
+    void rows(Order order, Planner planner) throws IOException {
+        finish(NOBODY);
+        admit(order);
+        List<Order> parts = order.naming(0).parts(ROWS_AT_A_TIME);
+        for (Order part : parts) {
+            steps.begin(part, prepare(part));
+        }
+        for (Order part : parts) {
+            planner.take(part.shots().size(), answers(NOBODY).answers());
         }
     }
 
@@ -153,14 +163,19 @@ public final class RemoteWorld extends World {
 
     @Override
     Answered next(StepTimes told) throws IOException {
+        StepsUnderWay.Answered next = answers(told);
+        return new Answered(next.order(), decode(next.answers()));
+    }
+
+    /** What hosts have said to the first step to which that was not read. */
+    private StepsUnderWay.Answered answers(StepTimes told) throws IOException {
         while (!underWay.isAnyAnswered()) {
             steps.await(told);
             if (calls.isAnyLost()) {
                 finish(told);
             }
         }
-        StepsUnderWay.Answered next = underWay.next();
-        return new Answered(next.order(), decode(next.answers()));
+        return underWay.next();
     }
 
     @Override
@@ -195,18 +210,22 @@ public final class RemoteWorld extends World {
         for (byte[] bytes : round(Order.plain(Order.Kind.TREES, 0))) {
             trees.addAll(Wire.trees(Wire.input(bytes)));
         }
-        return totals.of(joined(trees));
+        return totals.of(joined(trees), crew);
     }
 
     /*---- Losing hosts, and finding them again ----*/
 
-    /** All steps are done, by hosts that are there, on all blocks. */
+    /** All steps are done, by hosts that are there, on all blocks; questions are asked again. */
     private void recover() throws IOException {
         if (calls.isAnyLost()) {
             steps.awaitAll(NOBODY);
+            List<Order> questions = underWay.takeQuestions();
             hosts.recover();
             points.forget();
             underWay.mended();
+            for (Order question : questions) {
+                steps.begin(question, prepare(question));
+            }
         }
     }
 

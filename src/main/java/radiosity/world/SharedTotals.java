@@ -42,8 +42,12 @@ final class SharedTotals {
         }
     }
 
-    /** @param trees of all that shoots together: how they are divided */
-    List<Shot> of(List<Shot> trees) {
-        return totals.of(trees);
+    /**
+     * To be used before anybody shoots again.
+     *
+     * @param trees of all that shoots together: how they are divided
+     */
+    List<Shot> of(List<Shot> trees, Crew crew) {
+        return new ShotsOnDemand(trees.size(), i -> totals.of(trees.get(i)), crew);
     }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.Ambient;
 import radiosity.patch.Faces;
+import radiosity.patch.MeanTree;
 import radiosity.patch.PatchTree;
 import radiosity.patch.Patcher;
 import radiosity.patch.PrunedTree;
@@ -51,6 +52,11 @@ record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
     /** The same on as few elements, none larger than a patch of a mesh. */
     Shot pruned(Patcher mesh) {
         return new Shot(trees.stream().map(tree -> PrunedTree.of(tree, mesh.level(tree.face()))).toList(), flux);
+    }
+
+    /** Its means on elements that are none smaller than a patch of a mesh. */
+    Shot mean(Patcher mesh) {
+        return new Shot(trees.stream().map(tree -> MeanTree.of(tree, mesh.level(tree.face()))).toList(), flux);
     }
 
     int channels() {

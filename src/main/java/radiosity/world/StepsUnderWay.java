@@ -113,9 +113,16 @@ final class StepsUnderWay {
 
     /*---- Losing hosts ----*/
 
-    /** What is torn is asked again. */
+    /** What is torn is not to be read. */
     void forget() {
         torn.clear();
+    }
+
+    /** Takes out what is torn and has changed nothing, to be asked again; it came last. */
+    List<Order> takeQuestions() {
+        List<Order> questions = torn.stream().map(Torn::order).filter(order -> !order.changes()).toList();
+        torn.removeIf(step -> !step.order().changes());
+        return questions;
     }
 
     /** Of how many steps answers are missing. */

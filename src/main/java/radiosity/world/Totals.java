@@ -1,8 +1,8 @@
 package radiosity.world;
 
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import radiosity.patch.PatchTree;
 
 /**
@@ -13,7 +13,7 @@ final class Totals {
 
     private final int channels;
     /** What has not shot is left out. */
-    private final Map<Top, PatchTree> trees = new HashMap<>();
+    private final Map<Top, PatchTree> trees = new ConcurrentHashMap<>();
 
     private record Top(int face, long path) { }
 
@@ -47,7 +47,12 @@ final class Totals {
 
     /** What those have shot whose trees are these, on all of their elements. */
     List<Shot> of(List<Shot> shapes) {
-        return shapes.stream().map(shot -> new Shot(shot.trees().stream().map(this::keep).toList(), shot.flux())).toList();
+        return shapes.stream().map(this::of).toList();
+    }
+
+    /** The same of one shooter. Any thread, as long as nothing is shot. */
+    Shot of(Shot shape) {
+        return new Shot(shape.trees().stream().map(this::keep).toList(), shape.flux());
     }
 
     private PatchTree keep(PatchTree shape) {

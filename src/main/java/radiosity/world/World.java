@@ -60,6 +60,11 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
         return decode(round(order));
     }
 
+    /** Asks for rows, see {@link Order.Kind#ROWS}, and has them taken. */
+    void rows(Order order, Planner planner) throws IOException {
+        planner.take(order.shots().size(), round(order));
+    }
+
     /** Told how long a step took. */
     interface StepTimes {
         void took(int shots, double seconds);
