@@ -1,6 +1,7 @@
 package radiosity.world;
 
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -21,12 +22,20 @@ final class Balance {
     /** What a move is taken to cost before the first one: per patch of the scene, s. */
     private static final double FIRST_COST_PER_PATCH = 4e-6;
 
+    /** What the last step counts for in what a shot takes. */
+    private static final double LATE = 0.3;
+    /** Points are handed over where a host is so far behind, s, and it will take no longer than so many times that. */
+    private static final double WORTH_SECONDS = 0.003;
+    private static final double IN_TIME = 14;
+
     private final Forecast forecast;
     private final Dealing dealing;
     private final Cadence waiting;
     private final int clusters;
     /** The last round that was looked ahead at. */
     private int looked;
+    /** What a shot takes of late, s. */
+    private double secondsPerShot;
 
     /** @param clusters that may shoot in a round */
     Balance(Forecast forecast, Dealing dealing, long patches, int clusters) {
@@ -42,6 +51,27 @@ final class Balance {
             note(host, reply, order.shots().size());
         });
         judge(replies.keySet());
+        if (!order.shots().isEmpty()) {
+            double seconds = replies.values().stream().mapToDouble(Reply::seconds).average().orElse(0) / order.shots().size();
+            secondsPerShot += LATE * (seconds - secondsPerShot);
+        }
+    }
+
+    /** How hosts will be behind each other after so many more shots, as far as they are now. */
+    Map<Host, HandOver.Delay> delays(List<Host> hosts, int shots) {
+        double mean = hosts.stream().mapToDouble(host -> host.load.sinceWait).average().orElse(0);
+        Map<Host, HandOver.Delay> delays = new LinkedHashMap<>();
+        for (Host host : hosts) {
+            double rest = mean > 0 ? shots * secondsPerShot * host.load.sinceWait / mean : 0;
+            delays.put(host, new HandOver.Delay(host.load.sinceWait - mean, rest / Math.max(1, host.load.told)));
+        }
+        return delays;
+    }
+
+    /** Whether points are to be handed over when so many shots are left: the later, the better it is known; but in time. */
+    boolean mayLevel(List<Host> hosts, int shots) {
+        double behind = behind(hosts);
+        return behind > WORTH_SECONDS && shots * secondsPerShot < IN_TIME * behind;
     }
 
     /** All hosts have waited for the slowest. */

@@ -31,6 +31,11 @@ final class BorderPoints {
     private int[] given = {};
     private int[] taken = {};
     private final BitSet isTaken = new BitSet();
+    /** Handed over in mid-round, until all is told: to whom takes them otherwise, and from whom gives them otherwise. */
+    private int[] handedOut = {};
+    private int[] handedIn = {};
+    /** Whether it is not known yet what has arrived at what was handed in. */
+    private boolean isBehind;
     /** Those where others do not gather; null where they are to be found. */
     private int[] own;
     private int vertices;
@@ -51,6 +56,7 @@ final class BorderPoints {
             given = new int[0];
             taken = new int[0];
             isTaken.clear();
+            handedOut = handedIn = new int[0];
             own = null;
         }
         named = IntStream.of(ends(edges())).filter(v -> v >= known).toArray();
@@ -167,17 +173,26 @@ final class BorderPoints {
         return own;
     }
 
-    /** Of some points those where this host gathers, or those where others do. */
-    int[] of(int[] points, boolean others) {
-        return IntStream.of(points).filter(v -> isTaken.get(v) == others).toArray();
+    /** Of some points those where this host gathers. */
+    int[] own(int[] points) {
+        return IntStream.of(points).filter(v -> !isTaken.get(v)).toArray();
+    }
+
+    /** Whether at some of these others gather. */
+    boolean takesAny(int[] points) {
+        return IntStream.of(points).anyMatch(isTaken::get);
     }
 
     /** For others: number of the agreement, then channels per point. */
     byte[] give() {
+        return told(IntStream.concat(IntStream.of(given), IntStream.of(handedIn)).toArray());
+    }
+
+    private byte[] told(int[] points) {
         double[] irradiance = nodes.light().irradiance();
         int channels = nodes.channels();
-        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + Double.BYTES * channels * given.length).putInt(agreement);
-        for (int v : given) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + Double.BYTES * channels * points.length).putInt(agreement);
+        for (int v : points) {
             for (int c = 0; c < channels; c++) {
                 bytes.putDouble(irradiance[channels * v + c]);
             }
@@ -193,12 +208,105 @@ final class BorderPoints {
         if (gift.readInt() != agreement) {
             return false;
         }
-        int size = Double.BYTES * nodes.channels();
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(gift, size * taken.length));
-        for (int i = 0; i < taken.length; i++) {
-            put(taken[i], bytes, size * i);
-        }
+        put(IntStream.concat(IntStream.of(taken), IntStream.of(handedOut)).toArray(), gift);
+        endHandOver();
         return true;
+    }
+
+    private void put(int[] points, DataInputStream irradiance) throws IOException {
+        int size = Double.BYTES * nodes.channels();
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(irradiance, size * points.length));
+        for (int i = 0; i < points.length; i++) {
+            put(points[i], bytes, size * i);
+        }
+    }
+
+    /*---- Handing over in mid-round ----*/
+
+    /**
+     * From the next step on others gather at some points that this host gives, and this host will at some that it takes,
+     * as soon as it is told what has arrived there up to now.
+     *
+     * @param places number of the agreement, then of each kind how many, and their places among those
+     * @return for others: what has arrived up to now at what is handed out, as {@link #give}; nothing where it was not of
+     *         this agreement
+     */
+    byte[] handOver(DataInputStream places) throws IOException {
+        if (places.readInt() != agreement) {
+            return new byte[0];
+        }
+        handedOut = places(places, given);
+        handedIn = places(places, taken);
+        isBehind = handedIn.length > 0;
+        IntStream.of(handedOut).forEach(isTaken::set);
+        own = null;
+        return told(handedOut);
+    }
+
+    private static int[] places(DataInputStream in, int[] of) throws IOException {
+        int[] points = new int[Wire.count(in, Integer.BYTES)];
+        for (int i = 0; i < points.length; i++) {
+            int place = in.readInt();
+            if (place < 0 || place >= of.length) {
+                throw new IOException("points: expected a place below " + of.length + ", got " + place);
+            }
+            points[i] = of[place];
+        }
+        return points;
+    }
+
+    /**
+     * Up to when others have gathered at what is handed in: from now on this host does.
+     *
+     * @param irradiance number of the agreement, then channels per point
+     */
+    boolean takeOver(DataInputStream irradiance) throws IOException {
+        if (irradiance.readInt() != agreement) {
+            return false;
+        }
+        put(handedIn, irradiance);
+        return true;
+    }
+
+    /** This host has gathered at what was handed in what it was behind there. */
+    void takeOver() {
+        IntStream.of(handedIn).forEach(isTaken::clear);
+        isBehind = false;
+        own = null;
+    }
+
+    boolean isBehind() {
+        return isBehind;
+    }
+
+    BitSet handedIn() {
+        return set(handedIn);
+    }
+
+    /** Where others gathered for this host, or did since points were handed over. */
+    BitSet missed(boolean handedOver) {
+        BitSet missed = (BitSet) isTaken.clone();
+        if (!handedOver) {
+            missed.andNot(set(handedOut));
+        }
+        return missed;
+    }
+
+    /** All is told. */
+    void endHandOver() {
+        if (handedOut.length + handedIn.length > 0) {
+            isTaken.clear();
+            IntStream.of(taken).forEach(isTaken::set);
+            handedOut = handedIn = new int[0];
+            isBehind = false;
+            own = null;
+        }
+    }
+
+    private static BitSet set(int[] points) {
+        BitSet set = new BitSet();
+        IntStream.of(points).forEach(set::set);
+        return set;
     }
 
     /** What has arrived at a point: channels from a place on. */

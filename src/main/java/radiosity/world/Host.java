@@ -54,8 +54,8 @@ final class Host implements AutoCloseable {
     double pairs;
     double seconds;
     final Workload load = new Workload();
-    /** What others have gathered for it, to be sent with the next order; or empty. See {@link BorderPoints}. */
-    byte[] gift = {};
+    /** What it is to be told with the next order, see {@link Told}; or empty. */
+    private byte[] told = {};
 
     /** @param threads that the host computes with */
     Host(Link link, RemotePartition remote, int threads, Consumer<String> notices) {
@@ -130,14 +130,23 @@ final class Host implements AutoCloseable {
         return ++rounds;
     }
 
-    /** @return what it is sent for an order: what others have gathered for it follows */
-    byte[] withGift(byte[] order) {
-        if (gift.length == 0) {
+    /** With its next order, after what it is to be told with it already. */
+    void tell(Told what, byte[] content) {
+        told = Wire.bytes(out -> {
+            out.write(told);
+            out.writeByte(what.ordinal());
+            out.write(content);
+        });
+    }
+
+    /** @return what it is sent for an order: what it is to be told with it follows */
+    byte[] withTold(byte[] order) {
+        if (told.length == 0) {
             return order;
         }
-        byte[] all = Arrays.copyOf(order, order.length + gift.length);
-        System.arraycopy(gift, 0, all, order.length, gift.length);
-        gift = new byte[0];
+        byte[] all = Arrays.copyOf(order, order.length + told.length);
+        System.arraycopy(told, 0, all, order.length, told.length);
+        told = new byte[0];
         return all;
     }
 

@@ -20,6 +20,8 @@ final class HostedBlocks {
     private final Totals totals;
     /** Orders that were not done yet where other hosts gather. */
     private final List<byte[]> owed = new ArrayList<>();
+    /** How many there were when points were handed over. */
+    private int handedOver;
     private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
@@ -102,13 +104,57 @@ final class HostedBlocks {
     byte[] round(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);
-        if (in.available() > 0 && partition.take(in)) {
-            owed.clear();
+        given = new byte[0];
+        boolean agrees = true;
+        while (in.available() > 0 && agrees) {
+            agrees = hear(Told.of(in.readByte()), in);
         }
         byte[] answer = order.gathers() ? gather(order, bytes) : ask(order);
-        given = partition.isShared() && (mesh.hasSeams() || order.most() == Order.GIVE) ? partition.border().give()
-                : new byte[0];
+        if (partition.isShared() && (mesh.hasSeams() || order.most() == Order.GIVE)) {
+            given = give();
+        }
         return answer;
+    }
+
+    private byte[] give() throws IOException {
+        if (partition.border().isBehind()) {
+            settle();
+        }
+        return partition.border().give();
+    }
+
+    /**
+     * What comes with an order.
+     *
+     * @return whether it was of what hosts have agreed on last
+     */
+    private boolean hear(Told what, DataInputStream in) throws IOException {
+        switch (what) {
+            case GIFT -> {
+                boolean agrees = partition.take(in);
+                if (agrees) {
+                    owed.clear();
+                }
+                return agrees;
+            }
+            case HAND_OVER -> {
+                handedOver = owed.size();
+                given = partition.border().handOver(in);
+                return given.length > 0;
+            }
+            default -> {
+                return partition.takeOver(in) && catchUp();
+            }
+        }
+    }
+
+    /** Gathers at what was handed over to this host what was shot since. */
+    private boolean catchUp() throws IOException {
+        for (byte[] order : owed.subList(handedOver, owed.size())) {
+            partition.gatherAt(whole(Order.decode(order)), partition.border().handedIn());
+        }
+        partition.border().takeOver();
+        return true;
     }
 
     private byte[] gather(Order order, byte[] bytes) throws IOException {
@@ -147,10 +193,11 @@ final class HostedBlocks {
 
     /** Gathers where others should have gathered and nothing was heard of it. */
     private void settle() throws IOException {
-        for (byte[] order : owed) {
-            partition.gatherTaken(whole(Order.decode(order)));
+        for (int i = 0; i < owed.size(); i++) {
+            partition.gatherAt(whole(Order.decode(owed.get(i))), partition.border().missed(i >= handedOver));
         }
         owed.clear();
+        partition.border().endHandOver();
     }
 
     /** See {@link BorderPoints#name}. */

@@ -99,7 +99,7 @@ final class PartitionImpl implements Partition {
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
-            case GATHER -> gather(order, points(order, false));
+            case GATHER -> gather(order, ownPoints(order));
             default -> { }
         }
         return order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
@@ -108,7 +108,7 @@ final class PartitionImpl implements Partition {
     /** Mark what has shot, gather, subdivide. */
     private void shoot(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
-        gather(order, points(order, false));
+        gather(order, ownPoints(order));
         if (!order.more()) {
             subdivide(order.number());
         }
@@ -142,7 +142,7 @@ final class PartitionImpl implements Partition {
 
     /** Whether others gather at some points in this step. */
     boolean takes(Order order) {
-        return border().isTaking() && (order.kind() != Order.Kind.GATHER || points(order, true).length > 0);
+        return border().isTaking() && (order.kind() != Order.Kind.GATHER || border.takesAny(points(order)));
     }
 
     /** See {@link BorderPoints#take}. */
@@ -151,20 +151,29 @@ final class PartitionImpl implements Partition {
         return border().take(gift);
     }
 
-    /** What other hosts did in this step, which have not told. */
-    void gatherTaken(Order order) {
+    /** See {@link BorderPoints#takeOver}. */
+    boolean takeOver(DataInputStream irradiance) throws IOException {
         candidates.changed();
-        gather(order, points(order, true));
+        return border().takeOver(irradiance);
     }
 
-    /** Where is gathered: in a round that gathers only, at the points that the round before has made. */
-    private int[] points(Order order, boolean others) {
-        if (border != null && order.kind() != Order.Kind.GATHER && !others) {
-            return border.own();
-        }
-        int[] all = order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
+    /** What this step does at some points. */
+    void gatherAt(Order order, BitSet points) {
+        candidates.changed();
+        gather(order, IntStream.of(points(order)).filter(points::get).toArray());
+    }
+
+    /** Where is gathered, here or by others: in a round that gathers only, at the points that the round before has made. */
+    private int[] points(Order order) {
+        return order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
                 : IntStream.range(0, nodes.vertices()).toArray();
-        return border == null ? all : border.of(all, others);
+    }
+
+    private int[] ownPoints(Order order) {
+        if (border == null) {
+            return points(order);
+        }
+        return order.kind() == Order.Kind.GATHER ? border.own(points(order)) : border.own();
     }
 
     /** Subdivide where it pays. */

@@ -38,6 +38,8 @@ final class PointExchange {
     private final Map<Host, List<Source>> sources = new LinkedHashMap<>();
     /** How many points each host gathers at for others. */
     private final Map<Host, Integer> given = new LinkedHashMap<>();
+    /** What is otherwise until all is told. */
+    private HandOver handOver;
 
     /** What hosts have said last. */
     private Map<Host, Reply> said = Map.of();
@@ -54,6 +56,23 @@ final class PointExchange {
     /** Some hosts have other blocks now. */
     void forget() {
         isAgreed = false;
+        handOver = null;
+    }
+
+    /** Whether points may be handed over: once, before hosts tell each other what they have gathered. */
+    boolean mayHandOver(Order order) {
+        return handOver == null && order.kind() == Order.Kind.SHOOT && isShared(order) && !mesh.hasSeams();
+    }
+
+    /** From the next step on some points are gathered at by others of those that have them. */
+    void handOver(Map<Host, HandOver.Delay> delays) {
+        handOver = new HandOver(agreement, sources, given, delays);
+        handOver.tell();
+    }
+
+    /** Whether points were handed over about which hosts have not heard all yet. */
+    boolean isHandingOver() {
+        return handOver != null && !handOver.isDone();
     }
 
     /** Whether an order makes some hosts gather for others. */
@@ -89,6 +108,9 @@ final class PointExchange {
     void done(Order order, Map<Host, Reply> replies) {
         said = replies;
         elements = replies.values().stream().mapToInt(Reply::elements).sum();
+        if (isHandingOver()) {
+            handOver.done(replies, bytesPerPoint());
+        }
         if (order.most() == Order.GIVE) {
             deliver();
         }
@@ -97,6 +119,7 @@ final class PointExchange {
     /** Agrees on what nothing was agreed about; a loss then is for the caller to see to. */
     void agree(List<Host> hosts, Dealing dealing) {
         boolean anew = !isAgreed;
+        handOver = null;
         agreement++;
         Map<Host, byte[]> keys = calls.onAll(hosts, host -> host.border(anew));
         if (anew) {
@@ -160,21 +183,29 @@ final class PointExchange {
      */
     void deliver() {
         boolean all = isAgreed && said.keySet().containsAll(sources.keySet())
-                && said.values().stream().allMatch(reply -> agreement(reply) == agreement);
+                && sources.keySet().stream().allMatch(host -> isWhole(host, said.get(host).given()));
         sources.forEach((host, from) -> {
             if (all) {
-                host.gift = gift(from);
+                host.tell(Told.GIFT, gift(agreement,
+                        handOver == null ? from : handOver.sources(host), said, bytesPerPoint()));
             }
         });
         owed = false;
+        handOver = null;
     }
 
-    private static int agreement(Reply reply) {
-        return reply.given().length < Integer.BYTES ? 0 : ByteBuffer.wrap(reply.given()).getInt();
+    private int bytesPerPoint() {
+        return Double.BYTES * mesh.faces.channels();
     }
 
-    private byte[] gift(List<Source> from) {
-        int bytes = Double.BYTES * mesh.faces.channels();
+    /** Whether a host has told of all points of which it was to tell. */
+    private boolean isWhole(Host host, byte[] told) {
+        int points = handOver == null ? given.getOrDefault(host, 0) : handOver.told(host);
+        return told.length >= Integer.BYTES + bytesPerPoint() * points && ByteBuffer.wrap(told).getInt() == agreement;
+    }
+
+    /** What some hosts have said about points, for one that takes them. */
+    static byte[] gift(int agreement, List<Source> from, Map<Host, Reply> said, int bytes) {
         byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
                 Integer.BYTES + bytes * from.size());
         for (int i = 0; i < from.size(); i++) {

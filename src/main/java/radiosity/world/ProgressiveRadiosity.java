@@ -150,6 +150,7 @@ public final class ProgressiveRadiosity {
             readAll();
         }
         Answer before = last.get();
+        world.expect(pending.shots().size());
         carryOut(now);
         tally.count(now, before, last.get());
         agenda.done(size);

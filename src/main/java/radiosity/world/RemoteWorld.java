@@ -34,6 +34,8 @@ public final class RemoteWorld extends World {
     private final LongSupplier clock;
     private final BlockTransfer transfer;
     private final PointExchange points;
+    /** Shots of the present round that are not under way. */
+    private int expected;
 
     /**
      * Opens a session with every host that can be reached.
@@ -98,6 +100,7 @@ public final class RemoteWorld extends World {
         List<Order> parts = order.naming(0).parts(ROWS_AT_A_TIME);
         for (Order part : parts) {
             steps.begin(part, prepare(part));
+            keepUp(NOBODY);
         }
         for (Order part : parts) {
             planner.take(part.shots().size(), answers(NOBODY).answers());
@@ -106,8 +109,14 @@ public final class RemoteWorld extends World {
 
     @Override
     void begin(Order step, StepTimes told) throws IOException {
+        while (step.isAnswered() && points.isHandingOver() && underWay.count() > 0) {
+            steps.await(told);
+        }
         admit(step);
         share(step);
+        if (step.begun() && step.more() && points.mayHandOver(step) && balance.mayLevel(hosts.present(), expected)) {
+            points.handOver(balance.delays(hosts.present(), expected));
+        }
         boolean exchanged = step.isAnswered() && points.isShared(step) && !mesh.hasSeams();
         Order now = exchanged ? step.naming(Order.GIVE) : step;
         steps.begin(now, prepare(now));
@@ -115,6 +124,11 @@ public final class RemoteWorld extends World {
             finish(told);
             underWay.add(step, ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least())));
         }
+        keepUp(told);
+    }
+
+    /** Hosts keep the last answers only. */
+    private void keepUp(StepTimes told) throws IOException {
         while (underWay.count() >= STEPS_AHEAD) {
             steps.await(told);
         }
@@ -154,6 +168,11 @@ public final class RemoteWorld extends World {
         steps.awaitAll(told);
         recover();
         balance.settle(hosts.present());
+    }
+
+    @Override
+    void expect(int shots) {
+        expected = shots;
     }
 
     @Override

@@ -69,7 +69,7 @@ final class StepsUnderWay {
         Map<Host, FutureTask<Reply>> running = new LinkedHashMap<>();
         for (Host host : hosts) {
             long number = host.nextRound();
-            byte[] all = host.withGift(bytes);
+            byte[] all = host.withTold(bytes);
             running.put(host, host.begin(() -> host.round(number, all)));
         }
         steps.add(new Step(order, now, given, running));

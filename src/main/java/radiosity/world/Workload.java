@@ -16,6 +16,8 @@ final class Workload {
     private double reached;
     /** Time that it took since all were waited for, s. */
     double sinceWait;
+    /** At how many points it gathered in the last step. */
+    int told;
     volatile long bytes;
 
     /** @param given what the slowest host had reached when the master gave this step */
@@ -27,6 +29,7 @@ final class Workload {
         sinceWait += reply.seconds();
         reached = Math.max(reached, given) + reply.cpu();
         elements = reply.elements();
+        told = reply.work().stream().mapToInt(BlockWork::told).sum();
     }
 
     double reached() {

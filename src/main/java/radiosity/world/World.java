@@ -81,6 +81,9 @@ public abstract sealed class World implements AutoCloseable permits LocalWorld, 
      */
     abstract void begin(Order step, StepTimes times) throws IOException;
 
+    /** So many shots of the round come with the next step and after it. */
+    void expect(int shots) { }
+
     /** How many answers to steps are still to be read. */
     abstract int unread();
 
