@@ -21,6 +21,7 @@ final class BorderPoints {
     enum Role { ALONE, GIVES, TAKES }
 
     private final RadiosityNodes nodes;
+    private final PointIrradiance irradiance;
     /** Nodes and vertices that were looked at for others. */
     private int lookedAt;
     private int known;
@@ -42,6 +43,7 @@ final class BorderPoints {
 
     BorderPoints(RadiosityNodes nodes) {
         this.nodes = nodes;
+        irradiance = new PointIrradiance(nodes);
     }
 
     /**
@@ -151,6 +153,10 @@ final class BorderPoints {
         own = null;
     }
 
+    PointIrradiance irradiance() {
+        return irradiance;
+    }
+
     /** Whether others gather at some of them. */
     boolean isTaking() {
         return !isTaken.isEmpty();
@@ -185,19 +191,7 @@ final class BorderPoints {
 
     /** For others: number of the agreement, then channels per point. */
     byte[] give() {
-        return told(IntStream.concat(IntStream.of(given), IntStream.of(handedIn)).toArray());
-    }
-
-    private byte[] told(int[] points) {
-        double[] irradiance = nodes.light().irradiance();
-        int channels = nodes.channels();
-        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + Double.BYTES * channels * points.length).putInt(agreement);
-        for (int v : points) {
-            for (int c = 0; c < channels; c++) {
-                bytes.putDouble(irradiance[channels * v + c]);
-            }
-        }
-        return bytes.array();
+        return irradiance.told(agreement, IntStream.concat(IntStream.of(given), IntStream.of(handedIn)).toArray());
     }
 
     /**
@@ -208,17 +202,9 @@ final class BorderPoints {
         if (gift.readInt() != agreement) {
             return false;
         }
-        put(IntStream.concat(IntStream.of(taken), IntStream.of(handedOut)).toArray(), gift);
+        irradiance.put(IntStream.concat(IntStream.of(taken), IntStream.of(handedOut)).toArray(), gift);
         endHandOver();
         return true;
-    }
-
-    private void put(int[] points, DataInputStream irradiance) throws IOException {
-        int size = Double.BYTES * nodes.channels();
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(irradiance, size * points.length));
-        for (int i = 0; i < points.length; i++) {
-            put(points[i], bytes, size * i);
-        }
     }
 
     /*---- Handing over in mid-round ----*/
@@ -240,7 +226,7 @@ final class BorderPoints {
         isBehind = handedIn.length > 0;
         IntStream.of(handedOut).forEach(isTaken::set);
         own = null;
-        return told(handedOut);
+        return irradiance.told(agreement, handedOut);
     }
 
     private static int[] places(DataInputStream in, int[] of) throws IOException {
@@ -258,13 +244,13 @@ final class BorderPoints {
     /**
      * Up to when others have gathered at what is handed in: from now on this host does.
      *
-     * @param irradiance number of the agreement, then channels per point
+     * @param arrived number of the agreement, then channels per point
      */
-    boolean takeOver(DataInputStream irradiance) throws IOException {
-        if (irradiance.readInt() != agreement) {
+    boolean takeOver(DataInputStream arrived) throws IOException {
+        if (arrived.readInt() != agreement) {
             return false;
         }
-        put(handedIn, irradiance);
+        irradiance.put(handedIn, arrived);
         return true;
     }
 
@@ -307,12 +293,5 @@ final class BorderPoints {
         BitSet set = new BitSet();
         IntStream.of(points).forEach(set::set);
         return set;
-    }
-
-    /** What has arrived at a point: channels from a place on. */
-    void put(int point, ByteBuffer irradiance, int at) {
-        for (int c = 0; c < nodes.channels(); c++) {
-            nodes.light().irradiance()[nodes.channels() * point + c] = irradiance.getDouble(at + Double.BYTES * c);
-        }
     }
 }

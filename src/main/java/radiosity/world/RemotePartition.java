@@ -54,7 +54,7 @@ public interface RemotePartition extends Remote {
      * One round on the blocks that this host owns. The same number again is not done again.
      *
      * @param number 1, 2, ... in a session; what changes elements and what only asks is counted alike
-     * @param order  as {@link Partition#round} takes it, then what others have gathered for it
+     * @param order  as {@link Partition#round} takes it, then what it is told besides, see {@link Told}
      * @return a {@link Reply}
      */
     byte[] round(long session, long number, byte[] order) throws RemoteException;

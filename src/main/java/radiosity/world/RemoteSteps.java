@@ -1,9 +1,14 @@
 package radiosity.world;
 
+import java.io.IOException;
+import java.util.List;
 import java.util.function.LongSupplier;
 
-/** Gives steps to all hosts and waits for them; whoever keeps count of what hosts do is told of every one that is done. */
+/** Gives steps to all hosts and waits for them, whoever is lost meanwhile; whoever keeps count of what hosts do is told of every one that is done. */
 final class RemoteSteps {
+
+    /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
+    static final int AHEAD = 4;
 
     private final HostCalls calls;
     private final StepsUnderWay underWay;
@@ -43,6 +48,28 @@ final class RemoteSteps {
     void awaitAll(World.StepTimes told) {
         while (underWay.count() > 0) {
             await(told);
+        }
+    }
+
+    /** Waits until another one may be under way. */
+    void keepUp(World.StepTimes told) {
+        while (underWay.count() >= AHEAD) {
+            await(told);
+        }
+    }
+
+    /** All steps are done, by hosts that are there, on all blocks; questions are asked again. */
+    void recover() throws IOException {
+        if (calls.isAnyLost()) {
+            awaitAll(World.NOBODY);
+            List<Order> questions = underWay.takeQuestions();
+            hosts.recover();
+            points.forget();
+            underWay.mended();
+            for (Order question : questions) {
+                begin(question, question.encode());
+                keepUp(World.NOBODY);
+            }
         }
     }
 

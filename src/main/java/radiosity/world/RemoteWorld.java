@@ -16,8 +16,6 @@ import radiosity.scene.Scene;
  */
 public final class RemoteWorld extends World {
 
-    /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
-    private static final int STEPS_AHEAD = 4;
 
     /** Shots of which rows are made together. */
     private static final int ROWS_AT_A_TIME = 8;
@@ -69,7 +67,7 @@ public final class RemoteWorld extends World {
                 new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
         steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, balance), points, clock);
         hosts.open(links);
-        recover();
+        steps.recover();
         if (mesh.gathersOnce()) {
             agree();
         }
@@ -86,7 +84,7 @@ public final class RemoteWorld extends World {
         steps.begin(order, prepare(order));
         while (underWay.count() > 0) {
             steps.await(NOBODY);
-            recover();
+            steps.recover();
         }
         balance.settle(hosts.present());
         return underWay.last();
@@ -100,7 +98,7 @@ public final class RemoteWorld extends World {
         List<Order> parts = order.naming(0).parts(ROWS_AT_A_TIME);
         for (Order part : parts) {
             steps.begin(part, prepare(part));
-            keepUp(NOBODY);
+            steps.keepUp(NOBODY);
         }
         for (Order part : parts) {
             planner.take(part.shots().size(), answers(NOBODY).answers());
@@ -124,14 +122,7 @@ public final class RemoteWorld extends World {
             finish(told);
             underWay.add(step, ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least())));
         }
-        keepUp(told);
-    }
-
-    /** Hosts keep the last answers only. */
-    private void keepUp(StepTimes told) throws IOException {
-        while (underWay.count() >= STEPS_AHEAD) {
-            steps.await(told);
-        }
+        steps.keepUp(told);
     }
 
     /*---- Points that several hosts have ----*/
@@ -147,7 +138,7 @@ public final class RemoteWorld extends World {
     private void agree() throws IOException {
         do {
             points.agree(hosts.present(), dealing);
-            recover();
+            steps.recover();
         } while (!points.isAgreed());
     }
 
@@ -166,7 +157,7 @@ public final class RemoteWorld extends World {
     @Override
     void finish(StepTimes told) throws IOException {
         steps.awaitAll(told);
-        recover();
+        steps.recover();
         balance.settle(hosts.present());
     }
 
@@ -199,7 +190,7 @@ public final class RemoteWorld extends World {
 
     @Override
     int stepsAhead() {
-        return STEPS_AHEAD;
+        return RemoteSteps.AHEAD;
     }
 
     @Override
@@ -234,20 +225,6 @@ public final class RemoteWorld extends World {
 
     /*---- Losing hosts, and finding them again ----*/
 
-    /** All steps are done, by hosts that are there, on all blocks; questions are asked again. */
-    private void recover() throws IOException {
-        if (calls.isAnyLost()) {
-            steps.awaitAll(NOBODY);
-            List<Order> questions = underWay.takeQuestions();
-            hosts.recover();
-            points.forget();
-            underWay.mended();
-            for (Order question : questions) {
-                steps.begin(question, prepare(question));
-            }
-        }
-    }
-
     /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
     private void admit(Order order) throws IOException {
         boolean due = balance.isDue(order, hosts.present());
@@ -262,7 +239,7 @@ public final class RemoteWorld extends World {
         } else if (come || due) {
             move(dealing.moves(hosts.present(), order.kind() == Order.Kind.GATHER));
         }
-        recover();
+        steps.recover();
     }
 
     private void move(List<Dealing.Move> moves) throws IOException {
@@ -288,7 +265,7 @@ public final class RemoteWorld extends World {
         long begin = now();
         exchange();
         while (true) {
-            recover();
+            steps.recover();
             List<byte[]> all = transfer.states(hosts.present());
             if (!calls.isAnyLost()) {
                 log.checkpoint(all, (now() - begin) * 1e-9);
@@ -302,7 +279,7 @@ public final class RemoteWorld extends World {
         log.checkpoint(states);
         transfer.restore(hosts.present());
         points.forget();
-        recover();
+        steps.recover();
         if (mesh.predicts()) {
             totals.set(super.totals(), hosts.present());
         }

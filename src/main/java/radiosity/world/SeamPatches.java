@@ -76,7 +76,7 @@ final class SeamPatches {
         }
         partition.border().take(heard);
         partition.answer(order.naming(-1));
-        heard.stream().forEach(v -> partition.border().put(v, ByteBuffer.wrap(said.get(sources[v].host())),
+        heard.stream().forEach(v -> partition.border().irradiance().put(v, ByteBuffer.wrap(said.get(sources[v].host())),
                 Integer.BYTES + bytesPerPoint * sources[v].place()));
         return partition.answer(Order.plain(Order.Kind.ASK, order.most()).from(order.least()));
     }

@@ -3,6 +3,7 @@ package radiosity.patch;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -50,6 +51,25 @@ class PrunedTreeTest {
             assertEquals((int) ((Math.pow(4, levels + 1) - 1) / 3), pruned.child().length, "level " + level);
             assertArrayEquals(linear().divided(full()).radiosity(), pruned.divided(full()).radiosity());
         }
+    }
+
+    @Test
+    void meansOfAnyLevel_haveTheMeanOfTheWhole() {
+        for (int[] child : new int[][] {full(), DEEP, FLAT}) {
+            PatchTree tree = new PatchTree(0, Path.FACE, child, values(child.length, 3));
+            for (int level = 0; level <= LEVELS + 1; level++) {
+                PatchTree means = MeanTree.of(tree, level);
+                assertArrayEquals(mean(tree), mean(means), 1e-9, "level " + level);
+                assertTrue(means.child().length <= (Math.pow(4, level + 1) - 1) / 3, "level " + level);
+                assertArrayEquals(level > LEVELS ? child : means.child(), means.child());
+            }
+        }
+    }
+
+    private static double[] mean(PatchTree tree) {
+        double[] mean = new double[CHANNELS];
+        tree.addMean(0, 1, mean);
+        return mean;
     }
 
     @Test

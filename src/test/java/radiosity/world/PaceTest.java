@@ -54,6 +54,15 @@ class PaceTest {
     }
 
     @Test
+    void afterARest_oneShotIsDoneAlone() {
+        Pace pace = new Pace(Pace.STEP_SECONDS);
+        round(pace, 1, i -> 1e-3);
+        assertTrue(pace.size(Order.Kind.SHOOT, 1, SHOTS) > 1);
+        pace.rest();
+        assertEquals(1, pace.size(Order.Kind.SHOOT, 1, SHOTS));
+    }
+
+    @Test
     void roundWithoutShots_isOneStep() {
         assertEquals(1, new Pace(Pace.STEP_SECONDS).size(Order.Kind.SPLIT, 0, 0));
     }
