@@ -22,6 +22,8 @@ final class HostedBlocks {
     private final List<byte[]> owed = new ArrayList<>();
     /** How many there were when points were handed over. */
     private int handedOver;
+    /** What was done since, as long as this host does not know what had arrived where it takes over. */
+    private final List<Order> since = new ArrayList<>();
     private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
@@ -143,18 +145,14 @@ final class HostedBlocks {
                 return given.length > 0;
             }
             default -> {
-                return partition.takeOver(in) && catchUp();
+                boolean agrees = partition.takeOver(in);
+                if (agrees) {
+                    partition.catchUp(since);
+                    since.clear();
+                }
+                return agrees;
             }
         }
-    }
-
-    /** Gathers at what was handed over to this host what was shot since. */
-    private boolean catchUp() throws IOException {
-        for (byte[] order : owed.subList(handedOver, owed.size())) {
-            partition.gatherAt(whole(Order.decode(order)), partition.border().handedIn());
-        }
-        partition.border().takeOver();
-        return true;
     }
 
     private byte[] gather(Order order, byte[] bytes) throws IOException {
@@ -170,7 +168,12 @@ final class HostedBlocks {
         if (mesh.hasSeams()) {
             return partition.round(order);
         }
-        byte[] nothing = partition.round(whole(order).naming(-1));
+        Order now = whole(order);
+        if (partition.border().isBehind()) {
+            since.add(now);
+            partition.keep(now);
+        }
+        byte[] nothing = partition.round(now.naming(-1));
         return order.isAnswered() ? ask(Order.plain(Order.Kind.ASK, order.most()).from(order.least())) : nothing;
     }
 
@@ -197,7 +200,8 @@ final class HostedBlocks {
             partition.gatherAt(whole(Order.decode(owed.get(i))), partition.border().missed(i >= handedOver));
         }
         owed.clear();
-        partition.border().endHandOver();
+        since.clear();
+        partition.endHandOver();
     }
 
     /** See {@link BorderPoints#name}. */

@@ -9,10 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
-import radiosity.formfactor.Gathering;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.AdaptiveMeshing;
-import radiosity.patch.Ambient;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
 import radiosity.patch.RadiosityNodes;
@@ -157,6 +155,24 @@ final class PartitionImpl implements Partition {
         return border().takeOver(irradiance);
     }
 
+    /** What this step does will be done again soon, at what was handed over. */
+    void keep(Order order) {
+        receivers.keep(order);
+    }
+
+    /** Nothing is handed over any more. */
+    void endHandOver() {
+        border().endHandOver();
+        receivers.forget();
+    }
+
+    /** Does so. */
+    void catchUp(List<Order> orders) {
+        orders.forEach(order -> gatherAt(order, border.handedIn()));
+        border.takeOver();
+        receivers.forget();
+    }
+
     /** What this step does at some points. */
     void gatherAt(Order order, BitSet points) {
         candidates.changed();
@@ -216,7 +232,7 @@ final class PartitionImpl implements Partition {
         if (vertices.length == 0) {
             return;
         }
-        receiveAmbient(order, vertices);
+        receivers.receiveAmbient(order, nodes, vertices);
         Shooter[] source = receivers.shooters(order);
         FormFactorCalculator[] calculator = receivers.calculators(order);
         costs.begin(vertices);
@@ -224,37 +240,10 @@ final class PartitionImpl implements Partition {
             int[] run = Arrays.copyOfRange(vertices, from, to);
             long begin = BlockCosts.now();
             for (Shooter shooter : source) {
-                gather(calculator, shooter, run);
+                receivers.gather(calculator, shooter, nodes, run);
             }
             costs.add(run, BlockCosts.now() - begin);
         });
-    }
-
-    /** Even light of closed rooms, at the beginning of a round. */
-    private void receiveAmbient(Order order, int[] vertices) {
-        Ambient ambient = receivers.ambient(order);
-        double[] back = order.givenBack();
-        if (order.begun() || ambient.isDark() && back.length == 0) {
-            return;
-        }
-        for (int v : vertices) {
-            for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
-                nodes.light().irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
-                        + (back.length == 0 ? 0 : back[c]);
-            }
-        }
-    }
-
-    private void gather(FormFactorCalculator[] calculator, Shooter shooter, int[] run) {
-        double[] irradiance = nodes.light().irradiance();
-        Gathering.Irradiance sum = new Gathering.Irradiance(channels);
-        for (int v : run) {
-            if (!nodes.isBuried(v)) {
-                System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
-                receivers.gather(calculator[mesh.patcher.slack(nodes.vertexFace(v))], shooter, nodes, v, sum);
-                System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
-            }
-        }
     }
 
     /** Rows of the coarse system for the vertices that this partition's blocks have in it, or parts of them. */

@@ -1,6 +1,9 @@
 package radiosity.world;
 
 import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.Shooter;
@@ -20,6 +23,8 @@ final class Receivers {
     private final Faces faces;
     private final Crew crew;
     private final Burial burial;
+    /** By the list of what shoots. */
+    private final Map<List<Shot>, Shooter[]> kept = new IdentityHashMap<>();
 
     Receivers(InitialMesh mesh, Crew crew) {
         this.mesh = mesh;
@@ -47,6 +52,20 @@ final class Receivers {
     }
 
     Shooter[] shooters(Order order) {
+        Shooter[] known = kept.get(order.shots());
+        return known == null ? make(order) : known;
+    }
+
+    /** Keeps the shooters of an order that is done again soon. */
+    void keep(Order order) {
+        kept.put(order.shots(), make(order));
+    }
+
+    void forget() {
+        kept.clear();
+    }
+
+    private Shooter[] make(Order order) {
         Ambient ambient = ambient(order);
         Weights weights = weights(order);
         Shooter[] made = new Shooter[order.shots().size()];
@@ -60,6 +79,36 @@ final class Receivers {
         Arrays.setAll(made, slack -> mesh.settings.factors().calculator(mesh.bounds(), mesh.rays(),
                 order.tolerance() * (1 << slack)));
         return made;
+    }
+
+    /** Even light of closed rooms, at the beginning of a round. */
+    void receiveAmbient(Order order, RadiosityNodes nodes, int[] vertices) {
+        Ambient ambient = ambient(order);
+        double[] back = order.givenBack();
+        if (order.begun() || ambient.isDark() && back.length == 0) {
+            return;
+        }
+        int channels = faces.channels();
+        for (int v : vertices) {
+            for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
+                nodes.light().irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
+                        + (back.length == 0 ? 0 : back[c]);
+            }
+        }
+    }
+
+    /** What some neighbouring vertices receive of one shooter is added to their irradiance. */
+    void gather(FormFactorCalculator[] calculator, Shooter shooter, RadiosityNodes nodes, int[] run) {
+        int channels = faces.channels();
+        double[] irradiance = nodes.light().irradiance();
+        Gathering.Irradiance sum = new Gathering.Irradiance(channels);
+        for (int v : run) {
+            if (!nodes.isBuried(v)) {
+                System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
+                gather(calculator[mesh.patcher.slack(nodes.vertexFace(v))], shooter, nodes, v, sum);
+                System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
+            }
+        }
     }
 
     /** What one vertex receives of one shooter. */
