@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -14,9 +16,14 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.objectweb.asm.ClassReader;
 
-/** Who may import whom, as {@code docs/ARCHITECTURE.md} says it, held against the classes by the JDK's jdeps. */
+/**
+ * Who may import whom, as {@code docs/ARCHITECTURE.md} says it, held against the classes by the JDK's jdeps; and which
+ * methods of the JDK nobody may call, as their results differ between machines.
+ */
 class ArchitectureTest {
 
     private static final Set<String> ALL = Set.of("scene", "lightwave", "patch", "visibility", "formfactor", "world",
@@ -42,6 +49,18 @@ class ArchitectureTest {
             "picocli.*|org\\.jline.*|me\\.tongfei.*", Set.of("cli"),
             "de\\.javagl.*", Set.of("output", "viewer"));
 
+    /** Methods of Math whose results are fixed to the last bit; all others may differ between processors and JDKs. */
+    private static final Set<String> EXACT = Set.of("abs", "min", "max", "sqrt", "fma", "floor", "ceil", "rint", "round",
+            "signum", "copySign", "scalb", "ulp", "getExponent", "toRadians", "toDegrees", "addExact", "subtractExact",
+            "multiplyExact", "multiplyFull", "multiplyHigh", "incrementExact", "decrementExact", "negateExact",
+            "absExact", "toIntExact", "floorDiv", "floorMod");
+
+    /** Packages whose numbers are only looked at: what they draw is no result. */
+    private static final Set<String> ONLY_SHOWN = Set.of("viewer");
+
+    /** Tag of a method in a constant pool (Java Virtual Machine Specification, 4.4). */
+    private static final int METHOD_REFERENCE = 10;
+
     private static final Pattern ARROW = Pattern.compile(" +radiosity\\.(\\w+) +-> (\\S+) .*");
 
     @Test
@@ -57,6 +76,23 @@ class ArchitectureTest {
     void everyPackage_standsInTheTable() throws Exception {
         assertTrue(MAY.keySet().containsAll(imports().keySet()), imports().keySet().toString());
         assertTrue(imports().containsKey("cli"), "jdeps found the classes");
+    }
+
+    @Test
+    void methodsOfMath_areThoseWithOneResultOnAllMachines() throws Exception {
+        List<String> wrong = new ArrayList<>();
+        int calls = 0;
+        for (ClassReader reader : classes()) {
+            for (String method : methods(reader, "java/lang/Math")) {
+                calls++;
+                boolean shown = ONLY_SHOWN.contains(reader.getClassName().split("/")[1]);
+                if (!EXACT.contains(method) && !shown) {
+                    wrong.add(reader.getClassName() + ": expected StrictMath." + method + ", got Math." + method);
+                }
+            }
+        }
+        assertEquals(List.of(), wrong);
+        assertTrue(calls > 100, "calls of Math were found: " + calls);
     }
 
     private static boolean allowed(String ours, String theirs) {
@@ -79,12 +115,38 @@ class ArchitectureTest {
         return imports;
     }
 
+    /** Names of an owner's methods that a class calls or refers to: all that its constant pool names, in its order. */
+    private static List<String> methods(ClassReader reader, String owner) {
+        List<String> names = new ArrayList<>();
+        char[] buffer = new char[reader.getMaxStringLength()];
+        for (int item = 1; item < reader.getItemCount(); item++) {
+            int at = reader.getItem(item);
+            if (at > 0 && reader.readByte(at - 1) == METHOD_REFERENCE && reader.readClass(at, buffer).equals(owner)) {
+                names.add(reader.readUTF8(reader.getItem(reader.readUnsignedShort(at + 2)), buffer));
+            }
+        }
+        return names;
+    }
+
+    private static List<ClassReader> classes() throws Exception {
+        List<ClassReader> readers = new ArrayList<>();
+        try (Stream<Path> files = Files.walk(root())) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".class")).sorted().toList()) {
+                readers.add(new ClassReader(Files.readAllBytes(file)));
+            }
+        }
+        return readers;
+    }
+
+    /** Folder of the compiled classes of the program. */
+    private static Path root() throws Exception {
+        return Path.of(radiosity.scene.Scene.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    }
+
     private static String jdeps() throws Exception {
-        String classes = java.nio.file.Path.of(radiosity.scene.Scene.class.getProtectionDomain().getCodeSource()
-                .getLocation().toURI()).toString();
         StringWriter out = new StringWriter();
         ToolProvider.findFirst("jdeps").orElseThrow().run(new PrintWriter(out), new PrintWriter(out),
-                "-verbose:package", "-filter:none", "--multi-release", "base", classes);
+                "-verbose:package", "-filter:none", "--multi-release", "base", root().toString());
         return out.toString();
     }
 }

@@ -50,7 +50,7 @@ final class AccuracyChoice {
         if (this.seconds == 0) {
             now = Math.max(now / 2, now - WARM_UP);
         } else {
-            double seen = Math.log(now / this.seconds) / Math.log(this.accuracy / accuracy);
+            double seen = StrictMath.log(now / this.seconds) / StrictMath.log(this.accuracy / accuracy);
             power = Math.max(LEAST_POWER, Math.min(MOST_POWER, seen + GROWING));
         }
         this.accuracy = accuracy;
@@ -63,8 +63,8 @@ final class AccuracyChoice {
         if (seconds == 0) {
             return COARSEST;
         }
-        double gain = Math.pow(Math.max(0, SHARE * secondsLeft) / seconds, 1 / power);
-        double fits = Math.pow(memory / (ELEMENT_BYTES * elements), 1 / ELEMENTS_POWER);
+        double gain = StrictMath.pow(Math.max(0, SHARE * secondsLeft) / seconds, 1 / power);
+        double fits = StrictMath.pow(memory / (ELEMENT_BYTES * elements), 1 / ELEMENTS_POWER);
         gain = Math.min(Math.min(gain, MOST_GAIN), Math.min(fits, accuracy / FINEST));
         return gain < LEAST_GAIN ? 0 : accuracy / gain;
     }

@@ -35,7 +35,7 @@ final class ProgressText {
     /** Two digits that count; rounding errors are 0. */
     static String perCent(double part) {
         double value = 100 * part;
-        int decimals = value >= LEAST ? (int) Math.max(0, 1 - Math.floor(Math.log10(value))) : 0;
+        int decimals = value >= LEAST ? (int) Math.max(0, 1 - Math.floor(StrictMath.log10(value))) : 0;
         return String.format(Locale.ROOT, "%." + decimals + "f %%", value);
     }
 

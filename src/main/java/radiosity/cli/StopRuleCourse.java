@@ -29,7 +29,8 @@ final class StopRuleCourse implements Course {
             first = now;
         }
         double shots = part(now.shots() - first.shots(), (double) stop.shots() - first.shots());
-        double unsent = part(Math.log(first.unsent() / now.unsent()), Math.log(first.unsent() / stop.unsent()));
+        double unsent = part(StrictMath.log(first.unsent() / now.unsent()),
+                StrictMath.log(first.unsent() / stop.unsent()));
         return Math.max(shots, unsent);
     }
 

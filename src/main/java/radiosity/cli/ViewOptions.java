@@ -56,7 +56,7 @@ final class ViewOptions {
     ViewSettings settings() {
         WindowOptions w = window;
         Optional<ToneMapping> unlit = w.lightWave
-                ? Optional.of(new ToneMapping(ToneMapping.Operator.LINEAR, Math.pow(2, w.exposure)))
+                ? Optional.of(new ToneMapping(ToneMapping.Operator.LINEAR, StrictMath.pow(2, w.exposure)))
                 : Optional.empty();
         return new ViewSettings(file().getFileName() + " (H: keys, P: panel)", w.wireframe, w.textures, unlit, w.curve,
                 w.exposure, w.size == null ? WindowOptions.USUAL_WIDTH : w.size.width(),

@@ -21,11 +21,11 @@ final class LookAt {
         double[] from = placement.position(item);
         Matrix parent = placement.parentWorld(item);
         double[] d = parent.unturn(new double[] {at[0] - from[0], at[1] - from[1], at[2] - from[2]});
-        double flat = Math.hypot(d[0], d[2]);
+        double flat = StrictMath.hypot(d[0], d[2]);
         if (!(flat + Math.abs(d[1]) > 0) || !Double.isFinite(flat + d[1])) {
             return placement.world(item);
         }
-        Matrix turned = parent.times(Matrix.turn(Math.atan2(d[0], d[2]), -Math.atan2(d[1], flat),
+        Matrix turned = parent.times(Matrix.turn(StrictMath.atan2(d[0], d[2]), -StrictMath.atan2(d[1], flat),
                 item.motion.bank(instant))).times(item.motion.scale(instant));
         double[] m = turned.m().clone();
         m[3] = from[0];

@@ -21,12 +21,12 @@ record Matrix(double[] m) {
 
     /** Ry(heading) Rx(pitch) Rz(bank), radians. */
     static Matrix turn(double heading, double pitch, double bank) {
-        double ch = Math.cos(heading);
-        double sh = Math.sin(heading);
-        double cp = Math.cos(pitch);
-        double sp = Math.sin(pitch);
-        double cb = Math.cos(bank);
-        double sb = Math.sin(bank);
+        double ch = StrictMath.cos(heading);
+        double sh = StrictMath.sin(heading);
+        double cp = StrictMath.cos(pitch);
+        double sp = StrictMath.sin(pitch);
+        double cb = StrictMath.cos(bank);
+        double sb = StrictMath.sin(bank);
         return new Matrix(new double[] {
             ch * cb + sh * sp * sb, -ch * sb + sh * sp * cb, sh * cp, 0,
             cp * sb, cp * cb, -sp, 0,

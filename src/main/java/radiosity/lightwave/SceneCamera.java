@@ -47,7 +47,7 @@ final class SceneCamera {
             notes.note(item.place(), "a camera without a sound position, zoom or picture size is left out");
             return Optional.empty();
         }
-        return Optional.of(new Camera(position, forward, up, Math.atan(1 / zoom), aspect));
+        return Optional.of(new Camera(position, forward, up, StrictMath.atan(1 / zoom), aspect));
     }
 
     private double aspect(SceneItem item) {

@@ -85,10 +85,10 @@ final class TextureMapping {
     private void round(double[][] places, double[] uv) {
         for (int k = 0; k < 3; k++) {
             double[] q = upright(places[k]);
-            double distance = Math.hypot(q[0], q[2]);
+            double distance = StrictMath.hypot(q[0], q[2]);
             uv[2 * k] = distance == 0 ? Double.NaN : 1 - heading(q[0], q[2]) / (2 * Math.PI);
             uv[2 * k + 1] = texture.projection == TextureBlock.Projection.CYLINDRICAL ? q[1] + 0.5
-                    : 0.5 + Math.atan2(q[1], distance) / Math.PI;
+                    : 0.5 + StrictMath.atan2(q[1], distance) / Math.PI;
         }
         keepTogether(uv);
         for (int k = 0; k < 3; k++) {
@@ -108,7 +108,7 @@ final class TextureMapping {
 
     /** Angle about the axis, from -pi/2 to 3 pi/2. */
     private static double heading(double x, double z) {
-        double angle = -Math.atan2(x, z);
+        double angle = -StrictMath.atan2(x, z);
         return angle < -Math.PI / 2 ? angle + 2 * Math.PI : angle;
     }
 

@@ -98,7 +98,8 @@ final class LitView {
                 double distance = skipped + from + hit[0];
                 double axis = direction.dot(camera.forward());
                 return lit[2 * t + (cosine > 0 ? 0 : 1)] * axis * axis * axis * distance * distance
-                        * Math.pow(Math.tan(camera.verticalHalfAngle()), 2) / Math.max(GRAZING, Math.abs(cosine));
+                        * StrictMath.pow(StrictMath.tan(camera.verticalHalfAngle()), 2)
+                        / Math.max(GRAZING, Math.abs(cosine));
             }
             from += hit[0] + STEP;
         }

@@ -76,7 +76,7 @@ public record ToneMapping(Operator operator, double exposure) {
     }
 
     private static ToneMapping automatic(Operator operator, Brightness brightness, double stops) {
-        return new ToneMapping(operator, brightness.exposure(MIDDLE, DARK) * Math.pow(2, stops));
+        return new ToneMapping(operator, brightness.exposure(MIDDLE, DARK) * StrictMath.pow(2, stops));
     }
 
     /** Reinhard's curve, automatic exposure: walls keep their colour. */

@@ -61,11 +61,11 @@ public final class Viewpoint {
 
     /** Looks at the middle from such a distance that every corner of the box is in the picture. */
     private static Camera outside(Box box, double compass, double elevation) {
-        Vec3 back = new Vec3(Math.sin(compass) * Math.cos(elevation), Math.sin(elevation),
-                Math.cos(compass) * Math.cos(elevation));
+        Vec3 back = new Vec3(StrictMath.sin(compass) * StrictMath.cos(elevation), StrictMath.sin(elevation),
+                StrictMath.cos(compass) * StrictMath.cos(elevation));
         Camera camera = looking(box.centre(), back.times(-1), OUTSIDE);
         Vec3 right = camera.forward().cross(camera.up());
-        double tangent = Math.tan(OUTSIDE) * FILL;
+        double tangent = StrictMath.tan(OUTSIDE) * FILL;
         double distance = 1e-9;
         for (int corner = 0; corner < 8; corner++) {
             Vec3 p = box.corner(corner).minus(box.centre());

@@ -25,7 +25,7 @@ public record Camera(Vec3 position, Vec3 forward, Vec3 up, double verticalHalfAn
      * @param y from -1, below, to 1
      */
     public Vec3 direction(double x, double y) {
-        double tangent = Math.tan(verticalHalfAngle);
+        double tangent = StrictMath.tan(verticalHalfAngle);
         Vec3 right = forward.cross(up);
         return forward.plus(right.times(x * tangent * aspect)).plus(up.times(y * tangent)).unit();
     }

@@ -111,7 +111,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
             double[] a = textureCoordinates(triangle, p);
             double[] b = textureCoordinates(triangle, q);
             most = Math.max(most, Stream.concat(maps.exitance().stream(), maps.reflectance().stream())
-                    .mapToDouble(map -> Math.hypot((b[0] - a[0]) * map.width(), (b[1] - a[1]) * map.height()))
+                    .mapToDouble(map -> StrictMath.hypot((b[0] - a[0]) * map.width(), (b[1] - a[1]) * map.height()))
                     .max().orElse(0) / q.minus(p).length());
         }
         return most;

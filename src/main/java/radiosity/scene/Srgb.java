@@ -12,6 +12,6 @@ public final class Srgb {
 
     /** The code of linear light, where 1 is white; to look at. */
     public static double code(double linear) {
-        return linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055;
+        return linear <= 0.0031308 ? 12.92 * linear : 1.055 * StrictMath.pow(linear, 1 / 2.4) - 0.055;
     }
 }

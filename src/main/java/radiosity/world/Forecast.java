@@ -49,7 +49,7 @@ final class Forecast {
      */
     void learn(int block, double seconds, double pairsDone, int shooters) {
         if (pairsDone > 0) {
-            double kept = Math.exp(-shooters / MEMORY);
+            double kept = StrictMath.exp(-shooters / MEMORY);
             time[block] = kept * time[block] + seconds;
             pairs[block] = kept * pairs[block] + pairsDone;
         }

@@ -218,7 +218,8 @@ final class Shares {
 
     /** What is made small. */
     private double goal(int host) {
-        double goal = Math.pow(time(host) / mean, 4);
+        double load = time(host) / mean;
+        double goal = load * load * (load * load);
         for (int d = 0; d < meanFacing.length; d++) {
             goal += meanFacing[d] > 0 ? SPREAD * time[host][d] * time[host][d] / (meanFacing[d] * mean) : 0;
         }
