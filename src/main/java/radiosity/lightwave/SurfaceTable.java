@@ -20,6 +20,8 @@ final class SurfaceTable {
     private final List<SurfaceValues> described = new ArrayList<>();
     private final Map<String, Integer> byName = new HashMap<>();
     private final Map<SurfaceValues, Integer> known = new IdentityHashMap<>();
+    /** By the name of a first copy: the lowest number that no further copy of it has tried. */
+    private final Map<String, Integer> nextCopy = new HashMap<>();
 
     SurfaceTable(LightWaveOptions options, Notes notes) {
         this.options = options;
@@ -40,21 +42,37 @@ final class SurfaceTable {
         return known.computeIfAbsent(values, v -> add(object, v));
     }
 
+    /**
+     * The index of the surface's first name that no different surface has: its own, then that with its object's, then
+     * that with a number too. A number is tried once only, so that many copies cost no more than their number.
+     */
     private int add(String object, SurfaceValues values) {
         String plain = SceneFormatException.escape(values.name.substring(0, Math.min(LONGEST_NAME,
                 values.name.length())));
-        String name = plain;
-        for (int copy = 1;; copy++) {
+        String copy = object + ":" + plain;
+        for (String name : List.of(plain, copy)) {
             Surface surface = surface(name, values);
-            Integer other = byName.get(name);
-            if (other == null) {
-                return append(surface, values);
+            if (isFreeOrEqual(surface)) {
+                return indexOf(surface, values);
             }
-            if (surfaces.get(other).equals(surface)) {
-                return other;
-            }
-            name = object + ":" + plain + (copy == 1 ? "" : "#" + surfaces.size());
         }
+        int number = Math.max(nextCopy.getOrDefault(copy, 0), surfaces.size());
+        Surface surface = surface(copy + "#" + number, values);
+        while (!isFreeOrEqual(surface)) {
+            surface = surface(copy + "#" + ++number, values);
+        }
+        nextCopy.put(copy, number + 1);
+        return indexOf(surface, values);
+    }
+
+    private boolean isFreeOrEqual(Surface surface) {
+        Integer other = byName.get(surface.name());
+        return other == null || surfaces.get(other).equals(surface);
+    }
+
+    private int indexOf(Surface surface, SurfaceValues values) {
+        Integer known = byName.get(surface.name());
+        return known == null ? append(surface, values) : known;
     }
 
     private int append(Surface surface, SurfaceValues values) {

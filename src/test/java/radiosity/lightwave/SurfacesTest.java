@@ -2,6 +2,7 @@ package radiosity.lightwave;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.lightwave.Iff.chunk;
 import static radiosity.lightwave.Iff.f4;
@@ -15,6 +16,7 @@ import static radiosity.lightwave.Iff.u4;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -146,6 +148,29 @@ class SurfacesTest {
         Scene scene = LightWaveReader.read(file, LightWaveOptions.defaults(), told::add);
         assertEquals(List.of("white", "c.lwo:white", "c.lwo:white#2"), scene.surfaces().stream().map(Surface::name).toList());
         assertEquals(10, scene.triangles());
+    }
+
+    @Test
+    void surfaceNamedLikeACopyOfAnother_isSteppedOver() throws IOException {
+        List<String> names = List.of("\u0001\u0001", "thing.lwo:\\u0001\\u0001#3", "\\u0001\u0001",
+                "\u0001\\u0001", "\\u0001\\u0001");
+        byte[][] surfaces = new byte[names.size()][];
+        byte[][] polygons = new byte[names.size()][];
+        byte[][] tags = new byte[names.size()][];
+        for (int i = 0; i < surfaces.length; i++) {
+            surfaces[i] = Objects.lwo2Surface(names.get(i), "", Objects.share("DIFF", .1 * (i + 1)));
+            polygons[i] = u2(3, 0, i + 1, i + 2);
+            tags[i] = u2(i, i);
+        }
+        byte[] object = form("LWO2", chunk("TAGS", names.stream().map(Iff::s0).toArray(byte[][]::new)),
+                chunk("PNTS", f4(0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 5, 0)),
+                chunk("POLS", Iff.text("FACE"), Iff.join(polygons)), chunk("PTAG", Iff.text("SURF"), Iff.join(tags)), Iff.join(surfaces));
+        Path file = Files.write(folder.resolve("thing.lwo"), object);
+        Scene scene = assertTimeoutPreemptively(Duration.ofSeconds(30),
+                () -> LightWaveReader.read(file, LightWaveOptions.defaults(), told::add));
+        String plain = "\\u0001\\u0001";
+        assertEquals(List.of(plain, "thing.lwo:" + plain + "#3", "thing.lwo:" + plain, "thing.lwo:" + plain + "#4",
+                "thing.lwo:" + plain + "#5"), scene.surfaces().stream().map(Surface::name).toList());
     }
 
     @Test
