@@ -4,12 +4,16 @@ import java.io.IOException;
 import java.lang.reflect.Proxy;
 import java.net.InetAddress;
 import java.rmi.NoSuchObjectException;
+import java.rmi.NotBoundException;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
+import java.rmi.UnmarshalException;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.registry.Registry;
 import java.rmi.server.ExportException;
+import java.rmi.server.RemoteObjectInvocationHandler;
 import java.rmi.server.UnicastRemoteObject;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
@@ -29,16 +33,28 @@ public final class PartitionPort implements AutoCloseable {
     private final ServedPartition served;
     private final Registry registry;
     private final boolean ownRegistry;
+    /** What the registry has under {@link #NAME}. */
+    private final RemoteObjectInvocationHandler bound;
     private final int port;
-    private final Thread look = new Thread(this::look, "gone masters");
+    private final Consumer<String> log;
+    /** What was wrong with the registry when it was looked at last; null where masters find this partition by it. */
+    private String trouble;
+    private final Thread look = new Thread(() -> everyTime(this::expire), "gone masters");
+    /** A thread of its own, as a registry of another program may keep it waiting. */
+    private final Thread registryLook = new Thread(() -> everyTime(this::keepBound), "registry");
 
-    private PartitionPort(ServedPartition served, Registry registry, boolean ownRegistry, int port) {
+    private PartitionPort(ServedPartition served, Registry registry, boolean ownRegistry,
+                          RemoteObjectInvocationHandler bound, Consumer<String> log) throws IOException {
         this.served = served;
         this.registry = registry;
         this.ownRegistry = ownRegistry;
-        this.port = port;
-        look.setDaemon(true);
-        look.start();
+        this.bound = bound;
+        this.log = log;
+        port = HostStub.of(bound).port();
+        for (Thread thread : List.of(look, registryLook)) {
+            thread.setDaemon(true);
+            thread.start();
+        }
     }
 
     /**
@@ -64,55 +80,58 @@ public final class PartitionPort implements AutoCloseable {
         ServedPartition served = new ServedPartition(options.threads(), log);
         try {
             Registry own = LocateRegistry.createRegistry(options.registryPort());
-            return export(served, own, true, options.registryPort());
+            return export(served, own, true, options.registryPort(), log);
         } catch (ExportException e) {
-            return behind(options, sockets, served, e);
+            return behind(options, sockets, served, e, log);
         }
     }
 
     /** The port is taken: by a registry? */
     private static PartitionPort behind(Options options, RmiSockets sockets, ServedPartition served,
-                                        ExportException taken) throws IOException {
+                                        ExportException taken, Consumer<String> log) throws IOException {
+        SerialFilters.ofMaster();
         Registry other = LocateRegistry.getRegistry("localhost", options.registryPort());
         try {
-            for (String name : other.list()) {
-                if (name.equals(NAME)) {
-                    refuseSecond(other, taken);
-                }
+            if (isServed(other)) {
+                throw taken;
             }
         } catch (RemoteException e) {
             throw taken;
         }
         sockets.listen(options.partitionPort(), options.bind(), options.key());
-        return export(served, other, false, options.partitionPort());
+        return export(served, other, false, options.partitionPort(), log);
     }
 
-    /** A name that is left from a server that has ended may be taken over. */
-    private static void refuseSecond(Registry registry, ExportException taken) throws IOException {
+    /** Whether the name leads to a partition that answers. One that is left from a server that has ended may be replaced. */
+    private static boolean isServed(Registry registry) throws RemoteException {
         try {
-            if (registry.lookup(NAME) instanceof java.rmi.server.RemoteObjectInvocationHandler handler) {
-                RemotePartition other = (RemotePartition) Proxy.newProxyInstance(
-                        RemotePartition.class.getClassLoader(), new Class<?>[] {RemotePartition.class}, handler);
-                other.greet();
-                throw taken;
+            if (registry.lookup(NAME) instanceof RemoteObjectInvocationHandler handler) {
+                return answers(handler);
             }
-        } catch (ExportException e) {
-            throw e;
-        } catch (RemoteException | java.rmi.NotBoundException e) {
-            // nobody is there any more
+        } catch (NotBoundException e) {
+            return false;
+        } catch (UnmarshalException e) {
+            // an object of another program
+        }
+        return false;
+    }
+
+    private static boolean answers(RemoteObjectInvocationHandler handler) {
+        try {
+            ((RemotePartition) Proxy.newProxyInstance(RemotePartition.class.getClassLoader(),
+                    new Class<?>[] {RemotePartition.class}, handler)).greet();
+            return true;
+        } catch (RemoteException e) {
+            return false;
         }
     }
 
-    private static PartitionPort export(ServedPartition served, Registry registry, boolean own, int port)
-            throws RemoteException {
+    private static PartitionPort export(ServedPartition served, Registry registry, boolean own, int port,
+                                        Consumer<String> log) throws IOException {
         Remote stub = UnicastRemoteObject.exportObject(served, port, null, null, SerialFilters::ofHost);
-        registry.rebind(NAME, (Remote) Proxy.getInvocationHandler(stub));
-        try {
-            int used = HostStub.of((java.rmi.server.RemoteObjectInvocationHandler) Proxy.getInvocationHandler(stub)).port();
-            return new PartitionPort(served, registry, own, used);
-        } catch (IOException e) {
-            throw new RemoteException("stub", e);
-        }
+        RemoteObjectInvocationHandler handler = (RemoteObjectInvocationHandler) Proxy.getInvocationHandler(stub);
+        registry.rebind(NAME, handler);
+        return new PartitionPort(served, registry, own, handler, log);
     }
 
     /** Where the partition listens: the registry's port, or another one beside a registry that was there before. */
@@ -120,24 +139,64 @@ public final class PartitionPort implements AutoCloseable {
         return port;
     }
 
-    private void look() {
+    private static void everyTime(Runnable look) {
         try {
             while (true) {
                 TimeUnit.SECONDS.sleep(LOOK_SECONDS);
-                served.expire();
+                look.run();
             }
         } catch (InterruptedException e) {
             // closed
         }
     }
 
+    private void expire() {
+        served.expire();
+    }
+
+    /**
+     * Binds the name again where it no longer leads here: any process of this machine may unbind it in a registry that
+     * is another program, and that program may be started anew. A partition that serves under the name stays there.
+     */
+    private void keepBound() {
+        String before = trouble;
+        try {
+            if (isBound()) {
+                trouble = null;
+            } else if (!ownRegistry && isServed(registry)) {
+                trouble = "the registry leads masters to another PartitionServer";
+            } else {
+                registry.rebind(NAME, bound);
+                trouble = null;
+                log.accept("the registry had lost the name " + NAME + ", which is bound again");
+            }
+        } catch (RemoteException e) {
+            trouble = "the registry does not answer: masters cannot find this PartitionServer";
+        }
+        if (trouble != null && !trouble.equals(before)) {
+            log.accept(trouble);
+        }
+    }
+
+    private boolean isBound() throws RemoteException {
+        try {
+            return registry.lookup(NAME).equals(bound);
+        } catch (NotBoundException | UnmarshalException e) {
+            return false;
+        }
+    }
+
     @Override
     public void close() throws RemoteException {
         look.interrupt();
+        registryLook.interrupt();
         try {
+            registryLook.join(TimeUnit.SECONDS.toMillis(LOOK_SECONDS));
             registry.unbind(NAME);
-        } catch (java.rmi.NotBoundException | RemoteException e) {
+        } catch (NotBoundException | RemoteException e) {
             // it is gone already
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
         UnicastRemoteObject.unexportObject(served, true);
         if (ownRegistry) {

@@ -92,14 +92,40 @@ final class RmiSockets extends RMISocketFactory {
 
     @Override
     public ServerSocket createServerSocket(int port) throws IOException {
-        Listening how = listening.getOrDefault(port, new Listening(null, null));
+        Listening how = listening.get(port);
+        if (how == null) {
+            return new ServerSocket(port);
+        }
         if (how.key() == null) {
-            return new ServerSocket(port, 0, how.address());
+            return new OriginHidingServerSocket(port, how.address());
         }
         SSLServerSocket socket = (SSLServerSocket) how.key().context().getServerSocketFactory()
                 .createServerSocket(port, 0, how.address());
         socket.setNeedClientAuth(true);
         return socket;
+    }
+
+    /**
+     * Accepts connections without their origin. The JDK's registry lets callers from an address of this machine bind and
+     * unbind names; callers of unknown origin may only look names up. With a key no caller without it gets that far.
+     */
+    private static final class OriginHidingServerSocket extends ServerSocket {
+
+        OriginHidingServerSocket(int port, InetAddress address) throws IOException {
+            super(port, 0, address);
+        }
+
+        @Override
+        public Socket accept() throws IOException {
+            Socket accepted = new Socket() {
+                @Override
+                public InetAddress getInetAddress() {
+                    return null;
+                }
+            };
+            implAccept(accepted);
+            return accepted;
+        }
     }
 
     /** Closes everything that is open to a host. */
