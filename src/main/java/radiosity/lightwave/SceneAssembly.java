@@ -10,6 +10,7 @@ import radiosity.scene.Camera;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.Surface;
 
 /** Brings together what a scene is made of: placed objects, their surfaces, lights and the camera. */
 final class SceneAssembly {
@@ -130,10 +131,24 @@ final class SceneAssembly {
             notes.flush();
             throw notes.error("", "at least one polygon with an area", "none");
         }
-        List<Light> taken = SceneLights.taken(lights, surfaces, options, notes);
+        List<Light> taken = takenLights();
         notes.flush();
         return new Scene(name, triangles.points(), triangles.corners(), triangles.surfaceOf(), surfaces.surfaces(),
                 taken, camera, triangles.textureCoordinates());
+    }
+
+    /** The lights that the options take: with "auto" none where a surface emits. */
+    private List<Light> takenLights() {
+        boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
+        boolean taken = options.lights() == LightWaveOptions.Lights.EMITTERS
+                || options.lights() == LightWaveOptions.Lights.AUTO && !emits;
+        if (taken && lights.isEmpty() && !emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
+            notes.tell("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
+        }
+        if (!taken && !lights.isEmpty() && options.lights() == LightWaveOptions.Lights.AUTO) {
+            notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
+        }
+        return taken ? lights : List.of();
     }
 
     private Triangles place() throws SceneFormatException {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
-import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
 /** Makes the lights of a scene from what its file says of them. */
@@ -23,7 +22,7 @@ final class SceneLights {
         this.notes = notes;
     }
 
-    /** All lights that give light; what the options make of them is {@link #taken}'s to say. */
+    /** All lights that give light; whether the options take them is decided by {@link SceneAssembly}. */
     List<Light> lights() {
         List<Light> lights = new ArrayList<>();
         for (SceneItem item : scene.items(SceneItem.Kind.LIGHT)) {
@@ -33,20 +32,6 @@ final class SceneLights {
             }
         }
         return lights;
-    }
-
-    /** Those that shine under the options: with "auto" none if a surface emits. */
-    static List<Light> taken(List<Light> lights, SurfaceTable surfaces, LightWaveOptions options, Notes notes) {
-        boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
-        boolean taken = options.lights() == LightWaveOptions.Lights.EMITTERS
-                || options.lights() == LightWaveOptions.Lights.AUTO && !emits;
-        if (taken && lights.isEmpty() && !emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
-            notes.tell("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
-        }
-        if (!taken && !lights.isEmpty() && options.lights() == LightWaveOptions.Lights.AUTO) {
-            notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
-        }
-        return taken ? lights : List.of();
     }
 
     private Rgb power(SceneItem item) {

@@ -8,8 +8,10 @@ import java.util.concurrent.Callable;
 /** How often a call to a host is made that may be repeated: a connection that breaks is no host that is lost. */
 final class Attempts {
 
+    /** Silence after which a host is lost, s. */
+    static final double LOST_SECONDS = 10;
     /** How long a connection is tried to be made: longer than a host may be silent, so that is what it is lost for. */
-    private static final double SECONDS = 1.5 * Host.LOST;
+    private static final double SECONDS = 1.5 * LOST_SECONDS;
     private static final long PAUSE_MILLISECONDS = 100;
 
     private Attempts() { }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.Shooter;
@@ -12,8 +13,8 @@ import radiosity.patch.Ambient;
 import radiosity.patch.Block;
 import radiosity.patch.ElementLight;
 import radiosity.patch.Faces;
-import radiosity.patch.Path;
 import radiosity.patch.PatchTree;
+import radiosity.patch.Path;
 import radiosity.patch.RadiosityNodes;
 import radiosity.patch.Weights;
 
@@ -161,7 +162,7 @@ final class Audit {
     }
 
     private FormFactorCalculator few() {
-        return mesh.settings.factors().calculator(mesh.bounds(), mesh.rays(), FACTOR_TOLERANCE);
+        return FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), FACTOR_TOLERANCE);
     }
 
     private double[] ones() {

@@ -25,7 +25,6 @@ final class Host implements AutoCloseable {
 
     /** Silent for so long: the user is told; the host is lost. Seconds. */
     private static final double NOTICED = 3;
-    static final double LOST = 10;
     private static final long HEARTBEAT_MILLISECONDS = 1000;
     private static final long LOOK_MILLISECONDS = 100;
     private static final int PART_BYTES = 1 << 20;
@@ -242,7 +241,7 @@ final class Host implements AutoCloseable {
 
     private void checkSilence() throws HostLostException {
         double silent = (System.nanoTime() - heard) * 1e-9;
-        if (silent > LOST) {
+        if (silent > Attempts.LOST_SECONDS) {
             throw new HostLostException("silent for " + Math.round(silent) + " s", false, null);
         }
         if (silent > NOTICED && !noticed) {

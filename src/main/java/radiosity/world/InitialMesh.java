@@ -2,6 +2,7 @@ package radiosity.world;
 
 import java.util.List;
 import java.util.Locale;
+import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.FormFactors;
 import radiosity.patch.Block;
 import radiosity.patch.Faces;
@@ -140,7 +141,8 @@ final class InitialMesh {
 
     /** Sample points per shooting node, or cells, see {@link FormFactors}. */
     int rays() {
-        return settings.rays() > 0 ? settings.rays() : settings.factors().rays(predicts() ? FEW_RAYS : RAYS);
+        return settings.rays() > 0 ? settings.rays()
+                : FormFactorCalculators.defaultRays(settings.factors(), predicts() ? FEW_RAYS : RAYS);
     }
 
     /** Largest area of a patch, square scene units. */

@@ -93,8 +93,18 @@ public final class ProgressiveRadiosity {
 
     private void prepare() {
         if (planner == null) {
-            planner = world.settings().schedule().planner(world);
+            planner = planner(world);
         }
+    }
+
+    private static Planner planner(World world) {
+        return switch (world.settings().schedule()) {
+            case PREDICT -> new Prediction(world);
+            case PAPER -> new ShootAndSort(world.patches(), world.channels());
+            case SHOOTING -> new Unsorted(world.channels(), false);
+            case GATHERING -> new Unsorted(world.channels(), true);
+            case MATRIX -> new MatrixSolution(world);
+        };
     }
 
     private boolean isDone() {

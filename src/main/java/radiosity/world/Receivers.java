@@ -5,6 +5,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.Shooter;
 import radiosity.patch.Ambient;
@@ -76,7 +77,7 @@ final class Receivers {
     /** One per {@link Patcher#slack}. */
     FormFactorCalculator[] calculators(Order order) {
         FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
-        Arrays.setAll(made, slack -> mesh.settings.factors().calculator(mesh.bounds(), mesh.rays(),
+        Arrays.setAll(made, slack -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(),
                 order.tolerance() * (1 << slack)));
         return made;
     }

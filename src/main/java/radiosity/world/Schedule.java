@@ -20,15 +20,4 @@ public enum Schedule {
     public boolean isForSmallScenes() {
         return this == SHOOTING || this == GATHERING || this == MATRIX;
     }
-
-    /** Who decides on the rounds. */
-    Planner planner(World world) {
-        return switch (this) {
-            case PREDICT -> new Prediction(world);
-            case PAPER -> new ShootAndSort(world.patches(), world.channels());
-            case SHOOTING -> new Unsorted(world.channels(), false);
-            case GATHERING -> new Unsorted(world.channels(), true);
-            case MATRIX -> new MatrixSolution(world);
-        };
-    }
 }

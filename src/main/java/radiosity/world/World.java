@@ -12,7 +12,7 @@ import radiosity.scene.Scene;
  * <p>A world updates its elements for the shots it is given; which shots, and until when, is decided by
  * {@link ProgressiveRadiosity}.
  */
-public abstract sealed class World implements AutoCloseable permits LocalWorld, RemoteWorld {
+public abstract class World implements AutoCloseable {
 
     final InitialMesh mesh;
     /** For what is not done by partitions. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.FormFactors;
 import radiosity.formfactor.Gathering;
 import radiosity.formfactor.Shooter;
@@ -92,6 +93,6 @@ public final class Calculated {
     }
 
     public FormFactorCalculator calculator(FormFactors kind, int rays) {
-        return kind.calculator(bounds, rays, Double.POSITIVE_INFINITY);
+        return FormFactorCalculators.make(kind, bounds, rays, Double.POSITIVE_INFINITY);
     }
 }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.FormFactors;
 import radiosity.scene.Vec3;
 
@@ -34,8 +35,8 @@ class FormFactorContractTest {
     private static final Map<FormFactors, Bounds> BOUNDS = Map.of(
             FormFactors.RAYCAST, new Bounds(5e-6, 5e-3, 4),
             FormFactors.PLAIN, new Bounds(0.02, 8e-3, PLAIN_RAYS),
-            FormFactors.HEMICUBE, new Bounds(2e-3, 6e-3, FormFactors.HEMICUBE.rays(0)),
-            FormFactors.NUSSELT, new Bounds(5e-3, 6e-3, FormFactors.NUSSELT.rays(0)));
+            FormFactors.HEMICUBE, new Bounds(2e-3, 6e-3, FormFactorCalculators.defaultRays(FormFactors.HEMICUBE, 0)),
+            FormFactors.NUSSELT, new Bounds(5e-3, 6e-3, FormFactorCalculators.defaultRays(FormFactors.NUSSELT, 0)));
 
     private static final Vec3[] FLOOR = square(0, false);
     private static final Vec3[] CEILING = square(1, true);

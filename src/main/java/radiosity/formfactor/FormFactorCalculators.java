@@ -1,0 +1,34 @@
+package radiosity.formfactor;
+
+import radiosity.visibility.RadiosityBounds;
+
+/** Makes the calculator that belongs to each name in {@link FormFactors}. */
+public final class FormFactorCalculators {
+
+    private FormFactorCalculators() { }
+
+    /**
+     * Makes a calculator for one thread.
+     *
+     * @param bounds    the triangles that cast shadows
+     * @param rays      number of sample points per shooter, or of cells along an edge of a projection; at least 1
+     * @param tolerance how much irradiance one ray may carry, see {@link RayCaster}; the other calculators ignore it
+     */
+    public static FormFactorCalculator make(FormFactors kind, RadiosityBounds bounds, int rays, double tolerance) {
+        return switch (kind) {
+            case RAYCAST -> new RayCaster(bounds, rays, tolerance);
+            case PLAIN -> new PlainRays(bounds, rays);
+            case HEMICUBE -> new Hemicube(bounds, rays);
+            case NUSSELT -> new Nusselt(bounds, rays);
+        };
+    }
+
+    /** Number of rays or cells where the user gives none; projections get as many cells as cost about as much. */
+    public static int defaultRays(FormFactors kind, int raysOfRayCaster) {
+        return switch (kind) {
+            case RAYCAST, PLAIN -> raysOfRayCaster;
+            case HEMICUBE -> Hemicube.DEFAULT_CELLS;
+            case NUSSELT -> Nusselt.DEFAULT_CELLS;
+        };
+    }
+}
