@@ -1,18 +1,25 @@
 package radiosity.cli;
 
-import java.io.ByteArrayInputStream;
+import java.io.BufferedInputStream;
 import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
-import java.nio.ByteBuffer;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
+import java.util.zip.CheckedOutputStream;
 import radiosity.output.WholeFile;
 import radiosity.scene.SceneFormatException;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
+import radiosity.world.SavedState;
 
 /**
  * What a render that is cut off leaves behind: {@code <output>.journal}. The same command then goes on from there, to
@@ -57,29 +64,43 @@ final class Journal {
         }
     }
 
-    private byte[] read() throws IOException {
-        byte[] bytes = Files.readAllBytes(file);
-        try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
-            long sum = bytes.length < Long.BYTES ? -1 : in.readLong();
-            if (sum != checksum(bytes)) {
+    /** Reads the file once; the state of another render is not kept. */
+    private SavedState read() throws IOException {
+        CRC32 sum = new CRC32();
+        long left = Files.size(file) - Long.BYTES - Integer.BYTES;
+        try (InputStream bytes = new BufferedInputStream(Files.newInputStream(file));
+             DataInputStream in = new DataInputStream(new CheckedInputStream(bytes, sum))) {
+            if (left < 0) {
                 throw wrong("a journal", "another file");
             }
-            String before = new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8);
-            if (!before.equals(settings)) {
+            long expected = new DataInputStream(bytes).readLong();
+            int length = in.readInt();
+            if (length < 0 || length > left) {
+                throw wrong("a journal", "another file");
+            }
+            boolean isSame = Arrays.equals(in.readNBytes(length), utf8());
+            SavedState state = SavedState.NONE;
+            if (isSame) {
+                state = SavedState.read(in, left - length);
+            } else {
+                in.transferTo(OutputStream.nullOutputStream());
+            }
+            if (sum.getValue() != expected) {
+                throw wrong("a journal", "another file");
+            }
+            if (!isSame) {
                 throw wrong("the journal of the same render", "that of another");
             }
-            return in.readAllBytes();
+            return state;
         }
+    }
+
+    private byte[] utf8() {
+        return settings.getBytes(StandardCharsets.UTF_8);
     }
 
     private SceneFormatException wrong(String expected, String got) {
         return new SceneFormatException(file.toString(), "", expected, got);
-    }
-
-    private static long checksum(byte[] bytes) {
-        CRC32 sum = new CRC32();
-        sum.update(bytes, Math.min(bytes.length, Long.BYTES), Math.max(0, bytes.length - Long.BYTES));
-        return sum.getValue();
     }
 
     /** Writes it where that is due; that it cannot be is told once, and no reason to stop. */
@@ -88,7 +109,7 @@ final class Journal {
         if (begin - last < PATIENCE * cost) {
             return;
         }
-        byte[] state = radiosity.state();
+        SavedState state = radiosity.state();
         try {
             write(state);
         } catch (IOException e) {
@@ -102,12 +123,21 @@ final class Journal {
         cost = Math.max(LEAST_COST, last - begin);
     }
 
-    private void write(byte[] state) throws IOException {
-        byte[] told = settings.getBytes(StandardCharsets.UTF_8);
-        ByteBuffer bytes = ByteBuffer.allocate(Long.BYTES + Integer.BYTES + told.length + state.length);
-        bytes.putLong(0).putInt(told.length).put(told).put(state);
-        bytes.putLong(0, checksum(bytes.array()));
-        WholeFile.write(file, bytes.array());
+    private void write(SavedState state) throws IOException {
+        CheckedOutputStream summed = new CheckedOutputStream(OutputStream.nullOutputStream(), new CRC32());
+        writeSummed(state, summed);
+        WholeFile.write(file, channel -> {
+            DataOutputStream out = new DataOutputStream(Channels.newOutputStream(channel));
+            out.writeLong(summed.getChecksum().getValue());
+            writeSummed(state, out);
+        });
+    }
+
+    /** Writes everything that the checksum is of. */
+    private void writeSummed(SavedState state, OutputStream to) throws IOException {
+        new DataOutputStream(to).writeInt(utf8().length);
+        to.write(utf8());
+        state.writeTo(to);
     }
 
     /** The render is done, and saved. */

@@ -12,6 +12,7 @@ import radiosity.output.SceneFile;
 import radiosity.scene.SceneFormatException;
 import radiosity.world.Accuracy;
 import radiosity.world.RadiositySettings;
+import radiosity.world.SavedState;
 import radiosity.world.Schedule;
 
 /**
@@ -20,9 +21,8 @@ import radiosity.world.Schedule;
  * @param file     as the user names it
  * @param shots    done so far
  * @param settings with which it was made; to go on needs the same
- * @param state    for {@link radiosity.world.ProgressiveRadiosity#resume}
  */
-record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[] state) {
+record SavedCalculation(Path file, int shots, RadiositySettings settings) {
 
     /** What is left of an accuracy after it was a tolerance. */
     private static final MathContext DIGITS = new MathContext(9);
@@ -30,11 +30,17 @@ record SavedCalculation(Path file, int shots, RadiositySettings settings, byte[]
     static SavedCalculation read(Path file) throws IOException {
         try (SceneFile saved = SceneFile.open(file)) {
             Map<String, Object> extras = saved.extras();
-            if (!(extras.get("settings") instanceof Map<?, ?> settings) || saved.state().length == 0) {
+            if (!(extras.get("settings") instanceof Map<?, ?> settings) || !saved.hasState()) {
                 throw new SceneFormatException(file.toString(), "", "a calculation to go on from", "none");
             }
-            return new SavedCalculation(file, (int) number(file, extras, "shots"), settings(file, settings),
-                    saved.state());
+            return new SavedCalculation(file, (int) number(file, extras, "shots"), settings(file, settings));
+        }
+    }
+
+    /** Reads what {@link radiosity.world.ProgressiveRadiosity#resume} takes; it is large, and not kept here. */
+    SavedState state() throws IOException {
+        try (SceneFile saved = SceneFile.open(file)) {
+            return saved.state();
         }
     }
 

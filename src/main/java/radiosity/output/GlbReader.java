@@ -7,10 +7,12 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import radiosity.scene.SceneFormatException;
+import radiosity.world.SavedState;
 
 /** Reads the container of a glTF binary; everything is checked before memory is taken for it. */
 final class GlbReader implements Closeable {
@@ -100,15 +102,37 @@ final class GlbReader implements Closeable {
         return buffer.flip();
     }
 
-    /** The bytes of a buffer view, little endian. */
+    /** The bytes of a buffer view that one array holds, little endian. */
     ByteBuffer view(int index) throws IOException {
-        Place views = new Place(name, json).at("bufferViews").at(index);
-        long offset = views.optional("byteOffset").map(Place::unchecked).orElse(0L);
-        long length = views.at("byteLength").unchecked();
-        if (offset < 0 || length < 0 || length > Integer.MAX_VALUE - 8 || offset > binLength - length) {
+        Range range = range(index);
+        if (range.length > Integer.MAX_VALUE - 8) {
+            throw wrong("bufferView " + index, "at most " + (Integer.MAX_VALUE - 8) + " bytes", range.length + " bytes");
+        }
+        return read(range.start, (int) range.length);
+    }
+
+    /** A buffer view of any length, read in pieces; for one thread at a time. */
+    SavedState state(int index) throws IOException {
+        Range range = range(index);
+        return SavedState.read(Channels.newInputStream(channel.position(range.start)), range.length);
+    }
+
+    /**
+     * Where a buffer view lies.
+     *
+     * @param start  bytes from the beginning of the file
+     * @param length bytes, all of them in the file
+     */
+    private record Range(long start, long length) { }
+
+    private Range range(int index) throws IOException {
+        Place view = new Place(name, json).at("bufferViews").at(index);
+        long offset = view.optional("byteOffset").map(Place::unchecked).orElse(0L);
+        long length = view.at("byteLength").unchecked();
+        if (offset < 0 || length < 0 || offset > binLength - length) {
             throw wrong("bufferView " + index, "bytes below " + binLength, length + " bytes from " + offset);
         }
-        return read(binStart + offset, (int) length);
+        return new Range(binStart + offset, length);
     }
 
     SceneFormatException wrong(String place, String expected, String got) {

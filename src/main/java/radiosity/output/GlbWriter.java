@@ -1,10 +1,13 @@
 package radiosity.output;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.util.List;
+import radiosity.world.SavedState;
 
 /** Writes the container of a glTF binary: a header, a chunk of JSON, a chunk of arrays (glTF 2.0, section 4). */
 final class GlbWriter {
@@ -13,8 +16,8 @@ final class GlbWriter {
     static final int VERSION = 2;
     static final int JSON = 0x4E4F534A;
     static final int BIN = 0x004E4942;
-    /** The container's lengths are unsigned 32 bit numbers. */
-    private static final long MOST = 0xFFFF_FFFFL;
+    /** Bytes of a whole file: the container's lengths are unsigned 32 bit numbers. */
+    static final long MOST = 0xFFFF_FFFFL;
 
     private final FileChannel channel;
     private final ByteBuffer buffer = ByteBuffer.allocate(1 << 16).order(ByteOrder.LITTLE_ENDIAN);
@@ -24,15 +27,34 @@ final class GlbWriter {
     }
 
     /**
+     * How long a file is, in bytes.
+     *
+     * @param json bytes of JSON
+     * @param bin  bytes of arrays, each padded
+     */
+    static long size(long json, long bin) {
+        return 12 + 8 + padded(json) + (bin > 0 ? 8 + bin : 0);
+    }
+
+    /** Fails where a file is longer than it can be. */
+    static void check(long size, long most) throws IOException {
+        if (size > most) {
+            throw new IOException("meshes and textures of " + size + " bytes, which are more than the " + most
+                    + " of a glTF binary");
+        }
+    }
+
+    /**
+     * Writes a file of at most {@link #MOST} bytes.
+     *
      * @param json   UTF-8
-     * @param arrays float[], int[], short[] or byte[]; each begins at a multiple of 4 bytes; not modified
+     * @param arrays float[], int[], short[], byte[] or {@link SavedState}; each begins at a multiple of 4 bytes; not
+     *               modified
      */
     static void write(FileChannel channel, byte[] json, List<Object> arrays) throws IOException {
         long bin = arrays.stream().mapToLong(a -> padded(bytes(a))).sum();
-        long total = 12 + 8 + padded(json.length) + (bin > 0 ? 8 + bin : 0);
-        if (total > MOST) {
-            throw new IOException("scene file: expected at most 4 GiB (the limit of glTF), got " + total + " bytes");
-        }
+        long total = size(json.length, bin);
+        check(total, MOST);
         GlbWriter writer = new GlbWriter(channel);
         writer.ints(MAGIC, VERSION, (int) total, (int) padded(json.length), JSON);
         writer.array(json, (byte) ' ');
@@ -57,6 +79,9 @@ final class GlbWriter {
         if (array instanceof int[] ints) {
             return 4L * ints.length;
         }
+        if (array instanceof SavedState state) {
+            return state.length();
+        }
         return array instanceof short[] shorts ? 2L * shorts.length : ((byte[]) array).length;
     }
 
@@ -79,12 +104,8 @@ final class GlbWriter {
             }
         } else {
             flush();
-            ByteBuffer whole = ByteBuffer.wrap((byte[]) array);
-            while (whole.hasRemaining()) {
-                whole.limit(Math.min(whole.capacity(), whole.position() + (1 << 20)));
-                channel.write(whole);
-                whole.limit(whole.capacity());
-            }
+            OutputStream out = Channels.newOutputStream(channel);
+            (array instanceof SavedState state ? state : SavedState.of(List.of((byte[]) array))).writeTo(out);
         }
         for (long rest = padded(bytes(array)) - bytes(array); rest > 0; rest--) {
             room(1).put(padding);

@@ -12,6 +12,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /**
@@ -120,7 +121,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
         }
         double[] none = new double[3];
         return new Solution(scene, 3, positions, shade, corners, faces, 0, 0, 0,
-                new EnergyLedger(none, none, none, none, none), new byte[0]);
+                new EnergyLedger(none, none, none, none, none), SavedState.NONE);
     }
 
     private static int[] faces(Scene scene) {

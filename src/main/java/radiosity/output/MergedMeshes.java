@@ -10,6 +10,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /** Puts the meshes of a scene file together again, each element its own original triangle. */
@@ -68,6 +69,6 @@ final class MergedMeshes {
                       Optional<Camera> camera) {
         Scene scene = new Scene(name, positions, original, surfaceOf, surfaces, List.of(), camera);
         return new Solution(scene, 3, positions, irradiance, corners, faceOf, shots, rounds, unshotFlux, ledger,
-                new byte[0]);
+                SavedState.NONE);
     }
 }

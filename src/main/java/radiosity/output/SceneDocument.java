@@ -48,9 +48,15 @@ final class SceneDocument {
         }
     }
 
+    /** Bytes of all arrays so far. */
+    long binLength() {
+        return binLength;
+    }
+
+    /** UTF-8. */
     byte[] json() throws IOException {
         if (binLength > 0) {
-            list("buffers").addObject().put("byteLength", binLength);
+            root.putArray("buffers").addObject().put("byteLength", binLength);
         }
         return mapper.writeValueAsBytes(root);
     }

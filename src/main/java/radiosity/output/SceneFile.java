@@ -5,10 +5,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +15,7 @@ import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /**
@@ -34,6 +32,8 @@ public final class SceneFile implements Closeable {
     public static final int LARGEST_TEXTURE = 8192;
     /** Positions count from the middle of the scene where it lies more than this times its size from the origin. */
     private static final double FAR = 4;
+    /** Bytes of JSON that say where the state is, at most: a name of 255 bytes, and numbers. */
+    private static final long STATE_IN_JSON = 1024;
     /** The camera's near plane, of the scene's size. */
     private static final double NEAR = 1e-3;
 
@@ -69,6 +69,12 @@ public final class SceneFile implements Closeable {
     /** @param samples of textures besides, per scene unit; empty for none */
     public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
                              ToneMapping toneMapping, OptionalDouble samples) throws IOException {
+        write(file, solution, extras, camera, toneMapping, samples, GlbWriter.MOST);
+    }
+
+    /** @param most bytes of a scene file: a state that does not fit stands in a file beside it */
+    static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
+                      ToneMapping toneMapping, OptionalDouble samples, long most) throws IOException {
         Solution closed = TJunctions.close(solution);
         Box box = Box.of(closed.positions());
         Vec3 origin = origin(box);
@@ -78,15 +84,39 @@ public final class SceneFile implements Closeable {
         }
         double near = box.diagonal() > 0 ? NEAR * box.diagonal() : NEAR;
         camera.ifPresent(c -> document.camera(c, near, origin));
-        Map<String, Object> content = content(closed, extras, document);
+        Map<String, Object> content = content(closed, extras);
         if (samples.isPresent()) {
             document.textures(new TextureBake(closed, origin, samples.getAsDouble()).bake(), toneMapping, origin);
             content.put("textures", Map.of("samples", samples.getAsDouble(), "curve", toneMapping.operator().name(),
                     "exposure", toneMapping.exposure()));
         }
         document.extras("radiosity", content);
+        String beside = state(file, closed.state(), content, document, most);
+        document.extras("radiosity", content);
         byte[] json = document.json();
         WholeFile.write(file, channel -> GlbWriter.write(channel, json, document.arrays));
+        StateFile.deleteOthers(file, beside);
+    }
+
+    /**
+     * Puts the state into the document, or into a file beside it, and where it is into the content.
+     *
+     * @return name of the file beside it, or an empty text
+     */
+    private static String state(Path file, SavedState state, Map<String, Object> content, SceneDocument document,
+                                long most) throws IOException {
+        long json = document.json().length + STATE_IN_JSON;
+        GlbWriter.check(GlbWriter.size(json, document.binLength()), most);
+        if (state.isEmpty()) {
+            return "";
+        }
+        if (GlbWriter.size(json, document.binLength() + GlbWriter.padded(state.length())) <= most) {
+            content.put("state", Map.of("bufferView", document.view(state), "sha256", state.sha256()));
+            return "";
+        }
+        String name = StateFile.write(file, state);
+        content.put("state", Map.of("file", name, "bytes", state.length(), "sha256", state.sha256()));
+        return name;
     }
 
     /** Zero, or a point near the middle whose coordinates are floats, so that viewers add them exactly. */
@@ -96,7 +126,7 @@ public final class SceneFile implements Closeable {
         return far ? new Vec3((float) c.x(), (float) c.y(), (float) c.z()) : Vec3.ZERO;
     }
 
-    private static Map<String, Object> content(Solution solution, Map<String, ?> extras, SceneDocument document) {
+    private static Map<String, Object> content(Solution solution, Map<String, ?> extras) {
         Map<String, Object> content = new TreeMap<>(extras);
         content.put("formatVersion", FORMAT_VERSION);
         content.put("program", program());
@@ -108,10 +138,6 @@ public final class SceneFile implements Closeable {
         if (!solution.lamps().isEmpty()) {
             content.put("lamps", solution.lamps());
         }
-        byte[] state = solution.state();
-        if (state.length > 0) {
-            content.put("state", Map.of("bufferView", document.view(state), "sha256", sha256(state)));
-        }
         return content;
     }
 
@@ -119,14 +145,6 @@ public final class SceneFile implements Closeable {
     private static String program() {
         String version = SceneFile.class.getPackage().getImplementationVersion();
         return "radiosity " + (version == null ? "(not packaged)" : version);
-    }
-
-    private static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every JDK has SHA-256", e);
-        }
     }
 
     /**
@@ -202,18 +220,25 @@ public final class SceneFile implements Closeable {
                 ledger.at("unshot").numbers(channels));
     }
 
-    /** What resuming needs; empty where the file has none. */
-    public byte[] state() throws IOException {
-        Optional<Place> state = radiosity.optional("state");
-        if (state.isEmpty()) {
-            return new byte[0];
+    /** Whether the file has what resuming needs. */
+    public boolean hasState() {
+        return radiosity.optional("state").isPresent();
+    }
+
+    /** Reads what resuming needs; empty where the file has none. For one thread at a time. */
+    public SavedState state() throws IOException {
+        Optional<Place> place = radiosity.optional("state");
+        if (place.isEmpty()) {
+            return SavedState.NONE;
         }
-        byte[] bytes = glb.view(state.get().at("bufferView").integer()).array();
-        String expected = state.get().at("sha256").text();
-        if (!sha256(bytes).equals(expected)) {
-            throw glb.wrong("state", "SHA-256 " + expected, sha256(bytes));
+        SavedState state = place.get().optional("file").isEmpty()
+                ? glb.state(place.get().at("bufferView").integer())
+                : StateFile.read(Path.of(glb.name), place.get().at("file").text(), place.get().at("bytes").unchecked());
+        String expected = place.get().at("sha256").text();
+        if (!state.sha256().equals(expected)) {
+            throw glb.wrong("state", "SHA-256 " + expected, state.sha256());
         }
-        return bytes;
+        return state;
     }
 
     /**

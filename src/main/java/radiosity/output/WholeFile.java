@@ -25,7 +25,7 @@ public final class WholeFile {
 
     /** Replaces a file, or makes it. */
     public static void write(Path file, Content content) throws IOException {
-        Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
+        Path target = target(file);
         if (Files.exists(target) && !Files.isRegularFile(target)) {
             throw new IOException(file + ": expected a file that can be replaced, got something else");
         }
@@ -43,6 +43,11 @@ public final class WholeFile {
             Files.deleteIfExists(fresh);
         }
         syncDirectory(target.getParent());
+    }
+
+    /** The file itself, absolute: what a symbolic link leads to. */
+    static Path target(Path file) throws IOException {
+        return Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
     }
 
     /** The same with this content; not modified. */

@@ -76,7 +76,7 @@ final class Merger {
         return v;
     }
 
-    Solution solution(int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+    Solution solution(int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
         int vertices = index.size();
         for (int i = 0; i < channels * vertices; i++) {
             irradiance[i] /= Math.max(1, copies[i / channels]);

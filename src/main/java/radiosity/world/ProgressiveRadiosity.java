@@ -249,21 +249,25 @@ public final class ProgressiveRadiosity {
     }
 
     /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */
-    public byte[] state() throws IOException {
+    public SavedState state() throws IOException {
         readAll();
         return state(world.blocks());
     }
 
-    private byte[] state(List<byte[]> blocks) {
-        return Wire.bytes(out -> {
+    /** @param blocks states of all blocks, by id; not copied */
+    private SavedState state(List<byte[]> blocks) {
+        List<byte[]> pieces = new ArrayList<>();
+        pieces.add(Wire.bytes(out -> {
             out.writeUTF(world.mesh.fingerprint());
             tally.write(out);
             planner.write(out);
             agenda.write(out);
-            for (byte[] block : blocks) {
-                Wire.write(out, block);
-            }
-        });
+        }));
+        for (byte[] block : blocks) {
+            pieces.add(Wire.bytes(out -> out.writeInt(block.length)));
+            pieces.add(block);
+        }
+        return SavedState.of(pieces);
     }
 
     /**
@@ -273,8 +277,8 @@ public final class ProgressiveRadiosity {
      * @param state of the earlier {@link Solution}
      * @throws SceneFormatException where scene or settings are others
      */
-    public void resume(byte[] state) throws IOException {
-        try (DataInputStream in = Wire.input(state)) {
+    public void resume(SavedState state) throws IOException {
+        try (DataInputStream in = new DataInputStream(state.open())) {
             String before = in.readUTF();
             if (!before.equals(world.mesh.fingerprint())) {
                 throw new SceneFormatException("the saved calculation", "", "the same scene and settings ("

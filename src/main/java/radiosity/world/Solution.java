@@ -25,10 +25,10 @@ import radiosity.scene.Vec3;
  * @param rounds     rounds in which they did
  * @param unshotFlux sum of |U| A over elements and channels, W
  * @param ledger     where the light went
- * @param state      what resuming needs, opaque; empty where it is not kept
+ * @param state      what resuming needs; empty where it is not kept
  */
 public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] positions, double[] irradiance, int[] corners,
-                       int[] faceOf, int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+                       int[] faceOf, int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
 
     /** What an irradiance or an exitance may be, W/m²: their sum fits into a float of the scene file. */
     public static final double LARGEST = Float.MAX_VALUE / 2;
@@ -48,7 +48,7 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
 
     /** A solution in one layer. */
     public Solution(Scene scene, int channels, double[] positions, double[] irradiance, int[] corners, int[] faceOf,
-                    int shots, int rounds, double unshotFlux, EnergyLedger ledger, byte[] state) {
+                    int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
         this(scene, channels, List.of(), positions, irradiance, corners, faceOf, shots, rounds, unshotFlux, ledger,
                 state);
     }

@@ -35,6 +35,6 @@ public final class ColouredRoom {
         assertArrayEquals(expected.corners(), got.corners());
         assertArrayEquals(expected.positions(), got.positions());
         assertArrayEquals(expected.irradiance(), got.irradiance());
-        assertArrayEquals(expected.state(), got.state());
+        assertEquals(expected.state(), got.state());
     }
 }

@@ -27,6 +27,6 @@ final class LayerCost {
         Solution solution = solve.settings(solve.settings().layers(layered)).solution(LayersTest.room(Rgb.grey(1)));
         System.out.printf("%s: %.1f s of CPU time, %d elements, %d vertices, %d bytes of irradiance, %d bytes of state%n",
                 layered ? "four layers" : "one layer", (system.getProcessCpuTime() - before) * 1e-9, solution.elements(),
-                solution.vertices(), 8L * solution.irradiance().length, solution.state().length);
+                solution.vertices(), 8L * solution.irradiance().length, solution.state().length());
     }
 }

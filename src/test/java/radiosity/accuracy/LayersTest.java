@@ -19,6 +19,7 @@ import radiosity.world.Certificate;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
+import radiosity.world.SavedState;
 import radiosity.world.Schedule;
 import radiosity.world.Solution;
 
@@ -147,7 +148,7 @@ class LayersTest {
             irradiance[i] = mixed(i / 3, first).channel(i % 3);
         }
         return new Solution(whole.scene(), 3, whole.positions(), irradiance, whole.corners(), whole.faceOf(), 0, 0, 0,
-                whole.ledger(), new byte[0]);
+                whole.ledger(), SavedState.NONE);
     }
 
     /** Root of the mean square difference of radiosity over what reflects and does not emit, of the mean. */

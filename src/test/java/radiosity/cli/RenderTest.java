@@ -102,7 +102,7 @@ class RenderTest {
         Path more = directory.resolve("more.scene");
         succeeds(Run.of("-q", "-tf", output, 30, "-it", 60, BOX, more));
         succeeds(render("-q", "-it", 60, "-mt", 5));
-        assertArrayEquals(SavedCalculation.read(output).state(), SavedCalculation.read(more).state());
+        assertEquals(SavedCalculation.read(output).state(), SavedCalculation.read(more).state());
     }
 
     @Test

@@ -1,6 +1,5 @@
 package radiosity.distributed;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -176,7 +175,7 @@ class ProcessesTest {
         assertFalse(Files.exists(journal));
         try (SceneFile expected = SceneFile.open(directory.resolve("local.scene"));
                 SceneFile got = SceneFile.open(output)) {
-            assertArrayEquals(expected.state(), got.state());
+            assertEquals(expected.state(), got.state());
         }
     }
 }

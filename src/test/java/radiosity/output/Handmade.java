@@ -12,6 +12,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /** Solutions made by hand, element by element. */
@@ -108,7 +109,8 @@ final class Handmade {
         Scene scene = new Scene(name, points.build().toArray(), triangles.build().toArray(),
                 surfaceOf.build().toArray(), surfaces, List.of(), Optional.ofNullable(camera));
         return new Solution(scene, 3, positions.build().toArray(), irradiance.build().toArray(),
-                corners.build().toArray(), faceOf.build().toArray(), 7, 5, .25, LEDGER, state);
+                corners.build().toArray(), faceOf.build().toArray(), 7, 5, .25, LEDGER,
+                SavedState.of(List.of(state)));
     }
 
     /** Irradiance that differs everywhere and in every channel, W/m². */

@@ -11,6 +11,7 @@ import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /** Writes the scene file of a room with many elements, to measure how fast it opens (docs/VIEWER.md). */
@@ -56,6 +57,6 @@ public final class LargeSceneFile {
         }
         List<Lamp> names = IntStream.range(0, lamps).mapToObj(i -> new Lamp("lamp " + i, false, i)).toList();
         return new Solution(one.scene(), 3 * lamps, names, one.positions(), irradiance, one.corners(), one.faceOf(), 0, 0,
-                0, one.ledger(), new byte[0]);
+                0, one.ledger(), SavedState.NONE);
     }
 }

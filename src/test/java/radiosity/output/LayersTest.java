@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /** The light of two lamps, kept apart in a scene file. */
@@ -38,7 +39,7 @@ class LayersTest {
             irradiance[i] = (i / 6 + i % 3) * (i % 6 < 3 ? 1 : 0.1);
         }
         return new Solution(plain.scene(), 6, LAMPS, plain.positions(), irradiance, plain.corners(), plain.faceOf(), 0, 0,
-                0, Handmade.LEDGER, new byte[0]);
+                0, Handmade.LEDGER, SavedState.NONE);
     }
 
     private LitScene written() throws IOException {

@@ -17,6 +17,7 @@ import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 import radiosity.world.EnergyLedger;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 /** A solution comes back from a scene file as it was written. */
@@ -171,7 +172,7 @@ class SceneFileTest extends WrittenScene {
         new Random(1).nextBytes(made.state);
         write(made.solution());
         try (SceneFile scene = SceneFile.open(file)) {
-            assertArrayEquals(made.state, scene.state());
+            assertEquals(SavedState.of(List.of(made.state)), scene.state());
         }
     }
 
@@ -179,7 +180,7 @@ class SceneFileTest extends WrittenScene {
     void solutionWithoutState_hasNone() throws IOException {
         write(Handmade.litRoom(Vec3.ZERO).solution());
         try (SceneFile scene = SceneFile.open(file)) {
-            assertEquals(0, scene.state().length);
+            assertEquals(SavedState.NONE, scene.state());
         }
     }
 
@@ -213,7 +214,7 @@ class SceneFileTest extends WrittenScene {
         double[] grey = new double[s.vertices()];
         Arrays.fill(grey, 2.5);
         EnergyLedger one = new EnergyLedger(new double[1], new double[1], new double[1], new double[1], new double[1]);
-        write(new Solution(s.scene(), 1, s.positions(), grey, s.corners(), s.faceOf(), 0, 0, 0, one, new byte[0]));
+        write(new Solution(s.scene(), 1, s.positions(), grey, s.corners(), s.faceOf(), 0, 0, 0, one, SavedState.NONE));
         try (SceneFile scene = SceneFile.open(file)) {
             for (float h : scene.meshes().get(0).irradiance()) {
                 assertEquals(2.5f, h);

@@ -21,6 +21,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.world.SavedState;
 import radiosity.world.Solution;
 
 class TextureBakeTest {
@@ -140,7 +141,7 @@ class TextureBakeTest {
         Scene mapped = new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(),
                 List.of(scene.surfaces().get(0).with(maps)), List.of(), Optional.empty(), places);
         return new Solution(mapped, 3, plain.positions(), plain.irradiance(), plain.corners(), plain.faceOf(), 0, 0, 0,
-                plain.ledger(), new byte[0]);
+                plain.ledger(), SavedState.NONE);
     }
 
     @Test

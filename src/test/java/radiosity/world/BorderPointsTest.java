@@ -181,12 +181,12 @@ class BorderPointsTest {
         links.add(new TestLink("igge", 1, r -> r == dies));
         try (RemoteWorld world = world(schedule, links)) {
             ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, STOP.get(schedule), Double.MIN_VALUE);
-            rounds.run(progress -> state(rounds).length > 0);
+            rounds.run(progress -> !state(rounds).isEmpty());
             assertSame(LOCAL.get(schedule), rounds.solution());
         }
     }
 
-    private static byte[] state(ProgressiveRadiosity rounds) {
+    private static SavedState state(ProgressiveRadiosity rounds) {
         try {
             return rounds.state();
         } catch (IOException e) {

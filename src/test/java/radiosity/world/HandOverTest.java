@@ -146,13 +146,13 @@ class HandOverTest {
         try (RemoteWorld world = world(links(2, new TestLink("igge", 1, round -> false), HandOverTest::late))) {
             ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, STOP, Double.MIN_VALUE);
             AtomicInteger steps = new AtomicInteger();
-            rounds.run(progress -> steps.incrementAndGet() % 16 > 0 || state(rounds).length > 0);
+            rounds.run(progress -> steps.incrementAndGet() % 16 > 0 || !state(rounds).isEmpty());
             assertSame(local, rounds.solution());
         }
         assertTrue(times(Told.HAND_OVER) > 1, "told of handing over: " + times(Told.HAND_OVER));
     }
 
-    private static byte[] state(ProgressiveRadiosity rounds) {
+    private static SavedState state(ProgressiveRadiosity rounds) {
         try {
             return rounds.state();
         } catch (IOException e) {
