@@ -58,22 +58,16 @@ final class OutputFiles {
         }
     }
 
-    /** The scene file: the old one stays until the new one is whole. */
+    /** The scene file: the old one stays until the new one is whole, and one without textures until they are. */
     void saveScene(Solution solution, RadiositySettings settings, Optional<Certificate> certificate)
             throws IOException {
         Map<String, Object> extras = new TreeMap<>();
         extras.put("commandLine", arguments);
         extras.put("settings", SavedCalculation.asJson(settings));
         certificate.ifPresent(c -> extras.put("certificate", c));
-        if (options.textures == null) {
-            saveScene(solution, extras, OptionalDouble.empty());
-            return;
-        }
-        try {
-            saveScene(solution, extras, OptionalDouble.of(options.textures));
-        } catch (Failure e) {
-            saveScene(solution, extras, OptionalDouble.empty()); // too large textures do not cost the solution
-            throw e;
+        saveScene(solution, extras, OptionalDouble.empty());
+        if (options.textures != null) {
+            saveScene(solution, extras, OptionalDouble.of(options.textures)); // whatever ends this leaves the first
         }
     }
 

@@ -7,11 +7,13 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import radiosity.scene.Rgb;
 
 /** What a picture can be written as. */
 public enum PictureFormat {
@@ -20,14 +22,14 @@ public enum PictureFormat {
     PNG {
         @Override
         byte[] bytes(Picture picture) throws IOException {
-            return encoded(picture, "png");
+            return png(picture, UnaryOperator.identity());
         }
     },
     /** Linear light in [0, 1], stored as 8 bit sRGB, quality 0.95. */
     JPEG {
         @Override
         byte[] bytes(Picture picture) throws IOException {
-            return encoded(picture, "jpeg");
+            return encoded(picture, UnaryOperator.identity(), "jpeg");
         }
     },
     /** Any light of at least 0, stored as Radiance's RGBE, 8 bits of mantissa, not compressed. */
@@ -63,12 +65,22 @@ public enum PictureFormat {
         WholeFile.write(file, bytes(picture));
     }
 
-    private static byte[] encoded(Picture picture, String format) throws IOException {
+    /**
+     * A picture as PNG.
+     *
+     * @param film what becomes of the picture's light, in [0, 1]
+     */
+    static byte[] png(Picture picture, UnaryOperator<Rgb> film) throws IOException {
+        return encoded(picture, film, "png");
+    }
+
+    private static byte[] encoded(Picture picture, UnaryOperator<Rgb> film, String format) throws IOException {
         BufferedImage image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
         float[] rgb = picture.rgb();
         for (int i = 0; i < rgb.length / 3; i++) {
-            image.setRGB(i % picture.width(), i / picture.width(), ToneMapping.srgb(rgb[3 * i]) << 16
-                    | ToneMapping.srgb(rgb[3 * i + 1]) << 8 | ToneMapping.srgb(rgb[3 * i + 2]));
+            Rgb light = film.apply(new Rgb(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]));
+            image.setRGB(i % picture.width(), i / picture.width(), ToneMapping.srgb((float) light.r()) << 16
+                    | ToneMapping.srgb((float) light.g()) << 8 | ToneMapping.srgb((float) light.b()));
         }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         ImageWriter writer = ImageIO.getImageWritersByFormatName(format).next();

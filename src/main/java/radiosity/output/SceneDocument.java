@@ -34,6 +34,8 @@ final class SceneDocument {
     private final ObjectNode root = mapper.createObjectNode();
     private final ObjectNode top;
     private long binLength;
+    /** Top node of the second scene; null where there is none. */
+    private ObjectNode textures;
     final List<Object> arrays = new ArrayList<>();
 
     /** @param origin where the file's positions count from; becomes the translation of the one top node */
@@ -91,28 +93,26 @@ final class SceneDocument {
         child().put("name", name).put("mesh", list("meshes").size() - 1);
     }
 
-    /** A second scene, in which light is in textures. */
-    void textures(List<TextureBake.Baked> baked, ToneMapping toneMapping, Vec3 origin) throws IOException {
-        ObjectNode second = list("nodes").addObject().put("name", "textures");
+    /** Begins a second scene, in which light is in textures; its sides follow. */
+    void beginTextures(Vec3 origin) {
+        textures = list("nodes").addObject().put("name", "textures");
         list("scenes").addObject().put("name", "textures").putArray("nodes").add(list("nodes").size() - 1);
         if (!origin.equals(Vec3.ZERO)) {
-            put(second.putArray("translation"), origin);
+            put(textures.putArray("translation"), origin);
         }
         list("samplers").addObject().put("magFilter", LINEAR).put("minFilter", LINEAR).put("wrapS", CLAMP)
                 .put("wrapT", CLAMP);
-        for (TextureBake.Baked side : baked) {
-            second.withArrayProperty("children").add(list("nodes").size());
-            list("nodes").addObject().put("mesh", list("meshes").size());
-            textured(side, toneMapping);
-        }
     }
 
-    private void textured(TextureBake.Baked side, ToneMapping toneMapping) throws IOException {
+    /** Adds a side to the second scene; of its texture only the encoded image is kept. */
+    void texture(TextureBake.Baked side, ToneMapping toneMapping) throws IOException {
+        textures.withArrayProperty("children").add(list("nodes").size());
+        list("nodes").addObject().put("mesh", list("meshes").size());
         String name = side.surface().name() + (side.back() ? " (back, texture)" : " (texture)");
         int positions = vec3(side.positions());
         int places = accessor(view(side.places(), VERTICES), FLOAT, side.places().length / 2, "VEC2");
         list("images").addObject().put("mimeType", "image/png")
-                .put("bufferView", view(PictureFormat.PNG.bytes(mapped(side.radiosity(), toneMapping))));
+                .put("bufferView", view(PictureFormat.png(side.radiosity(), toneMapping::map)));
         list("textures").addObject().put("sampler", 0).put("source", list("images").size() - 1);
         ObjectNode primitive = list("meshes").addObject().put("name", name).putArray("primitives").addObject();
         primitive.putObject("attributes").put("POSITION", positions).put("TEXCOORD_0", places);
@@ -120,17 +120,6 @@ final class SceneDocument {
         primitive.put("material", material);
         ((ObjectNode) list("materials").get(material)).withObjectProperty("pbrMetallicRoughness")
                 .putObject("baseColorTexture").put("index", list("textures").size() - 1);
-    }
-
-    private static Picture mapped(Picture radiosity, ToneMapping toneMapping) {
-        float[] rgb = radiosity.rgb().clone();
-        for (int i = 0; i < rgb.length; i += 3) {
-            Rgb y = toneMapping.map(new Rgb(rgb[i], rgb[i + 1], rgb[i + 2]));
-            rgb[i] = (float) y.r();
-            rgb[i + 1] = (float) y.g();
-            rgb[i + 2] = (float) y.b();
-        }
-        return new Picture(radiosity.width(), radiosity.height(), rgb);
     }
 
     private ObjectNode child() {

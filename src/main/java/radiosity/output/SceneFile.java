@@ -86,7 +86,8 @@ public final class SceneFile implements Closeable {
         camera.ifPresent(c -> document.camera(c, near, origin));
         Map<String, Object> content = content(closed, extras);
         if (samples.isPresent()) {
-            document.textures(new TextureBake(closed, origin, samples.getAsDouble()).bake(), toneMapping, origin);
+            document.beginTextures(origin);
+            new TextureBake(closed, origin, samples.getAsDouble()).bake(side -> document.texture(side, toneMapping));
             content.put("textures", Map.of("samples", samples.getAsDouble(), "curve", toneMapping.operator().name(),
                     "exposure", toneMapping.exposure()));
         }

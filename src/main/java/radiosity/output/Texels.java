@@ -1,5 +1,6 @@
 package radiosity.output;
 
+import java.util.stream.IntStream;
 import radiosity.scene.Rgb;
 
 /** A texture into which elements are drawn: each texel takes the light at its middle. */
@@ -10,8 +11,10 @@ final class Texels {
 
     private final int width;
     private final int height;
-    private float[] rgb;
-    private boolean[] known;
+    /** 3 per texel, row by row from the top. */
+    private final float[] rgb;
+    /** 1 per texel: whether anything was drawn on it. */
+    private final boolean[] known;
 
     Texels(int width, int height) {
         this.width = width;
@@ -71,24 +74,38 @@ final class Texels {
         known[texel] = true;
     }
 
-    /** What was drawn, carried on beyond its edges: a texel that nothing was drawn on takes its neighbours' mean. */
+    /**
+     * What was drawn, continued beyond its edges: a texel on which nothing was drawn takes its neighbours' mean. The
+     * picture shares the array of these texels.
+     */
     Picture padded(int texels) {
         for (int ring = 0; ring < texels; ring++) {
-            float[] wider = rgb.clone();
-            boolean[] now = known.clone();
-            for (int t = 0; t < known.length; t++) {
-                if (!known[t]) {
-                    now[t] = mean(t, wider);
-                }
+            int[] edge = IntStream.range(0, known.length).filter(t -> !known[t] && isBesideKnown(t)).toArray();
+            for (int t : edge) {
+                setMean(t); // of texels that are known: none of the edge is yet
             }
-            rgb = wider;
-            known = now;
+            for (int t : edge) {
+                known[t] = true;
+            }
         }
         return new Picture(width, height, rgb);
     }
 
-    /** Puts the mean of the known neighbours of a texel into {@code to}, if there are any. */
-    private boolean mean(int texel, float[] to) {
+    private boolean isBesideKnown(int texel) {
+        int x = texel % width;
+        int y = texel / width;
+        for (int j = Math.max(0, y - 1); j <= Math.min(height - 1, y + 1); j++) {
+            for (int i = Math.max(0, x - 1); i <= Math.min(width - 1, x + 1); i++) {
+                if (known[j * width + i]) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Gives a texel the mean of its known neighbours, of which there are some. */
+    private void setMean(int texel) {
         int count = 0;
         float[] sum = new float[3];
         int x = texel % width;
@@ -104,9 +121,8 @@ final class Texels {
                 }
             }
         }
-        for (int c = 0; c < 3 && count > 0; c++) {
-            to[3 * texel + c] = sum[c] / count;
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * texel + c] = sum[c] / count;
         }
-        return count > 0;
     }
 }

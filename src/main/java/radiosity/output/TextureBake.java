@@ -59,16 +59,22 @@ final class TextureBake {
         }
     }
 
-    /** The sides of all surfaces, in the order of {@link Mesh#of}. */
-    List<Baked> bake() throws IOException {
-        List<Baked> baked = new ArrayList<>();
+    /** Who takes the sides, one after the other. */
+    interface Taker {
+        void take(Baked side) throws IOException;
+    }
+
+    /**
+     * Bakes the sides of all surfaces, in the order of {@link Mesh#of}. A texture may take 805 MB, so that each side
+     * is handed over before the next is baked, and not kept here.
+     */
+    void bake(Taker taker) throws IOException {
         int[][] sides = Mesh.bySide(solution);
         for (int side = 0; side < sides.length; side++) {
             if (sides[side].length > 0) {
-                baked.add(bake(solution.scene().surfaces().get(side >> 1), (side & 1) == 1, sides[side]));
+                taker.take(bake(solution.scene().surfaces().get(side >> 1), (side & 1) == 1, sides[side]));
             }
         }
-        return baked;
     }
 
     private Baked bake(Surface surface, boolean back, int[] elements) throws IOException {

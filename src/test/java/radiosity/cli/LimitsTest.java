@@ -58,4 +58,17 @@ class LimitsTest {
         assertEquals(1, printed.lines().count(), printed);
         assertTrue(printed.contains("JAVA_OPTS=-Xmx"), printed);
     }
+
+    /** Tens of millions of texels in 120 MiB. */
+    @Test
+    void heapThatIsTooSmallForTextures_doesNotCostTheSceneFile() throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(Program.command("-q -it 3 -pa 5% -ut 3 foobar.lws foobar.scene"));
+        command.add(1, "-Xmx120m");
+        Program program = new Program(directory);
+        Process process = program.start(command);
+        String printed = Program.rest(process);
+        assertEquals(ExitCode.FAILED, process.waitFor(), printed);
+        assertTrue(printed.contains("JAVA_OPTS=-Xmx"), printed);
+        assertEquals(3, SavedCalculation.read(program.file("foobar.scene")).shots());
+    }
 }

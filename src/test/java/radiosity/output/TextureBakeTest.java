@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.lang.ref.WeakReference;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -54,9 +56,27 @@ class TextureBakeTest {
         return sum;
     }
 
+    private static List<TextureBake.Baked> bake(Solution solution, Vec3 origin, double samples) throws IOException {
+        List<TextureBake.Baked> sides = new ArrayList<>();
+        new TextureBake(solution, origin, samples).bake(sides::add);
+        return sides;
+    }
+
+    /** Of textures that may take 805 MB each, none is kept while the next is made. */
+    @Test
+    void textures_areLeftToWhoTakesThem() throws IOException {
+        List<WeakReference<Picture>> taken = new ArrayList<>();
+        new TextureBake(room(), Vec3.ZERO, SAMPLES).bake(side -> {
+            System.gc();
+            assertTrue(taken.stream().allMatch(before -> before.get() == null), "kept after " + taken.size());
+            taken.add(new WeakReference<>(side.radiosity()));
+        });
+        assertEquals(6, taken.size());
+    }
+
     @Test
     void texture_holdsTheLightOfItsElements() throws IOException {
-        List<TextureBake.Baked> sides = new TextureBake(room(), Vec3.ZERO, SAMPLES).bake();
+        List<TextureBake.Baked> sides = bake(room(), Vec3.ZERO, SAMPLES);
         assertEquals(6, sides.size());
         for (TextureBake.Baked side : sides) {
             for (int t = 0; t < side.positions().length / 9; t++) {
@@ -93,7 +113,7 @@ class TextureBakeTest {
         Vec3 y = new Vec3(0, 1, 0);
         made.grid(surface, Vec3.ZERO, x, y, 2, 2, p -> Rgb.grey(2));
         made.grid(surface, new Vec3(5, 0, 0), x, y, 2, 2, p -> Rgb.grey(20));
-        Picture texture = new TextureBake(made.solution(), Vec3.ZERO, 4).bake().get(0).radiosity();
+        Picture texture = bake(made.solution(), Vec3.ZERO, 4).get(0).radiosity();
         for (float value : texture.rgb()) {
             assertTrue(value == 0 || value == 1 || value == 10, "a mixture of two parts: " + value);
         }
@@ -117,7 +137,7 @@ class TextureBakeTest {
 
     @Test
     void tooManySamples_areRefused() {
-        IOException error = assertThrows(IOException.class, () -> new TextureBake(room(), Vec3.ZERO, 1e4).bake());
+        IOException error = assertThrows(IOException.class, () -> bake(room(), Vec3.ZERO, 1e4));
         assertTrue(error.getMessage().startsWith("-ut, surface floor: expected"), error.getMessage());
     }
 
@@ -146,9 +166,9 @@ class TextureBakeTest {
 
     @Test
     void image_isKeptAtFullSizeWhereThereIsRoom() throws IOException {
-        Picture one = new TextureBake(painted(1), Vec3.ZERO, SAMPLES).bake().get(0).radiosity();
+        Picture one = bake(painted(1), Vec3.ZERO, SAMPLES).get(0).radiosity();
         assertTrue(one.width() >= 1000 && one.width() < 1100, one.width() + " texels");
-        Picture many = new TextureBake(painted(150), Vec3.ZERO, SAMPLES).bake().get(0).radiosity();
+        Picture many = bake(painted(150), Vec3.ZERO, SAMPLES).get(0).radiosity();
         assertTrue(Math.max(many.width(), many.height()) <= 8192, many.width() + "x" + many.height());
     }
 }
