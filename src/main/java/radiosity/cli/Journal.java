@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 import java.util.zip.CheckedOutputStream;
@@ -39,14 +40,20 @@ final class Journal {
     private final String settings;
     private final Consumer<String> notices;
     private long cost = LEAST_COST;
-    private long last = System.nanoTime();
+    private final LongSupplier clock;
+    private long last;
     private boolean failed;
 
-    /** @param output the scene file */
-    Journal(Path output, RadiositySettings settings, Consumer<String> notices) {
+    /**
+     * @param output the scene file
+     * @param clock  for differences, ns
+     */
+    Journal(Path output, RadiositySettings settings, Consumer<String> notices, LongSupplier clock) {
         file = Path.of(output + ".journal");
         this.settings = settings.toString();
         this.notices = notices;
+        this.clock = clock;
+        last = clock.getAsLong();
     }
 
     /** Whether there was something to go on from. */
@@ -105,7 +112,7 @@ final class Journal {
 
     /** Writes it where that is due; that it cannot be is told once, and no reason to stop. */
     void keep(ProgressiveRadiosity radiosity) throws IOException {
-        long begin = System.nanoTime();
+        long begin = clock.getAsLong();
         if (begin - last < PATIENCE * cost) {
             return;
         }
@@ -119,7 +126,7 @@ final class Journal {
             }
             failed = true;
         }
-        last = System.nanoTime();
+        last = clock.getAsLong();
         cost = Math.max(LEAST_COST, last - begin);
     }
 

@@ -77,7 +77,7 @@ public final class RadiosityRenderer {
         Journal journal;
         Calculated result;
         try (Conversation user = conversation(new StopRuleCourse(Calculation.stopRule(options), System::nanoTime))) {
-            journal = new Journal(options.output(), settings, user::message);
+            journal = new Journal(options.output(), settings, user::message, System::nanoTime);
             result = new Calculation(options, scene, files, warnings, user).run(settings, radiosity -> {
                 if (!journal.resume(radiosity) && saved != null) {
                     radiosity.resume(saved.state());

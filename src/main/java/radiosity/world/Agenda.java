@@ -5,13 +5,12 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.List;
 
-/** The rounds that were chosen: what is left of the present one, and the one after it where rounds overlap. */
+/** The round that was chosen, or what is left of it; where rounds overlap, also who shoots in the one before. */
 final class Agenda {
 
     private static final Choice NONE = new Choice(null, 0);
 
     private Choice present = NONE;
-    private Choice following = NONE;
     /** Who shoots in the round that was begun last, as long as another one may be chosen. */
     private List<Shot> begun = List.of();
 
@@ -39,9 +38,9 @@ final class Agenda {
         return isEmpty() || !present.round.begun();
     }
 
-    /** Whether there is a round that shoots, and the one after it is still to be chosen. */
-    boolean wantsNext() {
-        return !isEmpty() && present.round.changes() && following.round == null;
+    /** Whether there is a round that changes elements, or the rest of one. */
+    boolean changes() {
+        return !isEmpty() && present.round.changes();
     }
 
     /** What is left of the present round. */
@@ -59,13 +58,9 @@ final class Agenda {
         return isBetweenRounds() && !isEmpty() ? present.round.shots() : begun;
     }
 
-    /** What comes after all that was chosen. */
+    /** Takes a round; there is none left. */
     void add(Order round, double unsent) {
-        if (isEmpty()) {
-            present = new Choice(round, unsent);
-        } else {
-            following = new Choice(round, unsent);
-        }
+        present = new Choice(round, unsent);
     }
 
     /**
@@ -79,22 +74,16 @@ final class Agenda {
 
     /** So many of the shots that were left are under way. */
     void done(int shots) {
-        if (shots < present.round.shots().size()) {
-            present = new Choice(present.round.after(shots), present.unsent);
-        } else {
-            present = following;
-            following = NONE;
-        }
+        present = shots < present.round.shots().size()
+                ? new Choice(present.round.after(shots), present.unsent) : NONE;
     }
 
-    /** A question is left out: who goes on later asks anew. */
+    /** Rows are left out: whoever goes on later has none, and asks for all of them. */
     void write(DataOutputStream out) throws IOException {
-        (isEmpty() || present.round.changes() ? present : NONE).write(out);
-        following.write(out);
+        (isEmpty() || present.round.kind() != Order.Kind.ROWS ? present : NONE).write(out);
     }
 
     void read(DataInputStream in) throws IOException {
         present = Choice.read(in);
-        following = Choice.read(in);
     }
 }

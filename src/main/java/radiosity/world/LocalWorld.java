@@ -1,10 +1,9 @@
 package radiosity.world;
 
 import java.io.IOException;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Queue;
+import java.util.function.LongSupplier;
 import radiosity.patch.Block;
 import radiosity.scene.Scene;
 
@@ -12,7 +11,7 @@ import radiosity.scene.Scene;
 public final class LocalWorld extends World {
 
     private final List<PartitionImpl> partitions = new ArrayList<>();
-    private final Queue<Answered> unread = new ArrayDeque<>();
+    private final LongSupplier clock;
 
     /** @param threads at least 1; more than there are processors are not used */
     public LocalWorld(Scene scene, RadiositySettings settings, int threads) {
@@ -21,7 +20,13 @@ public final class LocalWorld extends World {
 
     /** Deals the blocks to several partitions, as over a network. */
     LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts) {
+        this(scene, settings, threads, parts, System::nanoTime);
+    }
+
+    /** @param clock for differences, ns; without influence on the result */
+    LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts, LongSupplier clock) {
         super(new InitialMesh(scene, settings), threads);
+        this.clock = clock;
         for (int p = 0; p < parts; p++) {
             int owner = p;
             List<Block> mine = mesh.blocks.stream().filter(b -> b.id() % parts == owner).toList();
@@ -50,23 +55,11 @@ public final class LocalWorld extends World {
     }
 
     @Override
-    void begin(Order step, StepTimes times) {
+    Begun begin(Order step, StepTimes times) {
         long begin = now();
         List<Answer> answers = answers(step);
-        if (step.isAnswered()) {
-            unread.add(new Answered(step, answers));
-        }
         times.took(step.shots().size(), (now() - begin) * 1e-9);
-    }
-
-    @Override
-    int unread() {
-        return unread.size();
-    }
-
-    @Override
-    Answered next(StepTimes times) {
-        return unread.remove();
+        return later -> sum(answers, step.most());
     }
 
     @Override
@@ -79,7 +72,7 @@ public final class LocalWorld extends World {
 
     @Override
     long now() {
-        return System.nanoTime();
+        return clock.getAsLong();
     }
 
     @Override

@@ -140,10 +140,10 @@ final class Prediction implements Planner {
 
     /** With what will become of them, which is reckoned while they are on their way; none where it was not to go on. */
     private List<Shot> foreseen(Answer last, BooleanSupplier goOn) throws IOException {
-        world.begin(Order.plain(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
-        world.begin(ALL, World.NOBODY);
-        double[] h = coarse.irradiance(coarse.unshot(world.joined(world.read(World.NOBODY).candidates)), goOn);
-        List<Shot> candidates = candidates(world.read(World.NOBODY));
+        World.Begun means = world.begin(Order.plain(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
+        World.Begun all = world.begin(ALL, World.NOBODY);
+        double[] h = coarse.irradiance(coarse.unshot(world.joined(means.answer(World.NOBODY).candidates)), goOn);
+        List<Shot> candidates = candidates(all.answer(World.NOBODY));
         if (h == null || candidates.isEmpty()) {
             return List.of();
         }

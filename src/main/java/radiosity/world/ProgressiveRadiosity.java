@@ -13,6 +13,9 @@ import radiosity.scene.SceneFormatException;
  * The loop of figure 7: who has unshot flux shoots, everybody receives, until little enough is left.
  *
  * <p>Who shoots is the schedule's choice, see {@link Schedule}.
+ *
+ * <p>Whatever is asked for meanwhile ({@link #progress}, {@link #ledger}, {@link #state}, {@link #solution}) only reads:
+ * the calculation goes on to the same bits whenever and however often a listener asks.
  */
 public final class ProgressiveRadiosity {
 
@@ -35,7 +38,7 @@ public final class ProgressiveRadiosity {
         this.world = world;
         this.stop = stop;
         pace = new Pace(stepSeconds / world.stepsAhead());
-        last = new LastAnswer(world, agenda, pace);
+        last = new LastAnswer(world, pace);
         tally = new Tally(world.mesh);
     }
 
@@ -46,12 +49,12 @@ public final class ProgressiveRadiosity {
      */
     public void run(RoundListener listener) throws IOException {
         prepare();
-        last.ask(Order.plain(Order.Kind.ASK, planner.wanted()));
-        tally.begin(last.get());
+        last.askFirst(Order.plain(Order.Kind.ASK, planner.wanted()));
+        tally.begin(last.newest());
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (agenda.isEmpty()) {
-                Order next = planner.next(last.get(), unsent(), nowAndThen(listener));
+                Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
                 if (next == null) {
                     return;
                 }
@@ -60,18 +63,12 @@ public final class ProgressiveRadiosity {
             step();
             goOn = listener.afterRound(progress());
         }
-        know();
-    }
-
-    /** Asks how things stand, where the last order wanted no answer. */
-    private void know() throws IOException {
-        readAll();
         last.know();
     }
 
-    /** What was left to shoot by the last answer, relative to what was emitted. */
+    /** What was left to shoot after the last round of which the answer was read, relative to what was emitted. */
     private double unsent() {
-        return tally.flux.unsent(last.get());
+        return tally.flux.unsent(last.afterRound());
     }
 
     /** Asks the listener as often as between steps. */
@@ -117,26 +114,17 @@ public final class ProgressiveRadiosity {
     /** All of a round was begun: what comes then may be chosen before the round is over. */
     private void lookAhead(Order done) throws IOException {
         if (agenda.isEmpty() && done.changes() && planner.looksAhead()) {
-            while (world.unread() > 1) {
-                last.read();
-            }
+            last.catchUpToRoundBefore();
             choose();
         }
     }
 
-    /** From the last answer, which knows nothing of the last round; where that names nobody who is left, it is asked. */
+    /** By the answer before the last round; where that names nobody who is left, partitions are asked. */
     private void choose() throws IOException {
         double left = unsent();
-        Order next = planner.next(last.get().without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale()), left, () -> true);
+        Answer known = last.afterRound().without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale());
+        Order next = planner.next(known, left, () -> true);
         agenda.add(next == null ? Order.plain(Order.Kind.ASK, planner.wanted()) : next, left);
-    }
-
-    /** Reads what is answered by now, and chooses by it what was to be chosen by it. */
-    private void readAll() throws IOException {
-        last.catchUp();
-        if (agenda.wantsNext() && planner.looksAhead()) {
-            choose();
-        }
     }
 
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
@@ -145,7 +133,7 @@ public final class ProgressiveRadiosity {
             begin();
         }
         Order pending = agenda.round();
-        int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : last.get().elements;
+        int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : last.newest().elements;
         int size = Math.min(pending.shots().size(), pace.size(pending.kind(), receive, pending.shots().size()));
         if (pending.kind() == Order.Kind.SHOOT) {
             size = Math.min(size, stop.shots() - tally.shots());
@@ -156,13 +144,11 @@ public final class ProgressiveRadiosity {
         Order now = pending.first(size);
         if (now.more() && !last.isOld()) {
             now = now.naming(-1);
-        } else if (now.more()) {
-            readAll();
         }
-        Answer before = last.get();
+        Answer before = last.afterRound();
         world.expect(pending.shots().size());
         carryOut(now);
-        tally.count(now, before, last.get());
+        tally.count(now, before, last.afterRound());
         agenda.done(size);
         if (!now.more()) {
             lookAhead(now);
@@ -179,15 +165,13 @@ public final class ProgressiveRadiosity {
     }
 
     private void carryOut(Order now) throws IOException {
-        boolean isRead = now.isAnswered() && (now.more() || !planner.looksAhead() || !now.changes());
-        if (now.changes()) {
-            world.begin(now, pace::took);
-            if (isRead) {
-                last.catchUp();
-            }
-            last.begun(isRead);
-        } else {
+        if (!now.changes()) {
             await(now);
+            return;
+        }
+        last.begun(now, world.begin(now, pace::took));
+        if (now.isAnswered() && (now.more() || !planner.looksAhead())) {
+            last.catchUp();
         }
     }
 
@@ -205,33 +189,39 @@ public final class ProgressiveRadiosity {
 
     /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
     private double[] missing() {
-        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(last.get()) : new double[0];
+        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(last.afterRound()) : new double[0];
     }
 
+    /** Where the calculation stands by the newest answer; waits for nobody. To be asked for once {@link #run} has begun. */
     public Progress progress() {
-        return tally.progress(last.get());
+        return tally.progress(last.newest());
     }
 
     /**
-     * Where the light went so far.
+     * Where the light went so far. May be asked for whenever the listener is called, and after {@link #run}.
      *
      * @throws UncheckedIOException where a partition cannot be reached
      */
     public EnergyLedger ledger() {
         try {
-            know();
+            last.know();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return tally.flux.ofAllLayers(tally.shown(last.get()));
+        return tally.flux.ofAllLayers(tally.shown(last.newest()));
     }
 
-    /** Everything so far, merged from all partitions; may be asked for between rounds. */
+    /**
+     * Everything so far, merged from all partitions. May be asked for whenever the listener is called, and after
+     * {@link #run}.
+     *
+     * @throws IOException where a partition cannot be reached
+     */
     public Solution solution() throws IOException {
-        know();
+        last.know();
         List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, tally.dark()).solution(tally.shots(), tally.rounds(),
-                Flux.sum(tally.shown(last.get()).unshotFlux), ledger(), state(blocks));
+                Flux.sum(tally.shown(last.newest()).unshotFlux), ledger(), state(blocks));
     }
 
     /**
@@ -244,14 +234,26 @@ public final class ProgressiveRadiosity {
         if (tally.dark() != 0 || tally.shots() == 0) {
             return Optional.empty();
         }
-        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(last.get()), last.get().elements, threads)
-                .certificate(Flux.sum(last.get().unshotFlux))).filter(certificate -> certificate.points() > 0);
+        last.know();
+        Answer now = last.newest();
+        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements, threads)
+                .certificate(Flux.sum(now.unshotFlux))).filter(certificate -> certificate.points() > 0);
     }
 
-    /** What {@link #resume} takes; for whoever wants to go on later. May be asked for between rounds. */
+    /**
+     * What {@link #resume} takes; for whoever wants to go on later. May be asked for whenever the listener is called,
+     * and after {@link #run}.
+     *
+     * @throws IOException where a partition cannot be reached
+     */
     public SavedState state() throws IOException {
-        readAll();
+        last.catchUp();
         return state(world.blocks());
+    }
+
+    /** Whether the round after the present one is chosen by an answer that nobody can be asked for again. */
+    private boolean isChosenAhead() {
+        return planner.looksAhead() && agenda.changes();
     }
 
     /** @param blocks states of all blocks, by id; not copied */
@@ -262,6 +264,9 @@ public final class ProgressiveRadiosity {
             tally.write(out);
             planner.write(out);
             agenda.write(out);
+            if (isChosenAhead()) {
+                last.write(out, agenda.shooters());
+            }
         }));
         for (byte[] block : blocks) {
             pieces.add(Wire.bytes(out -> out.writeInt(block.length)));
@@ -288,6 +293,9 @@ public final class ProgressiveRadiosity {
             prepare();
             planner.read(in);
             agenda.read(in);
+            if (isChosenAhead()) {
+                last.read(in);
+            }
             List<byte[]> blocks = new ArrayList<>();
             for (int b = 0; b < world.mesh.blocks.size(); b++) {
                 blocks.add(Wire.bytes(in));

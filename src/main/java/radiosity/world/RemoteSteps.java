@@ -32,10 +32,16 @@ final class RemoteSteps {
     }
 
     /** @param bytes what hosts are told of it */
-    void begin(Order step, byte[] bytes) {
-        underWay.begin(hosts.present(), step, bytes, clock.getAsLong(), counts.times.criticalPath());
-        counts.totals.count(step);
-        points.begun(step);
+    StepsUnderWay.Given begin(Order step, byte[] bytes) {
+        StepsUnderWay.Given given = new StepsUnderWay.Given(step);
+        begin(given, bytes);
+        return given;
+    }
+
+    private void begin(StepsUnderWay.Given given, byte[] bytes) {
+        underWay.begin(hosts.present(), given, bytes, clock.getAsLong(), counts.times.criticalPath());
+        counts.totals.count(given.order());
+        points.begun(given.order());
     }
 
     /** Does something that changes no element, and is not answered; nothing is under way. */
@@ -62,12 +68,12 @@ final class RemoteSteps {
     void recover() throws IOException {
         if (calls.isAnyLost()) {
             awaitAll(World.NOBODY);
-            List<Order> questions = underWay.takeQuestions();
+            List<StepsUnderWay.Given> questions = underWay.takeQuestions();
             hosts.recover();
             points.forget();
             underWay.mended();
-            for (Order question : questions) {
-                begin(question, question.encode());
+            for (StepsUnderWay.Given question : questions) {
+                begin(question, question.order().encode());
                 keepUp(World.NOBODY);
             }
         }

@@ -81,13 +81,13 @@ public final class RemoteWorld extends World {
     }
 
     private List<byte[]> ask(Order order) throws IOException {
-        steps.begin(order, prepare(order));
+        StepsUnderWay.Given given = steps.begin(order, prepare(order));
         while (underWay.count() > 0) {
             steps.await(NOBODY);
             steps.recover();
         }
         balance.settle(hosts.present());
-        return underWay.last();
+        return given.answers();
     }
 
     /** In parts: the next ones are made while one is on its way. */
@@ -95,18 +95,18 @@ public final class RemoteWorld extends World {
     void rows(Order order, Planner planner) throws IOException {
         finish(NOBODY);
         admit(order);
-        List<Order> parts = order.naming(0).parts(ROWS_AT_A_TIME);
-        for (Order part : parts) {
-            steps.begin(part, prepare(part));
+        List<StepsUnderWay.Given> parts = new ArrayList<>();
+        for (Order part : order.naming(0).parts(ROWS_AT_A_TIME)) {
+            parts.add(steps.begin(part, prepare(part)));
             steps.keepUp(NOBODY);
         }
-        for (Order part : parts) {
-            planner.take(part.shots().size(), answers(NOBODY).answers());
+        for (StepsUnderWay.Given part : parts) {
+            planner.take(part.order().shots().size(), answers(part, NOBODY));
         }
     }
 
     @Override
-    void begin(Order step, StepTimes told) throws IOException {
+    Begun begin(Order step, StepTimes told) throws IOException {
         while (step.isAnswered() && points.isHandingOver() && underWay.count() > 0) {
             steps.await(told);
         }
@@ -117,12 +117,14 @@ public final class RemoteWorld extends World {
         }
         boolean exchanged = step.isAnswered() && points.isShared(step) && !mesh.hasSeams();
         Order now = exchanged ? step.naming(Order.GIVE) : step;
-        steps.begin(now, prepare(now));
+        StepsUnderWay.Given given = steps.begin(now, prepare(now));
         if (exchanged) {
             finish(told);
-            underWay.add(step, ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least())));
+            List<byte[]> answers = ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least()));
+            return later -> sum(decode(answers), step.most());
         }
         steps.keepUp(told);
+        return later -> sum(decode(answers(given, later)), step.most());
     }
 
     /*---- Points that several hosts have ----*/
@@ -156,8 +158,10 @@ public final class RemoteWorld extends World {
 
     @Override
     void finish(StepTimes told) throws IOException {
-        steps.awaitAll(told);
-        steps.recover();
+        do {
+            steps.awaitAll(told);
+            steps.recover();
+        } while (underWay.count() > 0);
         balance.settle(hosts.present());
     }
 
@@ -166,26 +170,16 @@ public final class RemoteWorld extends World {
         expected = shots;
     }
 
-    @Override
-    int unread() {
-        return underWay.unread();
-    }
-
-    @Override
-    Answered next(StepTimes told) throws IOException {
-        StepsUnderWay.Answered next = answers(told);
-        return new Answered(next.order(), decode(next.answers()));
-    }
-
-    /** What hosts have said to the first step to which that was not read. */
-    private StepsUnderWay.Answered answers(StepTimes told) throws IOException {
-        while (!underWay.isAnyAnswered()) {
-            steps.await(told);
+    /** Waits until all hosts have answered an order. */
+    private List<byte[]> answers(StepsUnderWay.Given given, StepTimes told) throws IOException {
+        while (!given.isAnswered()) {
             if (calls.isAnyLost()) {
                 finish(told);
+            } else {
+                steps.await(told);
             }
         }
-        return underWay.next();
+        return given.answers();
     }
 
     @Override

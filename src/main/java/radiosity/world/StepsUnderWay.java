@@ -10,11 +10,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.FutureTask;
 import java.util.function.LongSupplier;
-import java.util.stream.Stream;
 
 /**
- * Steps that hosts were given and have not all done, and answers that nobody has read yet. Nobody waits for the others
- * between steps, and what a host needs next is on its way while it computes.
+ * Steps that hosts were given and have not all done. Nobody waits for the others between steps, and what a host needs
+ * next is on its way while it computes. The answers to a step belong to the caller who gave it, see {@link Given}.
  *
  * <p>Where a host is lost, what it said to steps that not all have answered does not count any more: whoever makes its
  * blocks again, says it again.
@@ -26,7 +25,6 @@ final class StepsUnderWay {
     private final Deque<Step> steps = new ArrayDeque<>();
     /** Done, but not by all: the last ones, in their order. */
     private final List<Torn> torn = new ArrayList<>();
-    private final Deque<Answered> unread = new ArrayDeque<>();
     /** When the last one was seen to be done, ns. */
     private long seen;
 
@@ -35,7 +33,32 @@ final class StepsUnderWay {
         this.seams = seams;
     }
 
-    private record Step(Order order, long begin, double given, Map<Host, FutureTask<Reply>> running) { }
+    /** An order that hosts were given, and what all of them have answered, once they have. */
+    static final class Given {
+
+        private final Order order;
+        private List<byte[]> answers;
+
+        Given(Order order) {
+            this.order = order;
+        }
+
+        Order order() {
+            return order;
+        }
+
+        /** Whether all hosts have answered. */
+        boolean isAnswered() {
+            return answers != null;
+        }
+
+        /** One or more per host, in the order of hosts; null before all have answered. */
+        List<byte[]> answers() {
+            return answers;
+        }
+    }
+
+    private record Step(Given what, long begin, double given, Map<Host, FutureTask<Reply>> running) { }
 
     /**
      * @param seconds wall time since it was begun, or the one before was done
@@ -44,35 +67,26 @@ final class StepsUnderWay {
      */
     record Done(Order order, double seconds, double given, Map<Host, Reply> replies) { }
 
-    /** What hosts have said to a step that all have done. */
-    record Answered(Order order, List<byte[]> answers) { }
-
     /** What hosts have said that are still there; one that has made blocks again has said several things. */
-    private record Torn(Order order, Map<Host, List<byte[]>> answers) { }
+    private record Torn(Given what, Map<Host, List<byte[]>> answers) { }
 
     /** How many not all hosts have done. */
     int count() {
         return steps.size();
     }
 
-    /** How many answers to steps there are or will be. */
-    int unread() {
-        return unread.size() + (int) Stream.concat(torn.stream().map(Torn::order), steps.stream().map(Step::order))
-                .filter(Order::isAnswered).count();
-    }
-
     /**
      * @param now   ns
      * @param given see {@link Workload}
      */
-    void begin(Collection<Host> hosts, Order order, byte[] bytes, long now, double given) {
+    void begin(Collection<Host> hosts, Given what, byte[] bytes, long now, double given) {
         Map<Host, FutureTask<Reply>> running = new LinkedHashMap<>();
         for (Host host : hosts) {
             long number = host.nextRound();
             byte[] all = host.withTold(bytes);
             running.put(host, host.begin(() -> host.round(number, all)));
         }
-        steps.add(new Step(order, now, given, running));
+        steps.add(new Step(what, now, given, running));
     }
 
     /** Waits for the first one. */
@@ -84,44 +98,25 @@ final class StepsUnderWay {
         seen = now;
         Map<Host, List<byte[]>> answers = new LinkedHashMap<>();
         replies.forEach((host, reply) -> answers.put(host, new ArrayList<>(List.of(reply.answer()))));
-        seams.answers(first.order(), replies).forEach((host, answer) -> answers.get(host).add(answer));
-        torn.add(new Torn(first.order(), answers));
+        seams.answers(first.what().order(), replies).forEach((host, answer) -> answers.get(host).add(answer));
+        torn.add(new Torn(first.what(), answers));
         if (!calls.isAnyLost()) {
             mended();
         }
-        return new Done(first.order(), seconds, first.given(), replies);
-    }
-
-    /** The first answer that was not read; all that was begun has to be done. */
-    Answered next() {
-        return unread.remove();
-    }
-
-    /** The answers to the step that was done last, which is then not to be read. */
-    List<byte[]> last() {
-        return unread.removeLast().answers();
-    }
-
-    /** Keeps what was asked about a step afterwards, to be read. */
-    void add(Order step, List<byte[]> answers) {
-        unread.add(new Answered(step, answers));
-    }
-
-    boolean isAnyAnswered() {
-        return !unread.isEmpty();
+        return new Done(first.what().order(), seconds, first.given(), replies);
     }
 
     /*---- Losing hosts ----*/
 
-    /** What is torn is not to be read. */
+    /** Nobody waits for the answers to what is torn. */
     void forget() {
         torn.clear();
     }
 
     /** Takes out what is torn and has changed nothing, to be asked again; it came last. */
-    List<Order> takeQuestions() {
-        List<Order> questions = torn.stream().map(Torn::order).filter(order -> !order.changes()).toList();
-        torn.removeIf(step -> !step.order().changes());
+    List<Given> takeQuestions() {
+        List<Given> questions = torn.stream().map(Torn::what).filter(what -> !what.order().changes()).toList();
+        torn.removeIf(step -> !step.what().order().changes());
         return questions;
     }
 
@@ -145,10 +140,7 @@ final class StepsUnderWay {
     /** All hosts are there that have something to say. */
     void mended() {
         for (Torn step : torn) {
-            if (step.order().isAnswered()) {
-                unread.add(new Answered(step.order(),
-                        step.answers().values().stream().flatMap(List::stream).toList()));
-            }
+            step.what().answers = step.answers().values().stream().flatMap(List::stream).toList();
         }
         torn.clear();
     }

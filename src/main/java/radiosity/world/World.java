@@ -73,33 +73,29 @@ public abstract class World implements AutoCloseable {
     /** Is not told. */
     static final StepTimes NOBODY = (shots, seconds) -> { };
 
+    /** What partitions answer to an order that was begun. Nobody else has it than the caller who began the order. */
+    interface Begun {
+
+        /**
+         * Waits for the answers of all partitions; not for orders that are not {@linkplain Order#isAnswered answered}.
+         *
+         * @param times told about every step that is done by now
+         * @return the answers added up
+         */
+        Answer answer(StepTimes times) throws IOException;
+    }
+
     /**
-     * A step of a round that may still be under way afterwards, and others with it. Where it is answered, that is kept
-     * to be {@linkplain #read read}.
+     * Begins an order, or a step of a round, that may still be under way afterwards, and others with it.
      *
      * @param times told about every step that is done by now
      */
-    abstract void begin(Order step, StepTimes times) throws IOException;
+    abstract Begun begin(Order step, StepTimes times) throws IOException;
 
     /** So many shots of the round come with the next step and after it. */
     void expect(int shots) { }
 
-    /** How many answers to steps are still to be read. */
-    abstract int unread();
-
-    /** Waits for the first answer to a step that was not read yet. */
-    abstract Answered next(StepTimes times) throws IOException;
-
-    /** What each partition answers to a step. */
-    record Answered(Order step, List<Answer> answers) { }
-
-    /** The first answer that was not read yet, added up. */
-    final Answer read(StepTimes times) throws IOException {
-        Answered next = next(times);
-        return sum(next.answers(), next.step().most());
-    }
-
-    /** Waits for what is under way. */
+    /** Waits until no order is under way. */
     abstract void finish(StepTimes times) throws IOException;
 
     /** How many steps may be under way, at least 1. */
@@ -133,7 +129,7 @@ public abstract class World implements AutoCloseable {
         return answer;
     }
 
-    private Answer sum(List<Answer> answers, int most) {
+    final Answer sum(List<Answer> answers, int most) {
         Answer all = new Answer(mesh.faces, mesh.fluxScale());
         all.add(answers, most);
         return all;
