@@ -1,0 +1,98 @@
+package radiosity.torture;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** A process, what it prints, and signals to it. */
+final class Running implements AutoCloseable {
+
+    private final List<String> command;
+    private final Process process;
+    private final long begin = System.nanoTime();
+    private final StringBuffer printed = new StringBuffer();
+    private final Thread reader = new Thread(this::read, "reads a process");
+    private volatile long end;
+
+    /**
+     * How a process ended.
+     *
+     * @param command  what was started
+     * @param exitCode 128 + the signal's number where a signal ended it
+     * @param printed  standard output and errors together
+     * @param seconds  wall time
+     */
+    record Ended(List<String> command, int exitCode, String printed, double seconds) {
+    }
+
+    Running(Subject subject, List<String> command, Path directory) throws IOException {
+        this.command = command;
+        process = subject.start(command, directory);
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private void read() {
+        byte[] buffer = new byte[8192];
+        try (InputStream in = process.getInputStream()) {
+            for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+                printed.append(new String(buffer, 0, n, StandardCharsets.UTF_8));
+            }
+        } catch (IOException e) {
+            printed.append("\n[its output was cut off: ").append(e.getMessage()).append("]\n");
+        }
+        end = System.nanoTime();
+    }
+
+    /** Waits until the output holds a text. */
+    boolean awaitText(String text, double seconds) throws InterruptedException {
+        while (printed.indexOf(text) < 0 && process.isAlive() && seconds() < seconds) {
+            Thread.sleep(5);
+        }
+        return printed.indexOf(text) >= 0;
+    }
+
+    /** Seconds since it was started. */
+    double seconds() {
+        return (System.nanoTime() - begin) * 1e-9;
+    }
+
+    boolean isAlive() {
+        return process.isAlive();
+    }
+
+    /** kill -9. */
+    void kill() {
+        process.destroyForcibly();
+    }
+
+    /** @param name TERM, STOP, CONT, ... */
+    void signal(String name) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).redirectErrorStream(true).start().waitFor();
+    }
+
+    /** @return null if it has not ended by then; it is killed, after having printed its threads, if it can */
+    Ended await(double seconds) throws IOException, InterruptedException {
+        if (!process.waitFor(Math.max(1, (long) (1000 * (seconds - seconds()))), TimeUnit.MILLISECONDS)) {
+            signal("QUIT");
+            Thread.sleep(1000);
+            close();
+            return null;
+        }
+        reader.join(5000);
+        return new Ended(command, process.exitValue(), printed.toString(), (end - begin) * 1e-9);
+    }
+
+    String printed() {
+        return printed.toString();
+    }
+
+    @Override
+    public void close() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly().onExit().join();
+    }
+}
