@@ -1,9 +1,12 @@
 package radiosity.cli;
 
 import java.io.IOException;
+import java.util.HashSet;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import radiosity.scene.Scene;
 import radiosity.world.HostKey;
 import radiosity.world.LocalWorld;
@@ -23,6 +26,7 @@ final class Calculation {
     private final OutputFiles files;
     private final Warnings warnings;
     private final Conversation user;
+    private final HostNotices hostNotices;
     private boolean warned;
 
     Calculation(RendererOptions options, Scene scene, OutputFiles files, Warnings warnings, Conversation user) {
@@ -31,6 +35,7 @@ final class Calculation {
         this.files = files;
         this.warnings = warnings;
         this.user = user;
+        hostNotices = new HostNotices(user::message);
     }
 
     /** What to go on from, before the first round. */
@@ -65,7 +70,47 @@ final class Calculation {
             return new LocalWorld(scene, settings, threads);
         }
         HostKey key = options.host.key == null ? null : PartitionServer.key(options.host.key);
-        return new RemoteWorld(scene, settings, options.host.hosts, key, threads, user::message);
+        return hostNotices.whileOpening(() -> new RemoteWorld(scene, settings, options.host.hosts, key, threads, hostNotices));
+    }
+
+    /** Passes notices about hosts on; that a host cannot be used is a notice once, not in every calculation anew. */
+    static final class HostNotices implements Consumer<String> {
+
+        private final Consumer<String> user;
+        private final Set<String> ofOpening = new HashSet<>();
+        private boolean opening;
+
+        HostNotices(Consumer<String> user) {
+            this.user = user;
+        }
+
+        <T> T whileOpening(Opening<T> world) throws IOException {
+            setOpening(true);
+            try {
+                return world.open();
+            } finally {
+                setOpening(false);
+            }
+        }
+
+        private synchronized void setOpening(boolean now) {
+            opening = now;
+        }
+
+        @Override
+        public synchronized void accept(String line) {
+            if (!opening) {
+                ofOpening.clear();
+            } else if (!ofOpening.add(line)) {
+                return;
+            }
+            user.accept(line);
+        }
+    }
+
+    /** Opens sessions with hosts. */
+    interface Opening<T> {
+        T open() throws IOException;
     }
 
     private RoundListener told(World world, Rounds rounds) {

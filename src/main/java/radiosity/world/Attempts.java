@@ -3,6 +3,7 @@ package radiosity.world;
 import java.io.IOException;
 import java.rmi.ConnectIOException;
 import java.rmi.RemoteException;
+import java.rmi.ServerError;
 import java.util.concurrent.Callable;
 
 /** How often a call to a host is made that may be repeated: a connection that breaks is no host that is lost. */
@@ -20,9 +21,10 @@ final class Attempts {
     static <T> T repeat(Callable<T> call) throws IOException {
         try {
             return once(call);
-        } catch (SessionEndedException | java.rmi.ServerError e) {
-            throw e;
         } catch (RemoteException e) {
+            if (e instanceof ServerError || Lost.cause(e) instanceof SessionEndedException) {
+                throw e;
+            }
             return onceConnected(call);
         }
     }

@@ -43,7 +43,8 @@ final class Host implements AutoCloseable {
     private final Thread heartbeat = new Thread(this::beat, "heartbeat");
     private volatile long heard = System.nanoTime();
     private volatile boolean closed;
-    private boolean noticed;
+    /** The moment from which the host was silent when the user was last notified of silence; 0 before the first time. */
+    private long noticed;
     private long rounds;
     /** Relative to other hosts; threads, until it turns out to be another one. */
     double speed;
@@ -81,7 +82,7 @@ final class Host implements AutoCloseable {
         send(task);
         String got = Wire.utf8(remote.mesh(session));
         if (!got.equals(expected)) {
-            throw new IllegalStateException("expected the mesh of " + expected + ", got that of " + got);
+            throw new IOException("expected the mesh of " + expected + ", got that of " + got);
         }
         return null;
     }
@@ -224,13 +225,16 @@ final class Host implements AutoCloseable {
 
     /** Waits for a call as long as the host is alive. */
     <T> T await(FutureTask<T> call) throws HostLostException {
+        return await(call, notices);
+    }
+
+    /** @param told notified when the host falls silent, once per silence */
+    <T> T await(FutureTask<T> call, Consumer<String> told) throws HostLostException {
         while (true) {
             try {
-                T result = call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
-                noticed = false;
-                return result;
+                return call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException e) {
-                checkSilence();
+                checkSilence(told);
             } catch (ExecutionException e) {
                 throw Lost.because(e.getCause());
             } catch (InterruptedException e) {
@@ -239,14 +243,15 @@ final class Host implements AutoCloseable {
         }
     }
 
-    private void checkSilence() throws HostLostException {
-        double silent = (System.nanoTime() - heard) * 1e-9;
+    private void checkSilence(Consumer<String> told) throws HostLostException {
+        long since = heard;
+        double silent = (System.nanoTime() - since) * 1e-9;
         if (silent > Attempts.LOST_SECONDS) {
             throw new HostLostException("silent for " + Math.round(silent) + " s", false, null);
         }
-        if (silent > NOTICED && !noticed) {
-            noticed = true;
-            notices.accept("host " + name() + " silent for " + Math.round(silent) + " s");
+        if (silent > NOTICED && noticed != since) {
+            noticed = since;
+            told.accept("host " + name() + " silent for " + Math.round(silent) + " s");
         }
     }
 

@@ -63,21 +63,32 @@ final class HostFinder implements AutoCloseable {
 
     /** A session, or null where there can be none now. */
     private Host open(Link link, boolean tell) {
+        FutureTask<Host> opening = Host.start(() -> session(link, tell));
         try {
-            FutureTask<Host> opening = Host.start(() -> session(link, tell));
             Host host = opening.get(CONNECT_SECONDS + (tell ? BUSY_SECONDS : 0), TimeUnit.SECONDS);
-            host.await(Host.start(() -> host.load(task, fingerprint)));
+            load(host, tell);
             return host;
         } catch (TimeoutException e) {
+            opening.cancel(true);
             link.cut();
             return later(link, tell, "no answer");
         } catch (ExecutionException e) {
             return e.getCause() instanceof RefusedException refused ? never(link, refused.getMessage())
-                    : later(link, tell, e.getCause().getMessage());
-        } catch (IOException e) {
+                    : later(link, tell, Lost.words(e.getCause()));
+        } catch (HostLostException e) {
             return later(link, tell, e.getMessage());
         } catch (InterruptedException e) {
             return later(link, tell, "interrupted");
+        }
+    }
+
+    /** A host that cannot be given the scene is let go: its heartbeat would keep it busy. */
+    private void load(Host host, boolean tell) throws HostLostException {
+        try {
+            host.await(Host.start(() -> host.load(task, fingerprint)), tell ? notices : line -> { });
+        } catch (HostLostException e) {
+            host.close();
+            throw e;
         }
     }
 
@@ -117,12 +128,25 @@ final class HostFinder implements AutoCloseable {
                     ? "runs another build of " + Build.version() + ": copy the jar there"
                     : "runs " + greeting.version() + ", this is " + Build.version() + ": copy the jar there");
         }
+        checkFree(greeting);
+        Host host = new Host(link, remote, greeting.processors(), notices);
+        try {
+            host.open(master);
+        } catch (IllegalStateException e) {
+            checkFree(Greeting.decode(remote.greet()));
+            throw e;
+        }
+        if (Thread.interrupted()) {
+            host.close();
+            throw new IOException("no answer");
+        }
+        return host;
+    }
+
+    private static void checkFree(Greeting greeting) throws IOException {
         if (!greeting.busy().isEmpty()) {
             throw new IOException(greeting.busy());
         }
-        Host host = new Host(link, remote, greeting.processors(), notices);
-        host.open(master);
-        return host;
     }
 
     /** A lost host may come back. */

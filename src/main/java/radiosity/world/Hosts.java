@@ -83,11 +83,18 @@ final class Hosts {
             long begin = System.nanoTime();
             int heirs = adopt();
             double seconds = (System.nanoTime() - begin) * 1e-9;
-            now.forEach((host, why) -> notices.accept(String.format(Locale.ROOT,
-                    "host %s lost (%s); its %d blocks move to %s, rebuilt in %.1f s", host.name(), why.getMessage(),
-                    blocks.get(host), alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts",
-                    seconds)));
+            now.forEach((host, why) -> notices.accept("host " + host.name() + " lost (" + why.getMessage() + "); "
+                    + movedTo(blocks.get(host), heirs, seconds)));
         }
+    }
+
+    private String movedTo(int blocks, int heirs, double seconds) {
+        if (blocks == 0) {
+            return "it had no blocks";
+        }
+        return String.format(Locale.ROOT, "its %s to %s, rebuilt in %.1f s",
+                blocks == 1 ? "1 block moves" : blocks + " blocks move",
+                alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts", seconds);
     }
 
     private void lose(Host host, HostLostException why) throws IOException {

@@ -7,7 +7,9 @@ final class SessionEndedException extends RemoteException {
 
     private static final long serialVersionUID = 1;
 
+    static final String WORDS = "the session has ended there";
+
     SessionEndedException() {
-        super("the session has ended there");
+        super(WORDS);
     }
 }
