@@ -1,5 +1,8 @@
 package radiosity.cli;
 
+import java.util.List;
+import java.util.stream.Collectors;
+
 /** Ends a program with one line, <i>where: expected X, got Y</i>, and an {@link ExitCode}. */
 final class Failure extends RuntimeException {
 
@@ -30,6 +33,16 @@ final class Failure extends RuntimeException {
     /** A warning that counts as an error ({@code --strict}). */
     static Failure strict(String warning) {
         return new Failure(ExitCode.FILE, warning, null);
+    }
+
+    /**
+     * Several failures, each with a line of its own.
+     *
+     * @param failures at least one; the exit code is the first one's
+     */
+    static Failure several(List<Exception> failures) {
+        String lines = failures.stream().map(Outcome::line).collect(Collectors.joining(System.lineSeparator()));
+        return new Failure(Outcome.exitCode(failures.get(0)), lines, failures.get(0));
     }
 
     int exitCode() {

@@ -5,20 +5,29 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import radiosity.output.LockedFile;
+import radiosity.output.WholeFile;
 
 /**
  * The files of a command line, looked at before any work: that inputs can be read, that outputs can be written, and
- * that no output would overwrite an input.
+ * that no output would overwrite an input, another output, or a file that the program writes besides.
  */
 final class FileChecks {
 
     private final List<Path> inputs = new ArrayList<>();
     private final List<Path> outputs = new ArrayList<>();
+    /** Files that the program writes besides, each with what it is. */
+    private final Map<Path, String> reserved = new LinkedHashMap<>();
+    /** Pictures of {@code -sn} are called as this and their number; null without. */
+    private Path snapshots;
 
     /** Fails unless the file can be read. */
     void input(Path file) {
@@ -33,27 +42,62 @@ final class FileChecks {
         inputs.add(file);
     }
 
+    /**
+     * Keeps a name for a file that the program writes without being asked to. Fails where that would overwrite an input.
+     *
+     * @param what it is, with its article
+     */
+    void reserve(Path file, String what) {
+        refuseInputs(file);
+        reserved.put(file, what);
+    }
+
+    /** Keeps the names of the pictures of {@code -sn}. */
+    void reserveSnapshots(Path scene) {
+        snapshots = scene;
+    }
+
     /** Fails unless the file can be written, or replaced where it exists; leaves it as it is. */
     void output(Path file) {
         if (Files.exists(file) && !(Files.isRegularFile(file) && Files.isWritable(file))) {
             throw Failure.file(file, "expected a file that can be written, got "
                     + (Files.isDirectory(file) ? "a directory" : "one that cannot"), null);
         }
+        refuseInputs(file);
+        for (Path other : outputs) {
+            if (same(file, other)) {
+                throw Failure.commandLine(file.toString(), "expected a file of its own for each output, got one twice");
+            }
+        }
+        reserved.forEach((other, what) -> {
+            if (same(file, other)) {
+                throw Failure.commandLine(file.toString(), "expected a file of its own for each output, got " + what);
+            }
+        });
+        refuseSnapshots(file);
+        refuseLightWave(file);
+        tryPlace(file);
+        outputs.add(file);
+    }
+
+    private void refuseInputs(Path file) {
         for (Path input : inputs) {
             if (same(file, input)) {
                 throw Failure.commandLine(file.toString(), "expected an output that is no input, got the same file as "
                         + input);
             }
         }
-        for (Path other : outputs) {
-            if (same(file, other)) {
-                throw Failure.commandLine(file.toString(), "expected a file of its own for each output, got one twice");
-            }
+    }
+
+    private void refuseSnapshots(Path file) {
+        if (snapshots == null) {
+            return;
         }
-        refuseLightWave(file);
-        tryDirectory(file);
-        tryName(file);
-        outputs.add(file);
+        Matcher name = Pattern.compile("(.*)-[1-9]\\d*\\.jpg").matcher(String.valueOf(file.getFileName()));
+        if (name.matches() && same(file.resolveSibling(name.group(1)), snapshots)) {
+            throw Failure.commandLine(file.toString(), "expected a file of its own for each output, got a snapshot (-sn) of "
+                    + snapshots);
+        }
     }
 
     /** What is overwritten by a slip of the hand: an object of the scene, or another scene. */
@@ -71,42 +115,37 @@ final class FileChecks {
         }
     }
 
-    /** An output is written beside its place and then renamed, so its directory must take a new file. */
-    private static void tryDirectory(Path file) {
+    /**
+     * An output is written beside its place and then renamed, so its directory must take a new file, and the file system
+     * its name: that may be too long, or have characters that are not allowed. The name is tried in a directory apart,
+     * where another program cannot have put a file of that name meanwhile.
+     */
+    private static void tryPlace(Path file) {
         try {
-            Files.delete(Files.createTempFile(directory(file), ".radiosity", ".tmp"));
+            Path target = WholeFile.target(file);
+            try (LockedFile probe = WholeFile.beside(target)) {
+                tryName(file, probe.folder().resolve(target.getFileName()));
+            }
         } catch (IOException e) {
             throw Failure.file(file, "expected a directory that can be written, got " + reason(e), e);
         }
     }
 
-    /** A name may be too long, or have characters that the file system does not take. */
-    private static void tryName(Path file) {
-        if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
-            return;
-        }
+    private static void tryName(Path file, Path elsewhere) {
         try {
-            Files.delete(Files.createFile(file));
+            Files.delete(Files.createFile(elsewhere));
         } catch (IOException e) {
             throw Failure.file(file, "expected a name that can be written, got " + reason(e), e);
         }
     }
 
-    private static Path directory(Path file) {
-        Path parent = file.toAbsolutePath().getParent();
-        return parent == null ? file.toAbsolutePath() : parent;
-    }
-
     private static boolean same(Path a, Path b) {
         try {
-            return Files.exists(a) && Files.exists(b) ? Files.isSameFile(a, b) : place(a).equals(place(b));
+            return Files.exists(a) && Files.exists(b) ? Files.isSameFile(a, b)
+                    : WholeFile.target(a).equals(WholeFile.target(b));
         } catch (IOException e) {
-            return false;
+            return false; // one of them can be neither read nor written, which is found where that is tried
         }
-    }
-
-    private static Path place(Path file) throws IOException {
-        return directory(file).toRealPath().resolve(file.getFileName());
     }
 
     /** Why a file cannot be used, without its name. */

@@ -45,15 +45,20 @@ final class Journal {
     private boolean failed;
 
     /**
-     * @param output the scene file
-     * @param clock  for differences, ns
+     * @param claim to its file, held as long as the journal is in use
+     * @param clock for differences, ns
      */
-    Journal(Path output, RadiositySettings settings, Consumer<String> notices, LongSupplier clock) {
-        file = Path.of(output + ".journal");
+    Journal(JournalClaim claim, RadiositySettings settings, Consumer<String> notices, LongSupplier clock) {
+        file = claim.journal();
         this.settings = settings.toString();
         this.notices = notices;
         this.clock = clock;
         last = clock.getAsLong();
+    }
+
+    /** Where the journal of a scene file is. */
+    static Path of(Path output) {
+        return Path.of(output + ".journal");
     }
 
     /** Whether there was something to go on from. */
@@ -110,24 +115,46 @@ final class Journal {
         return new SceneFormatException(file.toString(), "", expected, got);
     }
 
-    /** Writes it where that is due; that it cannot be is told once, and no reason to stop. */
-    void keep(ProgressiveRadiosity radiosity) throws IOException {
-        long begin = clock.getAsLong();
-        if (begin - last < PATIENCE * cost) {
-            return;
+    /** Where the state to be written comes from. */
+    interface Source {
+        SavedState state() throws IOException;
+    }
+
+    /** Writes the state where that is due. */
+    void keep(Source source) throws IOException {
+        if (clock.getAsLong() - last >= PATIENCE * cost) {
+            keepNow(source);
         }
-        SavedState state = radiosity.state();
+    }
+
+    /**
+     * Writes the state. That it cannot be written, for want of disk or memory, gives one warning in the whole render and is
+     * no reason to stop.
+     *
+     * @throws IOException where a partition cannot be reached
+     */
+    void keepNow(Source source) throws IOException {
+        long begin = clock.getAsLong();
         try {
-            write(state);
-        } catch (IOException e) {
-            if (!failed) {
-                notices.accept("warning: " + file + ": expected to be written, got " + FileChecks.reason(e)
-                        + "; without it a render that is cut off begins anew");
+            SavedState state = source.state();
+            try {
+                write(state);
+            } catch (IOException e) {
+                warn(FileChecks.reason(e));
             }
-            failed = true;
+        } catch (OutOfMemoryError e) {
+            warn(Outcome.line(e));
         }
         last = clock.getAsLong();
         cost = Math.max(LEAST_COST, last - begin);
+    }
+
+    private void warn(String got) {
+        if (!failed) {
+            failed = true;
+            notices.accept("warning: " + file + ": expected to be written, got " + got
+                    + "; without it a render that is cut off begins anew");
+        }
     }
 
     private void write(SavedState state) throws IOException {

@@ -26,7 +26,7 @@ final class Outcome {
         return exitCode(error);
     }
 
-    private static int exitCode(Throwable error) {
+    static int exitCode(Throwable error) {
         if (error instanceof Failure failure) {
             return failure.exitCode();
         }

@@ -3,7 +3,6 @@ package radiosity.cli;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +11,7 @@ import java.util.TreeMap;
 import radiosity.output.Points;
 import radiosity.output.SceneFile;
 import radiosity.output.Snapshot;
+import radiosity.output.WholeFile;
 import radiosity.scene.Camera;
 import radiosity.scene.SceneFormatException;
 import radiosity.world.Certificate;
@@ -45,10 +45,17 @@ final class OutputFiles {
             checks.input(options.file.points.in());
             Points.check(options.file.points.in());
         }
-        if (options.file.resume != null) {
-            new FileChecks().input(options.file.resume.file());
+        if (options.host.key != null) {
+            checks.input(options.host.key);
         }
         checks.output(options.output());
+        if (options.file.resume != null) {
+            checks.input(options.file.resume.file()); // only the scene file may take its place
+        }
+        checks.reserve(Journal.of(options.output()), "the journal of " + options.output());
+        if (options.picture.snapshotInterval != null) {
+            checks.reserveSnapshots(options.output());
+        }
         options.picture.pictures.forEach(checks::output);
         if (options.file.points != null) {
             checks.output(options.file.points.out());
@@ -81,19 +88,19 @@ final class OutputFiles {
         savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"));
     }
 
-    /** Everything that is written once, at the end; what can be, where not all can. */
-    void saveRest(Solution solution, Summary summary) throws IOException {
-        List<Task> tasks = new ArrayList<>();
-        options.picture.pictures.forEach(picture -> tasks.add(() -> savePicture(solution, picture)));
+    /** Everything that is written at the end beside the scene file, each whatever becomes of the others. */
+    void saveRest(Solution solution, Summary summary, Failures failures) {
+        for (Path picture : options.picture.pictures) {
+            failures.tried(() -> savePicture(solution, picture));
+        }
         if (options.file.points != null) {
-            tasks.add(() -> write(options.file.points.out(),
+            failures.tried(() -> write(options.file.points.out(),
                     out -> new Points(solution).write(options.file.points.in(), out)));
         }
         if (options.file.report != null) {
-            tasks.add(() -> write(options.file.report, file -> new ObjectMapper().writerWithDefaultPrettyPrinter()
-                    .writeValue(file.toFile(), summary.asJson())));
+            failures.tried(() -> write(options.file.report, file -> WholeFile.write(file,
+                    new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(summary.asJson()))));
         }
-        Task.runAll(tasks);
     }
 
     private void savePicture(Solution solution, Path file) throws IOException {
@@ -104,35 +111,19 @@ final class OutputFiles {
                 options.picture.toneMapping(solution)));
     }
 
-    /** One of several things to save. */
-    private interface Task {
-
-        void run() throws IOException;
-
-        /** Runs all of them, then throws what the first that failed threw. */
-        static void runAll(List<Task> tasks) throws IOException {
-            for (int i = 0; i < tasks.size(); i++) {
-                try {
-                    tasks.get(i).run();
-                } catch (Failure | IOException e) {
-                    runAll(tasks.subList(i + 1, tasks.size()));
-                    throw e;
-                }
-            }
-        }
-    }
-
     /** What writes one file. */
     private interface Content {
         void writeTo(Path file) throws IOException;
     }
 
-    /** Names the file where writing it fails: a full disk's message does not. */
+    /** Names the file where writing it fails: a full disk's message does not, nor does a full memory's. */
     private static void write(Path file, Content content) throws IOException {
         try {
             content.writeTo(file);
         } catch (SceneFormatException e) {
             throw e;
+        } catch (OutOfMemoryError e) {
+            throw Failure.failed(file + ": expected to be written, got " + Outcome.line(e), e);
         } catch (IOException e) {
             throw Failure.file(file, "expected to be written, got " + FileChecks.reason(e), e);
         }

@@ -59,34 +59,40 @@ public final class RadiosityRenderer {
     /** Figure 7 of the paper, from top to bottom; {@link Calculation} is the middle. */
     private void render(SaveBeforeExit ending) throws IOException {
         files.check();
-        Scene scene = SurfaceMaps.read(
-                LightWaveReader.read(options.input(), options.scene.lightWave(), warnings::print), options.scene.srgb, warnings::accept);
-        SavedCalculation saved = saved();
-        RadiositySettings settings = settings(scene, saved);
-        check(scene, settings);
-        if (options.calculation.time == null) {
-            calculate(scene, settings, saved, ending);
-        } else {
-            calculate(scene, settings, options.calculation.time, ending);
+        if (options.calculation.time != null) {
+            Scene scene = scene();
+            calculate(scene, checked(scene, null), options.calculation.time, ending);
+            return;
+        }
+        try (JournalClaim claim = JournalClaim.of(Journal.of(options.output()))) {
+            Scene scene = scene();
+            SavedCalculation saved = saved();
+            calculate(scene, checked(scene, saved), saved, claim, ending);
         }
     }
 
+    private Scene scene() throws IOException {
+        return SurfaceMaps.read(LightWaveReader.read(options.input(), options.scene.lightWave(), warnings::print),
+                options.scene.srgb, warnings::accept);
+    }
+
     /** To the end, or until it is stopped. */
-    private void calculate(Scene scene, RadiositySettings settings, SavedCalculation saved, SaveBeforeExit ending)
-            throws IOException {
+    private void calculate(Scene scene, RadiositySettings settings, SavedCalculation before, JournalClaim claim,
+                           SaveBeforeExit ending) throws IOException {
         Journal journal;
         Calculated result;
         try (Conversation user = conversation(new StopRuleCourse(Calculation.stopRule(options), System::nanoTime))) {
-            journal = new Journal(options.output(), settings, user::message, System::nanoTime);
+            journal = new Journal(claim, settings, user::message, System::nanoTime);
             result = new Calculation(options, scene, files, warnings, user).run(settings, radiosity -> {
-                if (!journal.resume(radiosity) && saved != null) {
-                    radiosity.resume(saved.state());
+                if (!journal.resume(radiosity) && before != null) {
+                    radiosity.resume(before.state());
                 }
                 ending.begin();
             }, Optional.of(journal), () -> !stop.made());
         }
-        files.saveScene(result.solution(), settings, result.certificate());
-        finish(result, Optional.empty());
+        Failures failures = new Failures();
+        boolean saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
+        finish(result, Optional.empty(), saved, failures);
         journal.delete();
     }
 
@@ -103,7 +109,7 @@ public final class RadiosityRenderer {
             result = timed.run();
             told = timed.told();
         }
-        finish(result, Optional.of(told));
+        finish(result, Optional.of(told), true, new Failures());
     }
 
     private Conversation conversation(Course course) {
@@ -118,6 +124,13 @@ public final class RadiosityRenderer {
         SavedCalculation saved = SavedCalculation.read(options.file.resume.file());
         saved.checkShots(options.file.resume.shots());
         return saved;
+    }
+
+    /** The settings, with which the scene can be calculated. */
+    private RadiositySettings checked(Scene scene, SavedCalculation saved) {
+        RadiositySettings settings = settings(scene, saved);
+        check(scene, settings);
+        return settings;
     }
 
     private RadiositySettings settings(Scene scene, SavedCalculation saved) {
@@ -140,11 +153,18 @@ public final class RadiosityRenderer {
         checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
     }
 
-    /** What the user gets beside the scene file. */
-    private void finish(Calculated result, Optional<String> inTime) throws IOException {
+    /**
+     * What the user gets beside the scene file.
+     *
+     * @param saved whether the scene file was saved
+     */
+    private void finish(Calculated result, Optional<String> inTime, boolean saved, Failures failures) {
         Summary summary = new Summary(result, inTime, ProcessTime.seconds());
-        summary.print(System.out);
-        files.saveRest(result.solution(), summary);
+        if (saved) {
+            summary.print(System.out);
+        }
+        files.saveRest(result.solution(), summary, failures);
+        failures.check();
         if (options.statistics) {
             result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
         }

@@ -13,7 +13,7 @@ import radiosity.world.Solution;
 /**
  * What happens after every round: progress, journal, files of {@code -si} and {@code -sn}, and whether to go on.
  *
- * <p>A file that cannot be written now is told and does not end the calculation.
+ * <p>A file that cannot be written now, for want of disk or memory, gives a message and does not end the calculation.
  */
 final class Rounds implements RoundListener {
 
@@ -47,10 +47,10 @@ final class Rounds implements RoundListener {
         display.show(progress);
         try {
             if (journal.isPresent()) {
-                journal.get().keep(radiosity);
+                journal.get().keep(radiosity::state);
             }
             save(passed(when.saveInterval, progress.shots()), passed(snapshots, progress.shots()));
-        } catch (Failure | IOException e) {
+        } catch (Failure | IOException | OutOfMemoryError e) {
             display.message(Outcome.line(e));
         }
         before = progress.shots();

@@ -11,9 +11,12 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -25,6 +28,7 @@ import javax.imageio.ImageIO;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import radiosity.output.LitScene;
+import radiosity.output.WholeFile;
 
 /** A window in which one walks through a scene (appendix C.4 of the paper). */
 public final class Walkthrough {
@@ -96,8 +100,7 @@ public final class Walkthrough {
         Walkthrough walkthrough = open(scene, settings);
         try {
             if (settings.screenshot().isPresent()) {
-                BufferedImage image = walkthrough.screenshot();
-                ImageIO.write(image, "png", settings.screenshot().get().toFile());
+                write(walkthrough.screenshot(), settings.screenshot().get());
             } else {
                 walkthrough.closed.await();
             }
@@ -105,6 +108,21 @@ public final class Walkthrough {
             Thread.currentThread().interrupt();
         } finally {
             walkthrough.close();
+        }
+    }
+
+    /** Names the file where writing it fails: a full disk's message does not. */
+    private static void write(BufferedImage image, Path file) throws IOException {
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", png);
+        try {
+            WholeFile.write(file, png.toByteArray());
+        } catch (FileSystemException e) {
+            throw e;
+        } catch (IOException e) {
+            FileSystemException named = new FileSystemException(file.toString(), null, e.getMessage());
+            named.initCause(e);
+            throw named;
         }
     }
 

@@ -106,4 +106,34 @@ class FileChecksTest {
             assertEquals(1, files.count());
         }
     }
+
+    @Test
+    void outputInPlaceOfAFileThatTheProgramWritesBesides_isExitCode2() throws IOException {
+        Path scene = directory.resolve("b.scene");
+        checks.reserve(directory.resolve("b.scene.journal"), "the journal of " + scene);
+        checks.reserveSnapshots(scene);
+        fails(ExitCode.COMMAND_LINE, "got the journal of " + scene, () -> checks.output(directory.resolve("b.scene.journal")));
+        fails(ExitCode.COMMAND_LINE, "got a snapshot (-sn) of " + scene,
+                () -> checks.output(directory.resolve("./b.scene-20.jpg")));
+        assertDoesNotThrow(() -> checks.output(directory.resolve("c.scene-20.jpg")));
+    }
+
+    @Test
+    void journalInPlaceOfAnInput_isExitCode2() throws IOException {
+        Path input = written("b.scene.journal", "LWSC");
+        checks.input(input);
+        fails(ExitCode.COMMAND_LINE, "got the same file as " + input, () -> checks.reserve(input, "the journal of b.scene"));
+    }
+
+    @Test
+    void linkToNoFileYet_isTheFileThatItWillMake() throws IOException {
+        Path link = Files.createSymbolicLink(directory.resolve("link.png"), Path.of("target.png"));
+        checks.output(link);
+        fails(ExitCode.COMMAND_LINE, "expected a file of its own for each output, got one twice",
+                () -> checks.output(directory.resolve("target.png")));
+        Path elsewhere = Files.createSymbolicLink(directory.resolve("elsewhere.png"), Path.of("none/target.png"));
+        fails(ExitCode.FILE, "expected a directory that can be written, got none", () -> checks.output(elsewhere));
+        Path circle = Files.createSymbolicLink(directory.resolve("circle.png"), Path.of("circle.png"));
+        fails(ExitCode.FILE, "got a circle of symbolic links", () -> checks.output(circle));
+    }
 }

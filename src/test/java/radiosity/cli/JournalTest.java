@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -18,6 +20,7 @@ import radiosity.scene.Scene;
 import radiosity.world.LocalWorld;
 import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
+import radiosity.world.SavedState;
 import radiosity.world.Schedule;
 import radiosity.world.Solution;
 import radiosity.world.StopRule;
@@ -34,6 +37,8 @@ class JournalTest {
 
     @TempDir
     Path directory;
+
+    private JournalClaim claim;
 
     private static RadiositySettings settings(Schedule schedule) {
         return new RadiositySettings(SCENE.area() / 120, 1, Double.POSITIVE_INFINITY, schedule, 0.3, 2e-3);
@@ -53,7 +58,7 @@ class JournalTest {
         List<byte[]> journals = new ArrayList<>();
         // between two looks of one call nothing passes, so that writing costs nothing by this clock
         AtomicLong clock = new AtomicLong();
-        Journal journal = new Journal(output(), settings(schedule), line -> { }, clock::get);
+        Journal journal = new Journal(claim(), settings(schedule), line -> { }, clock::get);
         ProgressiveRadiosity watched = radiosity(schedule);
         watched.run(progress -> {
             clock.addAndGet(HOUR);
@@ -74,7 +79,7 @@ class JournalTest {
     @ParameterizedTest
     @EnumSource(value = Schedule.class, names = "PAPER")
     void clockThatStands_writesNoJournal(Schedule schedule) throws IOException {
-        Journal journal = new Journal(output(), settings(schedule), line -> { }, () -> 0);
+        Journal journal = new Journal(claim(), settings(schedule), line -> { }, () -> 0);
         ProgressiveRadiosity watched = radiosity(schedule);
         watched.run(progress -> {
             assertEquals(0, kept(journal, watched).length);
@@ -82,8 +87,30 @@ class JournalTest {
         });
     }
 
-    private Path output() {
-        return directory.resolve("foobar.scene");
+    @Test
+    void stateThatDoesNotFitIntoMemory_isAWarningAndNoMore() throws IOException {
+        List<String> notices = new ArrayList<>();
+        Journal journal = new Journal(claim(), RadiositySettings.defaults(), notices::add, () -> 0);
+        Journal.Source tooLarge = () -> {
+            throw new OutOfMemoryError("Java heap space");
+        };
+        journal.keepNow(tooLarge);
+        journal.keepNow(tooLarge);
+        assertEquals(1, notices.size(), notices.toString());
+        assertTrue(notices.get(0).startsWith("warning: " + file() + ": expected to be written, got memory: "),
+                notices.toString());
+        journal.keepNow(() -> SavedState.of(List.of(new byte[10])));
+        assertTrue(Files.exists(file()));
+    }
+
+    @AfterEach
+    void endClaim() throws IOException {
+        claim.close();
+    }
+
+    private JournalClaim claim() throws IOException {
+        claim = JournalClaim.of(file());
+        return claim;
     }
 
     private Path file() {
@@ -93,7 +120,7 @@ class JournalTest {
     /** What the journal holds then; nothing where there is none. */
     private byte[] kept(Journal journal, ProgressiveRadiosity radiosity) {
         try {
-            journal.keep(radiosity);
+            journal.keep(radiosity::state);
             return Files.exists(file()) ? Files.readAllBytes(file()) : new byte[0];
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -282,4 +282,22 @@ class RenderTest {
                     scene.extras().get("commandLine"));
         }
     }
+
+    @Test
+    void outputsThatWouldOverwriteEachOther_areExitCode2BeforeAnyWork() {
+        Path journal = directory.resolve("box.scene.journal");
+        fails(ExitCode.COMMAND_LINE, journal + ": expected a file of its own for each output, got the journal of " + output,
+                render("--report", journal));
+        Path snapshot = directory.resolve("box.scene-5.jpg");
+        fails(ExitCode.COMMAND_LINE, snapshot + ": expected a file of its own for each output, got a snapshot (-sn) of "
+                + output, render("-sn", 5, "--picture", snapshot));
+        assertFalse(Files.exists(output));
+    }
+
+    @Test
+    void fileToGoOnFrom_isOverwrittenByTheSceneFileOnly() {
+        succeeds(render("-q", "-it", 10));
+        fails(ExitCode.COMMAND_LINE, output + ": expected an output that is no input, got the same file as " + output,
+                Run.of("-tf", output, 10, "--report", output, BOX, directory.resolve("more.scene")));
+    }
 }

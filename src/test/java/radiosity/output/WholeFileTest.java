@@ -54,4 +54,23 @@ class WholeFileTest extends WrittenScene {
             assertFalse(scene.meshes().isEmpty());
         }
     }
+
+    @Test
+    void symbolicLinkToNoFileYet_isFollowed() throws IOException {
+        Path directory = Files.createDirectory(folder.resolve("below"));
+        Files.createSymbolicLink(file, Path.of("second link"));
+        Files.createSymbolicLink(folder.resolve("second link"), Path.of("below/target.scene"));
+        WholeFile.write(file, new byte[3]);
+        assertTrue(Files.isSymbolicLink(file));
+        assertEquals(3, Files.size(directory.resolve("target.scene")));
+    }
+
+    @Test
+    void filesBeingWritten_areLeftAloneByOtherWrites() throws IOException {
+        WholeFile.write(file, channel -> {
+            WholeFile.write(folder.resolve("other.scene"), new byte[1]);
+            channel.write(ByteBuffer.wrap(new byte[2]));
+        });
+        assertEquals(2, Files.size(file));
+    }
 }
