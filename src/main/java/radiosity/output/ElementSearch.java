@@ -1,5 +1,6 @@
 package radiosity.output;
 
+import radiosity.patch.BoxTree;
 import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import radiosity.patch.BoxTree;
 import radiosity.world.Solution;
 
 /**
@@ -40,8 +41,9 @@ final class TJunctions {
     private final List<double[]> created = new ArrayList<>();
     private final IntStream.Builder corners = IntStream.builder();
     private final IntStream.Builder faceOf = IntStream.builder();
+    /** The points at which open edges end. */
     private final BoxTree tree;
-    /** The vertices in the tree. */
+    /** 1 per point of the tree: the vertex at it that stands for all. */
     private final int[] ends;
 
     private TJunctions(Solution solution) {
@@ -50,14 +52,18 @@ final class TJunctions {
         open = new OpenEdges(solution.corners());
         parts = new Parts(solution.vertices(), solution.corners());
         tolerance = TOLERANCE * Box.of(positions).diagonal();
-        ends = open.ends(solution.vertices());
-        double[] points = new double[3 * ends.length];
-        for (int i = 0; i < ends.length; i++) {
-            System.arraycopy(positions, 3 * ends[i], points, 3 * i, 3);
-        }
-        tree = BoxTree.ofPoints(points);
         same = new int[solution.vertices()];
-        weld();
+        weld(open.ends(solution.vertices()));
+        ends = IntStream.of(open.ends(solution.vertices())).filter(v -> same[v] == v).toArray();
+        tree = tree(ends);
+    }
+
+    private BoxTree tree(int[] vertices) {
+        double[] points = new double[3 * vertices.length];
+        for (int i = 0; i < vertices.length; i++) {
+            System.arraycopy(positions, 3 * vertices[i], points, 3 * i, 3);
+        }
+        return BoxTree.ofPoints(points);
     }
 
     /** The same light on elements that meet corner to corner; ids of vertices stay, those of elements may not. */
@@ -65,14 +71,16 @@ final class TJunctions {
         return new TJunctions(solution).closed();
     }
 
-    /** Makes open vertices that are one point but for rounding agree to the last bit. */
-    private void weld() {
+    /**
+     * Makes open vertices that are one point but for rounding agree to the last bit.
+     *
+     * @param open the vertices, ascending; not modified
+     */
+    private void weld(int[] open) {
         Arrays.setAll(same, v -> v);
-        for (int v : ends) {
-            double[] p = point(v);
-            int[] lowest = {v};
-            tree.near(p, p, tolerance, i -> lowest[0] = Math.min(lowest[0], ends[i]));
-            same[v] = same[lowest[0]];
+        BoxTree all = tree(open);
+        for (int v : open) {
+            same[v] = same[open[all.lowest(point(v), tolerance)]];
             System.arraycopy(positions, 3 * same[v], positions, 3 * v, 3);
             vertexAt.putIfAbsent(key(v, same[v]), v);
         }
@@ -116,7 +124,7 @@ final class TJunctions {
         int opposite = same[c[3 * e + (k + 2) % 3]];
         TreeMap<Double, Integer> inside = new TreeMap<>();
         tree.near(point(a), point(b), tolerance, i -> {
-            int v = same[ends[i]];
+            int v = ends[i];
             double t = along(a, b, v);
             if (v != same[a] && v != same[b] && v != opposite && t > 0 && t < 1) {
                 inside.merge(t, v, Math::min);

@@ -11,6 +11,8 @@ final class Contacts {
 
     /** What is nearer to a plane stands on it, of the scene's size. */
     private static final double TOUCH = 1e-6;
+    /** A normal along an axis of the scene has a component that differs from 1 by less. */
+    private static final double UPRIGHT = 1e-12;
     /** Shorter ones are not worth an edge in the mesh: of the root of the area of all faces. */
     private static final double LEAST_LENGTH = 1e-3;
     /** Of more, the longest are taken. */
@@ -25,6 +27,11 @@ final class Contacts {
     private final double least;
     /** 6 per triangle: low x, y, z, high x, y, z, scene units. */
     private final double[] box;
+    /** Along the axes of the scene. */
+    private final TriangleBoxes upright;
+    /** Along those of the part that is being looked at, where it has many faces. */
+    private TriangleBoxes boxes;
+    private long looks;
 
     Contacts(Faces faces, CutPoints points) {
         this.points = points;
@@ -42,6 +49,37 @@ final class Contacts {
             double r = scene.points()[3 * scene.corners()[3 * t + 2] + a];
             box[i] = i % 6 < 3 ? Math.min(p, Math.min(q, r)) - touch : Math.max(p, Math.max(q, r)) + touch;
         }
+        upright = TriangleBoxes.upright(scene);
+        boxes = upright;
+    }
+
+    /**
+     * Prepares for the faces of a part. Where these are many and their plane is oblique, boxes along the plane tell what
+     * lies in it from what stands on it; boxes along the axes of the scene do not.
+     */
+    void begin(List<Integer> part) {
+        boxes = upright;
+        Vec3 n = faces.exactNormal(part.stream().max(Comparator.comparingDouble(faces::area)).orElseThrow());
+        boolean isUpright = Math.max(Math.abs(n.x()), Math.max(Math.abs(n.y()), Math.abs(n.z()))) > 1 - UPRIGHT;
+        if (!isUpright && (double) part.size() * part.size() > scene.triangles()) {
+            boxes = TriangleBoxes.along(scene, boxes.reaching(around(part), 0, 2 * touch), n);
+        }
+    }
+
+    /** Low x, y, z, high x, y, z. */
+    private double[] around(List<Integer> part) {
+        double[] around = new double[6];
+        for (int a = 0; a < 3; a++) {
+            int axis = a;
+            around[a] = part.stream().mapToDouble(f -> box[6 * faces.triangle(f) + axis]).min().orElseThrow();
+            around[3 + a] = part.stream().mapToDouble(f -> box[6 * faces.triangle(f) + 3 + axis]).max().orElseThrow();
+        }
+        return around;
+    }
+
+    /** Boxes that were looked at for triangles that reach into them, for tests. */
+    long looks() {
+        return looks;
     }
 
     /** Those on one face; what touches only its border is among them. */
@@ -50,7 +88,10 @@ final class Contacts {
         int own = faces.triangle(face);
         Vec3 n = faces.exactNormal(face);
         Vec3 origin = faces.sceneCorner(face, 0);
-        for (int t = 0; t < scene.triangles(); t++) {
+        long before = boxes.looks();
+        int[] near = boxes.reaching(box, 6 * own, 2 * touch, origin, n);
+        looks += boxes.looks() - before;
+        for (int t : near) {
             if (t != own && overlap(own, t)) {
                 Contact contact = contact(t, origin, n);
                 if (contact != null && contact.length() > least) {

@@ -25,7 +25,9 @@ final class CutMesh {
     private final CutPoints points;
     private final double near;
     private final int most;
-    private final List<CutPolygon> polygons = new ArrayList<>();
+    /** By face: its polygons in the order in which they were made. */
+    private final Map<Integer, List<CutPolygon>> polygons = new HashMap<>();
+    private int count;
     /** By an edge, which runs counter-clockwise about it. */
     private final Map<Long, CutPolygon> beside = new HashMap<>();
 
@@ -46,7 +48,8 @@ final class CutMesh {
     }
 
     private void add(CutPolygon p) {
-        polygons.add(p);
+        polygons.computeIfAbsent(p.face, none -> new ArrayList<>(1)).add(p);
+        count++;
         for (int i = 0; i < p.loop.length; i++) {
             beside.put(key(p.loop[i], p.after(i)), p);
         }
@@ -56,8 +59,9 @@ final class CutMesh {
         return (long) from << 32 | to;
     }
 
-    List<CutPolygon> polygons() {
-        return polygons;
+    /** Those of one face. */
+    List<CutPolygon> polygons(int face) {
+        return polygons.get(face);
     }
 
     /*---- Triangles in four ----*/
@@ -69,10 +73,12 @@ final class CutMesh {
 
     /** Those made on the way are looked at too. */
     private void each(int face, Predicate<CutPolygon> wanted, Consumer<CutPolygon> todo) {
-        for (int i = 0; i < polygons.size() && polygons.size() <= most; i++) {
-            CutPolygon p = polygons.get(i);
-            if (p.face == face && wanted.test(p)) {
-                polygons.remove(i--);
+        List<CutPolygon> some = polygons.get(face);
+        for (int i = 0; i < some.size() && count <= most; i++) {
+            CutPolygon p = some.get(i);
+            if (wanted.test(p)) {
+                some.remove(i--);
+                count--;
                 todo.accept(p);
             }
         }
@@ -137,10 +143,8 @@ final class CutMesh {
     void pin(int face, Contact contact) {
         for (int i = 0; i < 2; i++) {
             Vec3 end = i == 0 ? contact.from() : contact.to();
-            for (CutPolygon p : polygons) {
-                if (p.face == face) {
-                    pin(p, contact, end);
-                }
+            for (CutPolygon p : polygons.get(face)) {
+                pin(p, contact, end);
             }
         }
     }

@@ -26,7 +26,7 @@ final class Cutting {
     private static final int MOST = 20_000;
 
     private final Faces faces;
-    private final Contacts contacts;
+    final Contacts contacts;
     final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
     final Map<Integer, List<int[]>> pieces = new HashMap<>();
@@ -75,6 +75,7 @@ final class Cutting {
     private void cut(List<Integer> part) {
         Map<Integer, List<Contact>> on = new TreeMap<>();
         CutMesh mesh = new CutMesh(faces, points, MOST);
+        contacts.begin(part);
         for (int f : part) {
             on.put(f, contacts.on(f));
             mesh.add(f);
@@ -82,9 +83,11 @@ final class Cutting {
         on.forEach((f, some) -> some.forEach(contact -> mesh.refine(f, contact)));
         on.forEach((f, some) -> some.forEach(contact -> mesh.cut(f, contact)));
         on.forEach((f, some) -> some.forEach(contact -> mesh.pin(f, contact)));
-        for (CutPolygon polygon : mesh.polygons()) {
-            take(polygon);
-            mark(polygon, on.get(polygon.face));
+        for (int f : part) {
+            for (CutPolygon polygon : mesh.polygons(f)) {
+                take(polygon);
+                mark(polygon, on.get(f));
+            }
         }
         part.forEach(this::leaveWhole);
         count += part.stream().filter(pieces::containsKey).mapToInt(f -> pieces.get(f).size()).sum();

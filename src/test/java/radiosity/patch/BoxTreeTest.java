@@ -1,4 +1,4 @@
-package radiosity.output;
+package radiosity.patch;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -23,8 +23,11 @@ class BoxTreeTest {
 
     private static double distance(double[] a, double[] b, double[] p) {
         Vec3 start = new Vec3(a[0], a[1], a[2]);
-        Vec3 end = new Vec3(b[0], b[1], b[2]);
-        return new Nearest(start, end, end, new Vec3(p[0], p[1], p[2])).distance();
+        Vec3 along = new Vec3(b[0], b[1], b[2]).minus(start);
+        Vec3 to = new Vec3(p[0], p[1], p[2]).minus(start);
+        double square = along.dot(along);
+        double t = square > 0 ? Math.max(0, Math.min(1, along.dot(to) / square)) : 0;
+        return to.minus(along.times(t)).length();
     }
 
     @Test
@@ -57,6 +60,27 @@ class BoxTreeTest {
     void equalPoints_areAllFound() {
         double[] p = {0, 0, 0};
         assertEquals(1000, near(BoxTree.ofPoints(new double[3000]), p, p, 0).size());
+    }
+
+    @Test
+    void lowestNearAPoint_isTheLowestOfAllThere() {
+        Random random = new Random(2);
+        double[] points = random.doubles(3000).map(x -> Math.rint(4 * x) / 4).toArray();
+        BoxTree tree = BoxTree.ofPoints(points);
+        for (int query = 0; query < 200; query++) {
+            double[] p = random.doubles(3).map(x -> 1.5 * x).toArray();
+            assertEquals(near(tree, p, p, .1).stream().min(Integer::compare).orElse(-1), tree.lowest(p, .1));
+        }
+        assertEquals(-1, new BoxTree(new double[0]).lowest(new double[3], 1));
+    }
+
+    @Test
+    void lowestOfManyEqualPoints_isFoundWithoutLookingAtAll() {
+        int[] looks = new int[1];
+        BoxTree tree = BoxTree.ofPoints(new double[30_000]);
+        assertEquals(0, tree.lowest(new double[3], 0));
+        assertTrue(tree.any((boxes, at) -> ++looks[0] > 0, i -> true));
+        assertTrue(looks[0] < 50, "looks: " + looks[0]);
     }
 
     @Test

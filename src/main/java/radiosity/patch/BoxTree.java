@@ -1,13 +1,14 @@
-package radiosity.output;
+package radiosity.patch;
 
 import java.util.function.IntConsumer;
+import java.util.function.IntPredicate;
 
 /**
- * Boxes sorted into a balanced binary tree: which of them come near a segment.
+ * Boxes sorted into a balanced binary tree: which of them come near a segment or reach into a region.
  *
  * <p>In double, because what it finds decides which values are written. The same boxes give the same tree.
  */
-final class BoxTree {
+public final class BoxTree {
 
     private static final int LEAF = 8;
 
@@ -16,9 +17,22 @@ final class BoxTree {
     private final int[] order;
     /** 6 per node, as {@link #boxes}; the children of node i are 2i + 1 and 2i + 2. */
     private final double[] bounds;
+    /** 1 per node: the lowest number of a box below it. */
+    private final int[] lowest;
+
+    /** Where boxes are searched for. */
+    interface Region {
+
+        /**
+         * Whether a box may reach into the region; a box that holds one which does reaches into it too.
+         *
+         * @param boxes low x, y, z and high x, y, z, 6 from {@code at}; not modified
+         */
+        boolean meets(double[] boxes, int at);
+    }
 
     /** @param boxes low x, y, z and high x, y, z, 6 per box; not modified, kept */
-    BoxTree(double[] boxes) {
+    public BoxTree(double[] boxes) {
         this.boxes = boxes;
         int n = boxes.length / 6;
         order = new int[n];
@@ -26,6 +40,7 @@ final class BoxTree {
             order[i] = i;
         }
         bounds = new double[6 * nodesAbove(n)];
+        lowest = new int[nodesAbove(n)];
         if (n > 0) {
             build(0, 0, n);
         }
@@ -36,7 +51,7 @@ final class BoxTree {
      *
      * @param points x, y, z, 3 per point; not modified, not kept
      */
-    static BoxTree ofPoints(double[] points) {
+    public static BoxTree ofPoints(double[] points) {
         double[] boxes = new double[2 * points.length];
         for (int i = 0; i < points.length / 3; i++) {
             System.arraycopy(points, 3 * i, boxes, 6 * i, 3);
@@ -64,6 +79,10 @@ final class BoxTree {
     }
 
     private void bound(int node, int from, int to) {
+        lowest[node] = Integer.MAX_VALUE;
+        for (int i = from; i < to; i++) {
+            lowest[node] = Math.min(lowest[node], order[i]);
+        }
         for (int a = 0; a < 3; a++) {
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
@@ -134,7 +153,7 @@ final class BoxTree {
      * @param near  distance along each axis
      * @param found is given the boxes' numbers, in no order that means anything
      */
-    void near(double[] a, double[] b, double near, IntConsumer found) {
+    public void near(double[] a, double[] b, double near, IntConsumer found) {
         if (order.length > 0) {
             double[] segment = new double[6];
             for (int i = 0; i < 3; i++) {
@@ -160,6 +179,68 @@ final class BoxTree {
                 found.accept(order[i]);
             }
         }
+    }
+
+    /**
+     * The lowest number of a box that a point comes near, or -1. However many boxes are near, few of them are looked at.
+     *
+     * @param p    3 coordinates; not modified
+     * @param near distance along each axis
+     */
+    public int lowest(double[] p, double near) {
+        double[] segment = {p[0], p[1], p[2], 0, 0, 0};
+        int found = order.length == 0 ? Integer.MAX_VALUE : lowest(0, 0, order.length, segment, near, Integer.MAX_VALUE);
+        return found == Integer.MAX_VALUE ? -1 : found;
+    }
+
+    /** @return the lowest number below a node that is near and lower than {@code best}, or {@code best} */
+    private int lowest(int node, int from, int to, double[] segment, double near, int best) {
+        if (lowest[node] >= best || apart(bounds, 6 * node, segment, near)) {
+            return best;
+        }
+        int found = best;
+        if (to - from > LEAF) {
+            int middle = (from + to + 1) >>> 1;
+            int one = 2 * node + 1;
+            int other = 2 * node + 2;
+            if (lowest[one] < lowest[other]) {
+                found = lowest(one, from, middle, segment, near, found);
+                return lowest(other, middle, to, segment, near, found);
+            }
+            found = lowest(other, middle, to, segment, near, found);
+            return lowest(one, from, middle, segment, near, found);
+        }
+        for (int i = from; i < to; i++) {
+            if (order[i] < found && !apart(boxes, 6 * order[i], segment, near)) {
+                found = order[i];
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Whether one of the boxes that meet a region is wanted.
+     *
+     * @param wanted is given the boxes' numbers, in no order that means anything, until it wants one
+     */
+    boolean any(Region region, IntPredicate wanted) {
+        return order.length > 0 && any(0, 0, order.length, region, wanted);
+    }
+
+    private boolean any(int node, int from, int to, Region region, IntPredicate wanted) {
+        if (!region.meets(bounds, 6 * node)) {
+            return false;
+        }
+        if (to - from > LEAF) {
+            int middle = (from + to + 1) >>> 1;
+            return any(2 * node + 1, from, middle, region, wanted) || any(2 * node + 2, middle, to, region, wanted);
+        }
+        for (int i = from; i < to; i++) {
+            if (region.meets(boxes, 6 * order[i]) && wanted.test(order[i])) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The six axes of a segment and a box: C. Ericson, Real-Time Collision Detection, 2005, 5.3.3. */
