@@ -128,6 +128,7 @@ final class Calculation {
             warnings.accept(scene.name() + ": expected triangles large enough to radiate, got " + world.droppedTriangles()
                     + " that are not; they only block light");
         }
+        SceneChecks.sizes(world.patches(), world.channels(), world.settings().layers() ? scene.lamps().size() : 0);
         Schedule schedule = world.settings().schedule();
         if (schedule.isForSmallScenes() && world.patches() > Schedule.MOST_PATCHES) {
             throw Failure.commandLine("--schedule " + schedule.name().toLowerCase(Locale.ROOT), "expected at most "

@@ -3,6 +3,7 @@ package radiosity.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.TooLargeException;
 import radiosity.world.NoNumberException;
 import radiosity.world.NoWorkerException;
 
@@ -42,7 +43,7 @@ final class Outcome {
             return outOfMemory();
         }
         if (error instanceof Failure || error instanceof SceneFormatException || error instanceof NoWorkerException
-                || error instanceof NoNumberException) {
+                || error instanceof NoNumberException || error instanceof TooLargeException) {
             return error.getMessage();
         }
         if (error instanceof java.nio.file.FileSystemException problem) {

@@ -57,6 +57,11 @@ final class PictureOptions {
                 camera.verticalHalfAngle(), (double) size.width() / size.height());
     }
 
+    /** Whether any picture is to be made. */
+    boolean isWanted() {
+        return !pictures.isEmpty() || snapshotInterval != null;
+    }
+
     /** Pixels. */
     int width() {
         return size == null ? USUAL_WIDTH : size.width();

@@ -150,7 +150,12 @@ public final class RadiosityRenderer {
         if (options.textures != null) {
             checks.textures(options.textures);
         }
+        int layers = settings.layers() ? scene.lamps().size() : 0;
+        SceneChecks.sizes(checks.patches(settings.patchArea()), Math.max(1, layers), layers);
         checks.elements(settings.patchArea(), Runtime.getRuntime().maxMemory());
+        if (options.picture.isWanted() && options.picture.size == null) {
+            checks.pictures(options.picture.width());
+        }
     }
 
     /**

@@ -3,6 +3,8 @@ package radiosity.cli;
 import java.util.Locale;
 import java.util.function.Consumer;
 import radiosity.output.SceneFile;
+import radiosity.output.Snapshot;
+import radiosity.scene.ArraySize;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.world.RadiositySettings;
@@ -15,6 +17,8 @@ final class SceneChecks {
     static final long MANY = 10_000_000;
     /** An element takes more than this, bytes. */
     private static final double LEAST_BYTES = 128;
+    /** Numbers per vertex in the longest array of pictures and points: 6 per element. */
+    private static final int LARGEST_PER_VERTEX = 12;
 
     private final Scene scene;
     private final Consumer<String> warnings;
@@ -78,7 +82,7 @@ final class SceneChecks {
      * @param memory    bytes
      */
     void elements(double patchArea, long memory) {
-        double count = patchArea > 0 ? leastElements(patchArea) : 0;
+        double count = patches(patchArea);
         if (count * LEAST_BYTES > memory) {
             throw Failure.commandLine("-pa", String.format(Locale.ROOT,
                     "expected elements that fit %,d MiB of memory, got %,.0f or more, which need %,.0f MiB (JAVA_OPTS=-Xmx...)",
@@ -88,6 +92,49 @@ final class SceneChecks {
             warnings.accept(String.format(Locale.ROOT,
                     "-pa: expected a patch area that gives at most %,d elements, got %,.0f or more", MANY, count));
         }
+    }
+
+    /**
+     * Fails where the initial mesh alone has more light than an array holds, or more than a scene file does.
+     *
+     * @param patches  of the initial mesh; a plane mesh of n elements has more than n / 2 vertices
+     * @param channels in which light is computed
+     * @param layers   lamps whose light is kept apart, or 0
+     */
+    static void sizes(double patches, int channels, int layers) {
+        double vertices = patches / 2;
+        double most = 2.0 * ArraySize.MOST / Math.max(LARGEST_PER_VERTEX, channels);
+        if (patches > most) {
+            throw Failure.commandLine("-pa", String.format(Locale.ROOT,
+                    "expected at most %,.0f patches in %d channels, whose light fits an array, got %,.0f; give a larger -pa",
+                    most, channels, patches));
+        }
+        double bytes = SceneFile.BYTES_PER_ELEMENT * patches
+                + (SceneFile.BYTES_PER_VERTEX + (double) SceneFile.BYTES_PER_LAYER * layers) * vertices;
+        if (bytes > SceneFile.MOST_BYTES) {
+            throw Failure.commandLine("-pa", String.format(Locale.ROOT,
+                    "expected patches whose scene file is at most %,d bytes, the limit of glTF, got %,.0f patches, which need"
+                            + " %,.0f bytes or more; give a larger -pa", SceneFile.MOST_BYTES, patches, bytes));
+        }
+    }
+
+    /**
+     * Fails where pictures would be too high for the width that they have.
+     *
+     * @param width of pictures in pixels
+     */
+    void pictures(int width) {
+        long height = scene.camera().map(camera -> Snapshot.height(camera, width)).orElse(1L);
+        if (height > PictureSize.MOST) {
+            throw Failure.commandLine("--size", "expected pictures of at most " + PictureSize.MOST
+                    + " pixels along an edge, got " + width + "x" + height + " by the camera of " + scene.name()
+                    + "; give a size");
+        }
+    }
+
+    /** Least number of elements that a patch area gives; 0 where it is chosen from the scene. */
+    double patches(double patchArea) {
+        return patchArea > 0 ? leastElements(patchArea) : 0;
     }
 
     /** A triangle of k times the patch area gives k elements or more. */

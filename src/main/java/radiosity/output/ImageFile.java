@@ -2,6 +2,10 @@ package radiosity.output;
 
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -10,21 +14,51 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import radiosity.scene.Srgb;
 
-/** An image as its file has it, values from 0 to 1. */
+/**
+ * An image with the values that its file has, whatever their type: whole numbers as parts of the largest that they can
+ * be, floats as they are. Colours are those that stand under transparency. Colour profiles are not applied: only models
+ * other than grey and red, green, blue (CMYK, CIE Lab) are converted.
+ */
 final class ImageFile {
 
     /** A larger image is not read: a small crafted file may say that it is of any size. */
-    private static final long MOST_PIXELS = 1L << 26;
+    static final long MOST_PIXELS = 1L << 26;
 
     private final BufferedImage image;
+    private final Raster samples;
+    private final ColorModel model;
+    /** Whether the samples are the values: not where they are numbers of colours, or of another colour model. */
+    private final boolean direct;
     private final boolean grey;
-    private final double most;
 
-    private ImageFile(BufferedImage image) {
+    /** @throws IOException where the image has values that are no numbers */
+    ImageFile(BufferedImage image) throws IOException {
         this.image = image;
+        samples = image.getRaster();
+        model = image.getColorModel();
+        int space = model.getColorSpace().getType();
         // the colours that Java makes of grey are brighter than the file's values
-        grey = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
-        most = (1L << image.getColorModel().getComponentSize(0)) - 1;
+        grey = space == ColorSpace.TYPE_GRAY;
+        direct = (grey || space == ColorSpace.TYPE_RGB) && !(model instanceof IndexColorModel);
+        if (isFloating()) {
+            requireNumbers();
+        }
+    }
+
+    private boolean isFloating() {
+        return model.getTransferType() == DataBuffer.TYPE_FLOAT || model.getTransferType() == DataBuffer.TYPE_DOUBLE;
+    }
+
+    private void requireNumbers() throws IOException {
+        double[] row = null;
+        for (int y = 0; y < image.getHeight(); y++) {
+            row = samples.getPixels(0, y, image.getWidth(), 1, row);
+            for (double value : row) {
+                if (!Double.isFinite((float) value)) {
+                    throw new IOException("one with values that are no numbers");
+                }
+            }
+        }
     }
 
     /** @throws IOException with a reason for the user if it cannot be read */
@@ -64,8 +98,26 @@ final class ImageFile {
     }
 
     private double value(int x, int y, int channel, boolean srgb) {
-        double code = grey ? image.getRaster().getSample(x, y, 0) / most
+        double code = direct ? uncovered(x, y, grey ? 0 : channel)
                 : (image.getRGB(x, y) >> 16 - 8 * channel & 0xFF) / 255.0;
         return srgb ? Srgb.linear(code) : code;
+    }
+
+    /** The value of a band, which may have been multiplied by that of the last one: its alpha. */
+    private double uncovered(int x, int y, int band) {
+        double value = sample(x, y, band);
+        double alpha = model.isAlphaPremultiplied() && model.hasAlpha() ? sample(x, y, model.getNumComponents() - 1) : 1;
+        return alpha > 0 ? value / alpha : 0;
+    }
+
+    private double sample(int x, int y, int band) {
+        if (isFloating()) {
+            return samples.getSampleDouble(x, y, band);
+        }
+        if (model.getTransferType() == DataBuffer.TYPE_SHORT) {
+            return Math.max(0, samples.getSample(x, y, band)) / (double) Short.MAX_VALUE;
+        }
+        long largest = (1L << model.getComponentSize(band)) - 1;
+        return (samples.getSample(x, y, band) & largest) / (double) largest;
     }
 }

@@ -13,6 +13,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import radiosity.scene.ArraySize;
 import radiosity.scene.Rgb;
 
 /** What a picture can be written as. */
@@ -102,7 +103,8 @@ public enum PictureFormat {
     private static byte[] rgbe(Picture picture) {
         byte[] header = ("#?RADIANCE\n# radiosity, W/m2\nFORMAT=32-bit_rle_rgbe\n\n-Y " + picture.height() + " +X "
                 + picture.width() + "\n").getBytes(StandardCharsets.US_ASCII);
-        ByteBuffer bytes = ByteBuffer.allocate(header.length + 4 * picture.width() * picture.height()).put(header);
+        ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of a picture of " + picture.width() + "x"
+                + picture.height() + " pixels", header.length + 4L * picture.width() * picture.height())).put(header);
         float[] rgb = picture.rgb();
         for (int i = 0; i < rgb.length; i += 3) {
             float most = Math.max(rgb[i], Math.max(rgb[i + 1], rgb[i + 2]));

@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.DoubleStream;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 
@@ -25,18 +24,30 @@ final class PointList {
     private static final List<String> COLUMNS = List.of("x", "y", "z", "nx", "ny", "nz");
 
     private final String name;
-    private final DoubleStream.Builder values = DoubleStream.builder();
+    private final Taker taker;
     private int[] column = {0, 1, 2, 3, 4, 5};
     private boolean numbersSeen;
     private int line;
 
-    private PointList(String name) {
+    private PointList(String name, Taker taker) {
         this.name = name;
+        this.taker = taker;
     }
 
-    /** x, y, z, nx, ny, nz of each point, 6 per point, as they stand in the file. */
-    static double[] read(Path file) throws IOException {
-        PointList points = new PointList(file.toString());
+    /** Who takes the points, one after the other. */
+    interface Taker {
+
+        /** @param point x, y, z, nx, ny, nz */
+        void take(double[] point) throws IOException;
+    }
+
+    /**
+     * Reads any number of points, of which none is kept.
+     *
+     * @throws SceneFormatException for a line that is not six numbers with a normal, and for a file without points
+     */
+    static void read(Path file, Taker taker) throws IOException {
+        PointList points = new PointList(file.toString(), taker);
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             for (String text = reader.readLine(); text != null; text = reader.readLine()) {
                 points.add(text.replace("\ufeff", "").strip());
@@ -44,14 +55,12 @@ final class PointList {
         } catch (MalformedInputException e) {
             throw new SceneFormatException(file.toString(), "", "text", "something else");
         }
-        double[] values = points.values.build().toArray();
-        if (values.length == 0) {
+        if (!points.numbersSeen) {
             throw new SceneFormatException(file.toString(), "", "points, as x, y, z, nx, ny, nz per line", "none");
         }
-        return values;
     }
 
-    private void add(String text) throws SceneFormatException {
+    private void add(String text) throws IOException {
         line++;
         if (text.isEmpty() || text.startsWith("#")) {
             return;
@@ -65,11 +74,11 @@ final class PointList {
         double[] point = new double[6];
         for (int i = 0; i < 6; i++) {
             point[i] = number(fields, i);
-            values.add(point[i]);
         }
         if (!(new Vec3(point[3], point[4], point[5]).length() > 0)) {
             throw wrong("a normal longer than 0", text);
         }
+        taker.take(point);
     }
 
     private void header(String[] fields) throws SceneFormatException {

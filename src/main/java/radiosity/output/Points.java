@@ -1,6 +1,10 @@
 package radiosity.output;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import radiosity.patch.Faces;
@@ -34,7 +38,7 @@ public final class Points {
      * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
      */
     public static void check(Path in) throws IOException {
-        PointList.read(in);
+        PointList.read(in, point -> { });
     }
 
     /**
@@ -75,27 +79,35 @@ public final class Points {
     }
 
     /**
-     * Reads points (columns x, y, z, nx, ny, nz) and writes them with the light at each, in the same order.
+     * Reads points (columns x, y, z, nx, ny, nz) and writes them with the light at each, in the same order; any number
+     * of them, as each is written before the next is read.
      *
      * @return how many of them lie on no surface; their light is written as nan
      * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
      */
-    public int write(Path in, Path out) throws IOException {
-        double[] points = PointList.read(in);
-        StringBuilder text = new StringBuilder(HEADER);
-        int missed = 0;
-        for (int i = 0; i < points.length; i += 6) {
-            Light light = at(new Vec3(points[i], points[i + 1], points[i + 2]),
-                    new Vec3(points[i + 3], points[i + 4], points[i + 5]));
-            for (int k = 0; k < 6; k++) {
-                text.append(points[i + k]).append(',');
-            }
-            append(text, light.irradiance()).append(',');
-            append(text, light.radiosity()).append('\n');
-            missed += Double.isNaN(light.irradiance().r()) ? 1 : 0;
+    public long write(Path in, Path out) throws IOException {
+        long[] missed = {0};
+        WholeFile.write(out, channel -> {
+            Writer text = new BufferedWriter(new OutputStreamWriter(Channels.newOutputStream(channel),
+                    StandardCharsets.US_ASCII));
+            text.write(HEADER);
+            PointList.read(in, point -> {
+                Light light = at(new Vec3(point[0], point[1], point[2]), new Vec3(point[3], point[4], point[5]));
+                text.append(line(point, light));
+                missed[0] += Double.isNaN(light.irradiance().r()) ? 1 : 0;
+            });
+            text.flush();
+        });
+        return missed[0];
+    }
+
+    private static StringBuilder line(double[] point, Light light) {
+        StringBuilder line = new StringBuilder();
+        for (double x : point) {
+            line.append(x).append(',');
         }
-        WholeFile.write(out, text.toString().getBytes(StandardCharsets.US_ASCII));
-        return missed;
+        append(line, light.irradiance()).append(',');
+        return append(line, light.radiosity()).append('\n');
     }
 
     private static StringBuilder append(StringBuilder text, Rgb light) {

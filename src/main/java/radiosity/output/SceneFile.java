@@ -28,6 +28,14 @@ public final class SceneFile implements Closeable {
 
     /** Written into every file; one with a higher number is refused. */
     public static final int FORMAT_VERSION = 1;
+    /** What a file can be long. */
+    public static final long MOST_BYTES = GlbWriter.MOST;
+    /** Three corners. */
+    public static final int BYTES_PER_ELEMENT = 12;
+    /** Position, normal, irradiance, radiosity and colour. */
+    public static final int BYTES_PER_VERTEX = 56;
+    /** Irradiance that is one lamp's, per vertex. */
+    public static final int BYTES_PER_LAYER = 12;
     /** Texels of a texture along an axis: what OpenGL of any age can show. */
     public static final int LARGEST_TEXTURE = 8192;
     /** Positions count from the middle of the scene where it lies more than this times its size from the origin. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import radiosity.scene.ArraySize;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
@@ -69,11 +70,17 @@ public final class Snapshot {
         format.write(file, take(solution, camera, width, mapped ? toneMapping::map : UnaryOperator.identity()));
     }
 
+    /** Height of a picture of this width in pixels, at least 1. */
+    public static long height(Camera camera, int width) {
+        return Math.max(1, Math.round(width / camera.aspect()));
+    }
+
     /** @param film what becomes of the radiosity of each sample before a pixel's samples are averaged */
     static Picture take(Solution solution, Camera camera, int width, UnaryOperator<Rgb> film) {
-        int height = Math.max(1, (int) Math.round(width / camera.aspect()));
+        long rows = height(camera, width);
+        float[] rgb = new float[ArraySize.of("picture of " + width + "x" + rows + " pixels", 3, width, rows)];
+        int height = (int) rows;
         Snapshot snapshot = new Snapshot(solution, camera.position());
-        float[] rgb = new float[3 * width * height];
         IntStream.range(0, height).parallel().forEach(row -> {
             for (int column = 0; column < width; column++) {
                 Rgb pixel = snapshot.pixel(camera, column, row, width, height, film);

@@ -56,7 +56,27 @@ public final class SurfaceMaps {
                 files.add(image.get());
             }
         }
-        return maps.isEmpty() ? Optional.empty() : Optional.of(raster(maps, files, base, most));
+        return maps.isEmpty() || isTooLarge(surface, files) ? Optional.empty()
+                : Optional.of(raster(maps, files, base, most));
+    }
+
+    /** Images of one quantity are brought to one size, which may have far more pixels than any of them. */
+    private boolean isTooLarge(Surface surface, List<ImageFile> files) {
+        long pixels = (long) width(files) * height(files);
+        if (pixels > ImageFile.MOST_PIXELS) {
+            warnings.accept("surface " + surface.name() + ": expected images that together are at most "
+                    + ImageFile.MOST_PIXELS + " pixels, got " + width(files) + "x" + height(files)
+                    + "; the base colour is taken");
+        }
+        return pixels > ImageFile.MOST_PIXELS;
+    }
+
+    private static int width(List<ImageFile> files) {
+        return files.stream().mapToInt(ImageFile::width).max().orElseThrow();
+    }
+
+    private static int height(List<ImageFile> files) {
+        return files.stream().mapToInt(ImageFile::height).max().orElseThrow();
     }
 
     private Optional<ImageFile> image(String path) {
@@ -72,8 +92,8 @@ public final class SurfaceMaps {
 
     /** As large as the largest of the images. */
     private Raster raster(List<ImageMap> maps, List<ImageFile> files, Rgb base, double most) {
-        int width = files.stream().mapToInt(ImageFile::width).max().orElseThrow();
-        int height = files.stream().mapToInt(ImageFile::height).max().orElseThrow();
+        int width = width(files);
+        int height = height(files);
         float[] rgb = new float[3 * width * height];
         for (int i = 0; i < rgb.length; i++) {
             int x = i / 3 % width;
@@ -84,7 +104,7 @@ public final class SurfaceMaps {
                 double image = file.value(x * file.width() / width, y * file.height() / height, i % 3, maps.get(m).grey(), srgb);
                 value = varied(maps.get(m), value, base.channel(i % 3), i % 3, image);
             }
-            rgb[i] = (float) Math.max(0, Math.min(most, value));
+            rgb[i] = (float) Math.max(0, Math.min(Math.min(most, Float.MAX_VALUE), value));
         }
         return new Raster(width, height, rgb, maps.get(0).wrapU(), maps.get(0).wrapV(), base);
     }

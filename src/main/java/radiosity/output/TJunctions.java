@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import radiosity.patch.BoxTree;
+import radiosity.scene.ArraySize;
 import radiosity.world.Solution;
 
 /**
@@ -106,7 +107,8 @@ final class TJunctions {
     }
 
     private double[] withCreated(double[] old, int from, int count) {
-        double[] all = Arrays.copyOf(old, old.length + count * created.size());
+        double[] all = Arrays.copyOf(old,
+                ArraySize.of("light at vertices in " + count + " channels", count, old.length / count + created.size()));
         for (int i = 0; i < created.size(); i++) {
             System.arraycopy(created.get(i), from, all, old.length + count * i, count);
         }

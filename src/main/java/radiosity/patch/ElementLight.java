@@ -1,6 +1,7 @@
 package radiosity.patch;
 
 import java.util.Arrays;
+import radiosity.scene.ArraySize;
 
 /**
  * The light on the elements of some patch trees: what has arrived at their vertices, and what they have shot.
@@ -21,12 +22,26 @@ public final class ElementLight {
         this.tree = tree;
         this.points = points;
         channels = nodes.channels();
-        shot = new double[3 * channels * tree.elements()];
+        shot = new double[size(channels, tree.elements())];
     }
 
-    /** Makes room for so many divided elements more. */
+    /**
+     * How many numbers say what elements have shot.
+     *
+     * @throws radiosity.scene.TooLargeException where they are more than an array holds
+     */
+    static int size(int channels, long elements) {
+        return ArraySize.of(what(channels), 3, channels, elements);
+    }
+
+    private static String what(int channels) {
+        return "light shot by elements in " + channels + " channels";
+    }
+
+    /** Makes room for about this number of divided elements more. */
     void expect(int divided) {
-        makeRoom(3 * channels * (tree.elements() + 3 * divided));
+        int each = 3 * channels;
+        makeRoom(each * ArraySize.room(what(channels), tree.elements(), tree.elements() + 3L * divided, each));
     }
 
     private void makeRoom(int room) {
@@ -39,8 +54,8 @@ public final class ElementLight {
     void divide(int node, int first) {
         int n = 3 * channels;
         double[] before = Arrays.copyOfRange(shot, n * tree.place(node), n * (tree.place(node) + 1));
-        if (n * tree.elements() > shot.length) {
-            makeRoom(Math.max(n * tree.elements(), shot.length / 4 * 5));
+        if ((long) n * tree.elements() > shot.length) {
+            makeRoom(n * ArraySize.room(what(channels), tree.elements(), shot.length / n / 4 * 5L, n));
         }
         for (int k = 0; k < 4; k++) {
             System.arraycopy(Subdivision.values(before, channels, k), 0, shot, n * tree.place(first + k), n);

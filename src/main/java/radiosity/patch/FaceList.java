@@ -1,6 +1,7 @@
 package radiosity.patch;
 
 import java.util.List;
+import radiosity.scene.ArraySize;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
@@ -33,7 +34,7 @@ final class FaceList {
         this.box = box;
         this.points = points;
         side = new int[most];
-        corner = new float[9 * most];
+        corner = new float[ArraySize.of("corners of the sides of triangles", 9, most)];
         normal = new float[3 * most];
         area = new double[most];
         point = new int[3 * most];

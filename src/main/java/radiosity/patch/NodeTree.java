@@ -1,12 +1,15 @@
 package radiosity.patch;
 
 import java.util.Arrays;
+import radiosity.scene.ArraySize;
 
 /**
  * Trees of nodes in arrays, where each lies and what it shares with others. A node is an index; what it needs no array
  * for is found from its parents.
  */
 final class NodeTree {
+
+    private static final String CORNERS = "corners of the nodes of the patch trees";
 
     private int count;
     private int elements;
@@ -34,7 +37,7 @@ final class NodeTree {
         level = new byte[expected];
         parent = new int[expected];
         child = new int[expected];
-        corner = new int[3 * expected];
+        corner = new int[ArraySize.of(CORNERS, 3, expected)];
         place = new int[expected];
     }
 
@@ -58,7 +61,7 @@ final class NodeTree {
 
     private int add(int f, int depth, int under) {
         if (count == face.length) {
-            makeRoom(count + Math.max(64, count / 4));
+            makeRoom(ArraySize.room(CORNERS, count + 1L, count + Math.max(64L, count / 4), 3));
         }
         face[count] = f;
         level[count] = (byte) depth;
@@ -67,10 +70,11 @@ final class NodeTree {
         return count++;
     }
 
-    /** Makes room for so many divided nodes more. */
+    /** Makes room for about this number of divided nodes more. */
     void expect(int divided) {
-        if (count + 4 * divided > face.length) {
-            makeRoom(count + 4 * divided);
+        int room = ArraySize.room(CORNERS, count, count + 4L * divided, 3);
+        if (room > face.length) {
+            makeRoom(room);
         }
     }
 

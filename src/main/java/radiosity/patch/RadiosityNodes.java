@@ -1,6 +1,7 @@
 package radiosity.patch;
 
 import java.util.List;
+import radiosity.scene.ArraySize;
 
 /**
  * The patch trees of some blocks and their light, in arrays (section 4.5.7 of the paper); a node is an index.
@@ -29,16 +30,17 @@ public final class RadiosityNodes {
         faces = patcher.faces();
         channels = faces.channels();
         points = new ReceivingPoints(patcher);
-        int tops = 0;
-        int leaves = 0;
+        long tops = 0;
+        long leaves = 0;
         for (Block block : blocks) {
             tops += block.face().length;
             for (int i = 0; i < block.face().length; i++) {
-                leaves += 1 << 2 * (patcher.level(block.face()[i]) - Path.level(block.path()[i]));
+                leaves += 1L << 2 * (patcher.level(block.face()[i]) - Path.level(block.path()[i]));
             }
         }
-        tree = new NodeTree(tops, (4 * leaves - tops) / 3);
-        patches = new int[leaves];
+        ElementLight.size(channels, leaves);
+        tree = new NodeTree((int) tops, (int) Math.min(ArraySize.MOST, (4 * leaves - tops) / 3));
+        patches = new int[(int) leaves];
         for (Block block : blocks) {
             for (int i = 0; i < block.face().length; i++) {
                 plant(block.face()[i], block.path()[i]);

@@ -2,6 +2,7 @@ package radiosity.patch;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import radiosity.scene.ArraySize;
 
 /** The vertices of some patch trees, in arrays: where light is gathered, and what has arrived there. */
 final class ReceivingPoints {
@@ -63,7 +64,8 @@ final class ReceivingPoints {
             return v;
         }
         if (count == key.length) {
-            makeRoom(count + Math.max(64, count / 4));
+            makeRoom(ArraySize.room("light at vertices in " + channels + " channels", count + 1L,
+                    count + Math.max(64L, count / 4), Math.max(3, channels)));
         }
         System.arraycopy(at, from, position, 3 * v, 3);
         patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);

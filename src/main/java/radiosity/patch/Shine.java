@@ -1,6 +1,7 @@
 package radiosity.patch;
 
 import java.util.function.IntPredicate;
+import radiosity.scene.ArraySize;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 
@@ -19,8 +20,8 @@ final class Shine {
         Scene scene = faces.scene();
         colours = kinds.colours;
         channels = kinds.colours * kinds.layers();
-        exitance = new double[channels * faces.count()];
-        reflectance = new double[channels * faces.count()];
+        exitance = new double[ArraySize.of("exitance of faces in " + channels + " channels", channels, faces.count())];
+        reflectance = new double[exitance.length];
         exitanceMaps = new FaceMaps(faces, Surface.Maps::exitance);
         reflectanceMaps = new FaceMaps(faces, Surface.Maps::reflectance);
         for (int f = 0; f < faces.count(); f++) {

@@ -5,6 +5,7 @@ import java.util.List;
 import radiosity.patch.Hash;
 import radiosity.patch.LongIndex;
 import radiosity.patch.RadiosityNodes;
+import radiosity.scene.ArraySize;
 
 /** Merges the blocks of all partitions into one mesh, in the order of their ids (figure 7: merge patch trees). */
 final class Merger {
@@ -43,8 +44,9 @@ final class Merger {
                 continue;
             }
             if (elements == faceOf.length) {
-                faceOf = Arrays.copyOf(faceOf, 2 * elements);
-                corner = Arrays.copyOf(corner, 6 * elements);
+                int room = ArraySize.room("corners of elements", elements + 1L, 2L * elements, 3);
+                faceOf = Arrays.copyOf(faceOf, room);
+                corner = Arrays.copyOf(corner, 3 * room);
             }
             for (int k = 0; k < 3; k++) {
                 int v = nodes.corner(node, k);
@@ -62,9 +64,11 @@ final class Merger {
         long key = nodes.vertexKey(from);
         int v = index.findOrAdd(nodes.isPoint(node) ? Hash.mix(key, k) : key, index.size());
         if (v == copies.length) {
-            copies = Arrays.copyOf(copies, 2 * v);
-            position = Arrays.copyOf(position, 6 * v);
-            irradiance = Arrays.copyOf(irradiance, 2 * channels * v);
+            int room = ArraySize.room("light at vertices in " + channels + " channels", v + 1L, 2L * v,
+                    Math.max(3, channels));
+            copies = Arrays.copyOf(copies, room);
+            position = Arrays.copyOf(position, 3 * room);
+            irradiance = Arrays.copyOf(irradiance, channels * room);
         }
         nodes.position(node, k, position, 3 * v);
         if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {

@@ -4,6 +4,7 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import radiosity.patch.RadiosityNodes;
+import radiosity.scene.ArraySize;
 
 /** What has arrived at some receiving points, as hosts tell each other: channels per point. */
 final class PointIrradiance {
@@ -18,7 +19,8 @@ final class PointIrradiance {
     byte[] told(int number, int[] points) {
         double[] irradiance = nodes.light().irradiance();
         int channels = nodes.channels();
-        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + Double.BYTES * channels * points.length).putInt(number);
+        ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of the light at points of a border",
+                Integer.BYTES + (long) Double.BYTES * channels * points.length)).putInt(number);
         for (int v : points) {
             for (int c = 0; c < channels; c++) {
                 bytes.putDouble(irradiance[channels * v + c]);

@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -70,5 +72,21 @@ class LimitsTest {
         assertEquals(ExitCode.FAILED, process.waitFor(), printed);
         assertTrue(printed.contains("JAVA_OPTS=-Xmx"), printed);
         assertEquals(3, SavedCalculation.read(program.file("foobar.scene")).shots());
+    }
+
+    /** 400,000 lines of 120 characters in 64 MiB. */
+    @Test
+    void pointsThatAreMoreThanTheHeapHolds_areWrittenAllTheSame() throws IOException, InterruptedException {
+        Program program = new Program(directory);
+        Files.writeString(program.file("points.csv"), "200,0,-200,0,1,0\n".repeat(400_000));
+        List<String> command = new ArrayList<>(Program.command(
+                "-q -it 3 -pa 5% --points points.csv light.csv foobar.lws foobar.scene"));
+        command.add(1, "-Xmx64m");
+        Process process = program.start(command);
+        String printed = Program.rest(process);
+        assertEquals(ExitCode.DONE, process.waitFor(), printed);
+        try (Stream<String> lines = Files.lines(program.file("light.csv"))) {
+            assertEquals(400_001, lines.count());
+        }
     }
 }

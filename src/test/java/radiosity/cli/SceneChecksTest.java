@@ -8,9 +8,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 
 /** A triangle of area 1/2 that emits: how many elements it would have is known before any work. */
 class SceneChecksTest {
@@ -49,6 +51,35 @@ class SceneChecksTest {
         Failure failure = assertThrows(Failure.class, () -> checks(false).elements(0.5 / 1e9, 1 << 30));
         assertTrue(failure.getMessage().contains("1,000,000,000"), failure.getMessage());
         assertEquals(ExitCode.COMMAND_LINE, failure.exitCode());
+    }
+
+    /** 256 coloured lamps, each with its own light: an array holds that of 2.8 million vertices. */
+    @Test
+    void lightThatNoArrayHolds_isRefused() {
+        SceneChecks.sizes(5.5e6, 768, 0);
+        Failure failure = assertThrows(Failure.class, () -> SceneChecks.sizes(5.6e6, 768, 0));
+        assertEquals("-pa: expected at most 5,592,405 patches in 768 channels, whose light fits an array, got 5,600,000;"
+                + " give a larger -pa", failure.getMessage());
+        SceneChecks.sizes(1.07e8, 3, 0);
+    }
+
+    @Test
+    void meshesThatNoSceneFileHolds_areRefused() {
+        SceneChecks.sizes(2.7e6, 768, 256);
+        Failure failure = assertThrows(Failure.class, () -> SceneChecks.sizes(2.8e6, 768, 256));
+        assertEquals("-pa: expected patches whose scene file is at most 4,294,967,295 bytes, the limit of glTF, got"
+                + " 2,800,000 patches, which need 4,412,800,000 bytes or more; give a larger -pa", failure.getMessage());
+        assertThrows(Failure.class, () -> SceneChecks.sizes(1.08e8, 3, 0));
+    }
+
+    @Test
+    void pictureByAVeryNarrowCamera_isRefusedBeforeAnyWork() {
+        Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), new Vec3(0, 1, 0), .5, 1 / 1500.0);
+        SceneChecks checks = new SceneChecks(new Scene("lamp.lws", new double[9], new int[3], new int[1],
+                List.of(new Surface("s", Rgb.BLACK, Rgb.BLACK, false)), List.of(), Optional.of(camera)), warnings::add);
+        checks.pictures(10);
+        assertEquals("--size: expected pictures of at most 16384 pixels along an edge, got 800x1200000 by the camera of"
+                + " lamp.lws; give a size", assertThrows(Failure.class, () -> checks.pictures(800)).getMessage());
     }
 
     @Test

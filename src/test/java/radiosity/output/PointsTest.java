@@ -43,7 +43,7 @@ class PointsTest {
         return Handmade.room(Vec3.ZERO, 1, PointsTest::linear).solution();
     }
 
-    private int run(String... lines) throws IOException {
+    private long run(String... lines) throws IOException {
         Files.write(in, List.of(lines));
         return new Points(room()).write(in, out);
     }

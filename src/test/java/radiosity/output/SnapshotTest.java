@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
+import radiosity.scene.TooLargeException;
 import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 
@@ -112,6 +113,16 @@ class SnapshotTest {
     void height_followsFromTheAspect() {
         Camera wide = new Camera(new Vec3(.5, .5, 1), new Vec3(0, 0, -1), Y, .5, 1.6);
         assertEquals(10, take(square(Rgb.BLACK), wide).height());
+    }
+
+    /** 800 x 1,200,000 pixels. */
+    @Test
+    void pictureThatNoArrayHolds_isRefusedBeforeAnyRay() {
+        Camera narrow = new Camera(new Vec3(.5, .5, 1), new Vec3(0, 0, -1), Y, .5, 1 / 1500.0);
+        TooLargeException e = assertThrows(TooLargeException.class, () -> Snapshot.take(square(Rgb.BLACK), narrow, 800,
+                light -> light));
+        assertEquals("picture of 800x1200000 pixels: expected at most 2,147,483,639 numbers, got 2,880,000,000",
+                e.getMessage());
     }
 
     @Test

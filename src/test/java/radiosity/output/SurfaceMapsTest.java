@@ -84,6 +84,19 @@ class SurfaceMapsTest {
         assertRgb(.4, 0, .4, scene.surfaces().get(0).reflectance());
     }
 
+    /** One very wide, one very high: as many pixels as both have would be needed along each axis. */
+    @Test
+    void imagesThatTogetherAreTooLarge_leaveTheBaseColour() throws IOException {
+        Path wide = folder.resolve("wide.png");
+        Path high = folder.resolve("high.png");
+        ImageIO.write(new BufferedImage(40_000, 1, BufferedImage.TYPE_BYTE_GRAY), "png", wide.toFile());
+        ImageIO.write(new BufferedImage(1, 40_000, BufferedImage.TYPE_BYTE_GRAY), "png", high.toFile());
+        Scene scene = square(map(wide, Target.REFLECTANCE, 1, 1), map(high, Target.REFLECTANCE, 1, 1));
+        assertEquals(List.of("surface painted: expected images that together are at most 67108864 pixels, got"
+                + " 40000x40000; the base colour is taken"), told);
+        assertRgb(.4, .4, .4, look(scene, LEFT).reflectance());
+    }
+
     @Test
     void opacity_mixesWithTheBase() throws IOException {
         Scene scene = square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.EXITANCE, 5, .5));
