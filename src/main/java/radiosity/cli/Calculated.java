@@ -14,7 +14,9 @@ import radiosity.world.WorldStatistics;
  * @param patchArea   largest of the first mesh, square scene units
  * @param certificate of a calculation that was not cut
  * @param statistics  of its hosts, where there were any
+ * @param isRounding  whether what is unsent is more than was asked for, but only rounding
  * @param isCut       whether it was stopped before it was done
  */
 record Calculated(Solution solution, RadiositySettings settings, Progress progress, double patchArea,
-                  Optional<Certificate> certificate, Optional<WorldStatistics> statistics, boolean isCut) { }
+                  Optional<Certificate> certificate, Optional<WorldStatistics> statistics, boolean isRounding,
+                  boolean isCut) { }

@@ -60,6 +60,7 @@ final class Calculation {
             return new Calculated(radiosity.solution(), settings, radiosity.progress(), world.patchArea(),
                     rounds.isCut() ? Optional.empty() : radiosity.certificate(options.calculation.threads),
                     world instanceof RemoteWorld remote ? Optional.of(remote.statistics()) : Optional.empty(),
+                    radiosity.isOnlyRoundingLeft(),
                     rounds.isCut());
         }
     }

@@ -45,6 +45,9 @@ final class Summary {
             out.println("stopped while new elements gathered what was shot before: they show, and these figures count,"
                     + " the light of before they were made");
         }
+        if (result.isRounding()) {
+            out.println("-se: what is unsent is only rounding; no calculation leaves less");
+        }
         result.certificate().ifPresent(c -> print(c, out));
         inTime.ifPresent(out::println);
     }

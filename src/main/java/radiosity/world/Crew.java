@@ -25,8 +25,14 @@ final class Crew {
 
     private final int threads;
 
-    /** @param threads at least 1 */
+    /**
+     * @param threads at least 1; more than there are processors are not used
+     * @throws IllegalArgumentException where the number is below 1
+     */
     Crew(int threads) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("threads: expected at least 1, got " + threads);
+        }
         this.threads = Math.min(threads, Math.max(1, Runtime.getRuntime().availableProcessors()));
     }
 

@@ -43,12 +43,26 @@ final class Flux {
         }
     }
 
+    /** Unshot flux, relative to the emitted, that is only rounding; of several layers, of the one that was shot most. */
+    double rounding() {
+        double most = 1;
+        for (int layer = 0; layer < faces.layers(); layer++) {
+            double all = ofLayer(emitted, layer);
+            most = Math.max(most, all == 0 ? 0 : ofLayer(shot, layer) / all);
+        }
+        return StopRule.ROUNDING * most;
+    }
+
+    private double ofLayer(double[] flux, int layer) {
+        int colours = faces.colours();
+        return DoubleStream.of(flux).skip((long) layer * colours).limit(colours).sum();
+    }
+
     /** Unshot flux relative to the emitted; of several layers, of the one that has most left. */
     double unsent(Answer answer) {
         double most = 0;
-        int colours = faces.colours();
         for (int layer = 0; layer < answer.unshotFlux.length; layer++) {
-            double all = DoubleStream.of(emitted).skip((long) layer * colours).limit(colours).sum();
+            double all = ofLayer(emitted, layer);
             most = Math.max(most, all == 0 ? 0 : answer.unshotFlux[layer].value() / all);
         }
         return most;

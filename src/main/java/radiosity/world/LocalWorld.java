@@ -13,7 +13,10 @@ public final class LocalWorld extends World {
     private final List<PartitionImpl> partitions = new ArrayList<>();
     private final LongSupplier clock;
 
-    /** @param threads at least 1; more than there are processors are not used */
+    /**
+     * @param threads at least 1; more than there are processors are not used
+     * @throws IllegalArgumentException where the number of threads is below 1
+     */
     public LocalWorld(Scene scene, RadiositySettings settings, int threads) {
         this(scene, settings, threads, 1);
     }
@@ -25,7 +28,7 @@ public final class LocalWorld extends World {
 
     /** @param clock for differences, ns; without influence on the result */
     LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts, LongSupplier clock) {
-        super(new InitialMesh(scene, settings), threads);
+        super(scene, settings, threads);
         this.clock = clock;
         for (int p = 0; p < parts; p++) {
             int owner = p;

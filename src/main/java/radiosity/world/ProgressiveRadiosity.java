@@ -83,8 +83,16 @@ public final class ProgressiveRadiosity {
         };
     }
 
-    /** No step goes beyond a multiple of so many shots, so that the listener is asked there; at least 1. */
+    /**
+     * Ends steps at every multiple of a number of shots, so that the listener is called there.
+     *
+     * @param shots at least 1
+     * @throws IllegalArgumentException where the number is below 1
+     */
     public void pauseEvery(int shots) {
+        if (shots < 1) {
+            throw new IllegalArgumentException("pause: expected a number of shots of at least 1, got " + shots);
+        }
         pauses.add(shots);
     }
 
@@ -106,7 +114,14 @@ public final class ProgressiveRadiosity {
 
     private boolean isDone() {
         double left = agenda.isEmpty() ? unsent() : agenda.unsent();
-        return tally.shots() >= stop.shots() || agenda.isBetweenRounds() && planner.isEnough(left, stop.unsent());
+        return tally.shots() >= stop.shots() || agenda.isBetweenRounds()
+                && planner.isEnough(left, Math.max(stop.unsent(), tally.flux.rounding()));
+    }
+
+    /** Whether more is unshot than the stop rule asks for, but only as {@linkplain StopRule#ROUNDING rounding}. */
+    public boolean isOnlyRoundingLeft() {
+        double left = tally.flux.unsent(last.newest());
+        return left > stop.unsent() && left <= tally.flux.rounding();
     }
 
     /*---- Rounds that overlap ----*/
@@ -228,6 +243,7 @@ public final class ProgressiveRadiosity {
      * How far the solution so far can be trusted; takes a small part of the time that the solution took.
      *
      * @param threads at least 1
+     * @throws IllegalArgumentException where the number of threads is below 1
      * @return nothing where some vertices have not gathered yet, nobody has shot, or all is dark
      */
     public Optional<Certificate> certificate(int threads) throws IOException {

@@ -40,7 +40,8 @@ public final class RemoteWorld extends World {
      *
      * @param threads to go on with in this process where all hosts are lost
      * @param notices told what the user should know about hosts, one line each
-     * @throws NoWorkerException where no host can be used
+     * @throws NoWorkerException        where no host can be used
+     * @throws IllegalArgumentException where the number of threads is below 1
      */
     public RemoteWorld(Scene scene, RadiositySettings settings, List<HostAddress> hosts, HostKey key, int threads,
                        Consumer<String> notices) throws IOException {
@@ -50,7 +51,7 @@ public final class RemoteWorld extends World {
     /** @param clock for differences, ns */
     RemoteWorld(Scene scene, RadiositySettings settings, int threads, Consumer<String> notices, List<Link> links,
                 LongSupplier clock) throws IOException {
-        super(new InitialMesh(scene, settings), threads);
+        super(scene, settings, threads);
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);

@@ -18,10 +18,13 @@ public abstract class World implements AutoCloseable {
     /** For what is not done by partitions. */
     final Crew crew;
 
-    /** @param threads of this process, at least 1 */
-    World(InitialMesh mesh, int threads) {
-        this.mesh = mesh;
+    /**
+     * @param threads of this process, at least 1
+     * @throws IllegalArgumentException where the number of threads is below 1
+     */
+    World(Scene scene, RadiositySettings settings, int threads) {
         crew = new Crew(threads);
+        mesh = new InitialMesh(scene, settings);
     }
 
     public Scene scene() {
