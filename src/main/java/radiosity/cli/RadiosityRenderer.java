@@ -3,6 +3,7 @@ package radiosity.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import radiosity.lightwave.LightWaveReader;
@@ -37,9 +38,14 @@ public final class RadiosityRenderer {
      * @return its exit code
      */
     public static int run(String... arguments) {
+        return run(SaveBeforeExit.PATIENCE, arguments);
+    }
+
+    /** @param patience how long Ctrl-C or SIGTERM waits for the end of saving */
+    static int run(Duration patience, String... arguments) {
         RendererOptions options = new RendererOptions();
         StopRequest stop = new StopRequest();
-        try (SaveBeforeExit ending = new SaveBeforeExit(stop)) {
+        try (SaveBeforeExit ending = new SaveBeforeExit(stop, patience)) {
             return CommandRun.of(options, options.common, () -> {
                 if (options.file.info != null) {
                     printInfo(options.file.info);
@@ -87,7 +93,7 @@ public final class RadiosityRenderer {
                 if (!journal.resume(radiosity) && before != null) {
                     radiosity.resume(before.state());
                 }
-                ending.begin();
+                ending.begin(Optional.of(claim.journal()));
             }, Optional.of(journal), () -> !stop.made());
         }
         Failures failures = new Failures();
@@ -99,7 +105,7 @@ public final class RadiosityRenderer {
     /** As exactly as can be done in a time. */
     private void calculate(Scene scene, RadiositySettings settings, TimeLimit limit, SaveBeforeExit ending)
             throws IOException {
-        ending.begin();
+        ending.begin(Optional.empty());
         TimeCourse course = new TimeCourse(limit, ProcessTime::seconds);
         Calculated result;
         String told;

@@ -45,17 +45,26 @@ final class Rounds implements RoundListener {
     @Override
     public boolean afterRound(Progress progress) {
         display.show(progress);
+        cut = !goOn.getAsBoolean();
         try {
             if (journal.isPresent()) {
-                journal.get().keep(radiosity::state);
+                keep(journal.get());
             }
             save(passed(when.saveInterval, progress.shots()), passed(snapshots, progress.shots()));
         } catch (Failure | IOException | OutOfMemoryError e) {
             display.message(Outcome.line(e));
         }
         before = progress.shots();
-        cut = !goOn.getAsBoolean();
         return !cut;
+    }
+
+    /** Before the end also where it is not due: saving the scene file may take longer than there is time. */
+    private void keep(Journal kept) throws IOException {
+        if (cut) {
+            kept.keepNow(radiosity::state);
+        } else {
+            kept.keep(radiosity::state);
+        }
     }
 
     /** Whether the calculation was told not to go on. */

@@ -15,7 +15,12 @@ final class StopRequest {
 
     void make() {
         made = true;
-        user.accept("stopping after this round, then saving");
+        say("stopping after this round, then saving");
+    }
+
+    /** A message about the stop. */
+    void say(String line) {
+        user.accept(line);
     }
 
     boolean made() {

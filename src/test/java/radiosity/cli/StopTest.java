@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -47,6 +49,31 @@ class StopTest {
         assertEquals(expected, render.waitFor(), rest);
         assertTrue(rest.contains("stopping after this round"), rest);
         goesOn(leastShots);
+    }
+
+    /** Baking such textures takes much longer than saving may. */
+    @Test
+    void signal_endsInTimeWhereSavingTakesLonger_andTheJournalOfTheLastRoundStands() throws Exception {
+        String arguments = "-pa 5000 --schedule paper -it 40000 -se 0 -ut 3.8 foobar.lws foobar.scene";
+        List<String> command = Program.command(arguments);
+        command.replaceAll(word -> word.equals(RadiosityRenderer.class.getName()) ? ImpatientRenderer.class.getName() : word);
+        Process render = program.start(command);
+        Program.readUntil(render, WORD);
+        new ProcessBuilder("kill", "-TERM", Long.toString(render.pid())).start().waitFor();
+        String rest = Program.rest(render);
+        assertEquals(143, render.waitFor(), rest);
+        assertTrue(rest.endsWith("ending before everything is saved; the same command goes on from foobar.scene.journal"
+                + System.lineSeparator()), rest);
+        Process again = program.start(arguments);
+        String begin = Program.readUntil(again, "cut off");
+        Matcher kept = Pattern.compile("foobar.scene.journal: going on after (\\d+) shots? of a render that was cut off")
+                .matcher(begin);
+        assertTrue(kept.find(), begin);
+        Matcher shown = Pattern.compile("(\\d+) shots?, ").matcher(rest);
+        while (shown.find()) {
+            assertTrue(Integer.parseInt(kept.group(1)) >= Integer.parseInt(shown.group(1)), begin + rest);
+        }
+        again.destroyForcibly().waitFor();
     }
 
     @Test
