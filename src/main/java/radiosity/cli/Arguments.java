@@ -1,5 +1,7 @@
 package radiosity.cli;
 
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.Stack;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -30,6 +32,15 @@ final class Arguments {
             return kind.convert(text);
         } catch (TypeConversionException e) {
             throw wrong(option, e.getMessage());
+        }
+    }
+
+    /** A path as this system takes it: on Windows without question marks, say. */
+    static Path path(String text, ArgSpec option) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            throw wrong(option, "expected a path, got " + text + " (" + e.getReason() + ")");
         }
     }
 

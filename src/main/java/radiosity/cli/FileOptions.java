@@ -58,7 +58,7 @@ final class FileOptions {
             Arguments.once(option);
             String file = Arguments.next(arguments, option, "a scene file and its number of iterations");
             String shots = Arguments.next(arguments, option, "a scene file and its number of iterations");
-            option.setValue(new Resume(Path.of(file), Arguments.convert(new Values.Count(), shots, option)));
+            option.setValue(new Resume(Arguments.path(file, option), Arguments.convert(new Values.Count(), shots, option)));
         }
     }
 
@@ -69,7 +69,7 @@ final class FileOptions {
             Arguments.once(option);
             String in = Arguments.next(arguments, option, "a file to read and one to write");
             String out = Arguments.next(arguments, option, "a file to read and one to write");
-            option.setValue(new PointFiles(Path.of(in), Path.of(out)));
+            option.setValue(new PointFiles(Arguments.path(in, option), Arguments.path(out, option)));
         }
     }
 }

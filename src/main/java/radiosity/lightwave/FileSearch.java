@@ -166,11 +166,11 @@ final class FileSearch {
     }
 
     private Optional<Path> best(List<Path> candidates, Comparator<Path> order, String written) {
-        List<Path> sorted = candidates.stream().sorted(order.thenComparing(Comparator.naturalOrder())).toList();
+        List<Path> sorted = candidates.stream().sorted(order.thenComparing(p -> slashes(p.toString()))).toList();
         if (sorted.size() > 1 && order.compare(sorted.get(0), sorted.get(1)) == 0) {
             List<Path> equal = sorted.stream().filter(p -> order.compare(sorted.get(0), p) == 0).toList();
             notes.note("", "files match a path equally well, the first is taken", written + " is " + equal.stream()
-                    .map(p -> sceneFolder.relativize(p).toString()).toList());
+                    .map(this::shown).toList());
         }
         return sorted.stream().findFirst();
     }
@@ -184,10 +184,19 @@ final class FileSearch {
         return n;
     }
 
-    /** Steps from the scene's folder to that of a file. */
+    /** Steps from the scene's folder to that of a file; by way of both roots where they lie on different drives. */
     private int distance(Path file) {
-        Path way = sceneFolder.relativize(file.getParent());
+        Path folder = file.getParent();
+        if (!hasSameRoot(folder)) {
+            return sceneFolder.getNameCount() + 1 + folder.getNameCount();
+        }
+        Path way = sceneFolder.relativize(folder);
         return way.toString().isEmpty() ? 0 : way.getNameCount();
+    }
+
+    /** There is no relative path from one drive of Windows to another, or to a share of another machine. */
+    private boolean hasSameRoot(Path file) {
+        return sceneFolder.getRoot().equals(file.getRoot());
     }
 
     private Optional<Path> otherEnding(String path, List<String> parts, Predicate<Path> wanted) {
@@ -238,8 +247,8 @@ final class FileSearch {
         }
     }
 
-    /** How a found file is called in messages: from the scene's folder. */
+    /** How a found file is called in messages: from the scene's folder, or in full where it lies on another drive. */
     String shown(Path file) {
-        return slashes(sceneFolder.relativize(file).toString());
+        return slashes((hasSameRoot(file) ? sceneFolder.relativize(file) : file).toString());
     }
 }

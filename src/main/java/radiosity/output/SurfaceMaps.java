@@ -1,6 +1,7 @@
 package radiosity.output;
 
 import java.io.IOException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -83,7 +84,7 @@ public final class SurfaceMaps {
         return images.computeIfAbsent(path, p -> {
             try {
                 return Optional.of(ImageFile.read(Path.of(p)));
-            } catch (IOException e) {
+            } catch (IOException | InvalidPathException e) {
                 warnings.accept(p + ": expected an image, got " + e.getMessage() + "; the base colour is taken");
                 return Optional.empty();
             }

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.security.CodeSource;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
@@ -60,7 +61,8 @@ final class Build {
     private static String digest(Path root) throws IOException {
         try (Stream<Path> files = Files.walk(root.resolve("radiosity"))) {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            List<Path> classes = files.filter(f -> f.toString().endsWith(".class")).sorted().toList();
+            List<Path> classes = files.filter(f -> f.toString().endsWith(".class"))
+                    .sorted(Comparator.comparing(f -> f.toString().replace('\\', '/'))).toList();
             for (Path file : classes) {
                 digest.update(Files.readAllBytes(file));
             }

@@ -134,6 +134,14 @@ class CommandLineTest {
         assertEquals(ExitCode.COMMAND_LINE, failure.exitCode());
     }
 
+    /** A null character here; on Windows a question mark, too. */
+    @ParameterizedTest
+    @ValueSource(strings = {"-tf a\0b 10 a b", "--points a\0b c a b", "--points a b\0c a b"})
+    void pathsThatTheSystemDoesNotTake_areToldInOneLine(String commandLine) {
+        String told = assertThrows(Failure.class, () -> parse(commandLine)).getMessage();
+        assertTrue(told.matches("(-tf|--points): expected a path, got .*"), told);
+    }
+
     @Test
     void emptyName_isNoFile() {
         RendererOptions options = new RendererOptions();
