@@ -15,6 +15,7 @@ import radiosity.patch.Path;
 import radiosity.patch.Weights;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;

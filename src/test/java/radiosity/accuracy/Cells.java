@@ -1,6 +1,7 @@
 package radiosity.accuracy;
 
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.world.Certificate;

@@ -11,6 +11,7 @@ import radiosity.scene.ImageMap.Wrap;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.world.Solution;

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Vec3;
 import radiosity.world.RadiositySettings;
 import radiosity.world.Solution;

@@ -1,5 +1,6 @@
 package radiosity.accuracy;
 
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 

@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.accuracy.Box;
 import radiosity.accuracy.Prism;
-import radiosity.accuracy.SceneBuilder;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 

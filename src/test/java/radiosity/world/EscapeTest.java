@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.api.Test;
 import radiosity.accuracy.Box;
 import radiosity.accuracy.Rooms;
-import radiosity.accuracy.SceneBuilder;
 import radiosity.patch.Faces;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.visibility.RadiosityBounds;
 
 /**

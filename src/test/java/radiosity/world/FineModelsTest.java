@@ -8,10 +8,10 @@ import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import radiosity.accuracy.Rooms;
-import radiosity.accuracy.SceneBuilder;
 import radiosity.patch.Fellows;
 import radiosity.patch.RadiosityNodes;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 

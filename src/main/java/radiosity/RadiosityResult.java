@@ -1,0 +1,51 @@
+package radiosity;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import radiosity.output.Points;
+import radiosity.output.SceneFile;
+import radiosity.output.Snapshot;
+import radiosity.output.ToneMapping;
+import radiosity.output.Viewpoint;
+import radiosity.scene.Camera;
+import radiosity.world.Certificate;
+import radiosity.world.Progress;
+import radiosity.world.Solution;
+
+/**
+ * What a {@link Radiosity} calculation came to.
+ *
+ * @param solution    elements, vertices and the light at each vertex
+ * @param certificate an estimate of the solution's error; empty where nothing was shot or the scene is dark
+ * @param progress    where the calculation stood when it ended
+ */
+public record RadiosityResult(Solution solution, Optional<Certificate> certificate, Progress progress) {
+
+    /**
+     * Writes the scene file, a glTF binary that any glTF viewer opens; an old file is replaced as a whole or not at all.
+     *
+     * @throws IOException where the file cannot be written
+     */
+    public void writeScene(Path file) throws IOException {
+        Map<String, Object> extras = certificate.isPresent() ? Map.of("certificate", certificate.get()) : Map.of();
+        SceneFile.write(file, solution, extras, solution.scene().camera(), ToneMapping.automatic(solution));
+    }
+
+    /**
+     * Writes a picture in the format that the file's name ends in: png and jpg tone-mapped, hdr in W/m².
+     *
+     * @param width pixels, at least 1; the height follows from the camera
+     * @throws IOException where the file cannot be written or its format is not known
+     */
+    public void writePicture(Path file, int width) throws IOException {
+        Camera camera = Viewpoint.of(solution);
+        Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution));
+    }
+
+    /** Finds the light at points; making this takes time, so ask one object for all points. */
+    public Points points() {
+        return new Points(solution);
+    }
+}

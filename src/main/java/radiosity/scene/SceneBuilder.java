@@ -1,0 +1,103 @@
+package radiosity.scene;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Builds a {@link Scene} from polygons in code.
+ *
+ * <p>Corners with equal coordinates become one point, so that a scene whose polygons meet edge to edge is watertight by
+ * its indices.
+ */
+public final class SceneBuilder {
+
+    private final Map<Vec3, Integer> points = new LinkedHashMap<>();
+    private final Map<Surface, Integer> surfaces = new LinkedHashMap<>();
+    private final List<Light> lights = new ArrayList<>();
+    private int[] corners = new int[48];
+    private int[] surfaceOf = new int[16];
+    private int triangles;
+    private Optional<Camera> camera = Optional.empty();
+
+    /** A builder without any triangle. */
+    public SceneBuilder() { }
+
+    /**
+     * Adds a polygon as a fan of triangles around its first corner.
+     *
+     * @param surface how the polygon emits and reflects; equal surfaces are one surface of the scene
+     * @param polygon at least three corners, counter-clockwise seen from the visible side; star-shaped around the first
+     *                corner; scene units
+     * @return this builder
+     * @throws IllegalArgumentException for fewer than three corners, or a coordinate that is not finite
+     */
+    public SceneBuilder polygon(Surface surface, Vec3... polygon) {
+        if (polygon.length < 3) {
+            throw new IllegalArgumentException("polygon: expected at least 3 corners, got " + polygon.length);
+        }
+        for (int i = 2; i < polygon.length; i++) {
+            triangle(surface, polygon[0], polygon[i - 1], polygon[i]);
+        }
+        return this;
+    }
+
+    private void triangle(Surface surface, Vec3 a, Vec3 b, Vec3 c) {
+        if (triangles == surfaceOf.length) {
+            surfaceOf = Arrays.copyOf(surfaceOf, 2 * triangles);
+            corners = Arrays.copyOf(corners, 6 * triangles);
+        }
+        corners[3 * triangles] = point(a);
+        corners[3 * triangles + 1] = point(b);
+        corners[3 * triangles + 2] = point(c);
+        surfaceOf[triangles++] = surfaces.computeIfAbsent(surface, s -> surfaces.size());
+    }
+
+    private int point(Vec3 p) {
+        if (!Double.isFinite(p.x()) || !Double.isFinite(p.y()) || !Double.isFinite(p.z())) {
+            throw new IllegalArgumentException("polygon: expected finite coordinates, got " + p);
+        }
+        Vec3 positiveZero = p.plus(Vec3.ZERO);
+        return points.computeIfAbsent(positiveZero, q -> points.size());
+    }
+
+    /**
+     * Adds a light without geometry.
+     *
+     * @return this builder
+     */
+    public SceneBuilder light(Light light) {
+        lights.add(light);
+        return this;
+    }
+
+    /**
+     * Sets the camera from which pictures are taken.
+     *
+     * @return this builder
+     */
+    public SceneBuilder camera(Camera view) {
+        camera = Optional.of(view);
+        return this;
+    }
+
+    /**
+     * Builds the scene; the builder can go on to add polygons for another one.
+     *
+     * @param name the scene's name in messages and files
+     */
+    public Scene scene(String name) {
+        double[] coordinates = new double[3 * points.size()];
+        int i = 0;
+        for (Vec3 p : points.keySet()) {
+            coordinates[i++] = p.x();
+            coordinates[i++] = p.y();
+            coordinates[i++] = p.z();
+        }
+        return new Scene(name, coordinates, Arrays.copyOf(corners, 3 * triangles), Arrays.copyOf(surfaceOf, triangles),
+                List.copyOf(surfaces.keySet()), lights, camera);
+    }
+}
