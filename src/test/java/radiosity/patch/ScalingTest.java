@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import radiosity.accuracy.SceneBuilder;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
