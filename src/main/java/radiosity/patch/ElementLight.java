@@ -89,7 +89,7 @@ public final class ElementLight {
 
     /**
      * By how much the mean of H over an element exceeds that of its corners, W/m²: where light is curved, straight
-     * lines between vertices lose some.
+     * lines between vertices lose some. It takes away no more than the corners have in the mean.
      *
      * <p>Seen from its parent (L. F. Richardson, The deferred approach to the limit, 1927): an edge of half the length
      * bulges a quarter as much, and the mean over a parabolic triangle is a third of the sum of its edges' bulges.
@@ -100,7 +100,28 @@ public final class ElementLight {
         for (int k = 0; k < 3 && parent >= 0; k++) {
             sum += bulge(parent, k, channel);
         }
-        return sum / 12;
+        return sum >= 0 ? sum / 12 : Math.max(sum / 12, -Math.max(0, mean(node, channel)));
+    }
+
+    /** The mean of H over the corners of an element, W/m². */
+    private double mean(int node, int channel) {
+        return (irradiance(node, 0, channel) + irradiance(node, 1, channel) + irradiance(node, 2, channel)) / 3;
+    }
+
+    /** The least H at a corner of an element, W/m². */
+    private double least(int node, int channel) {
+        return Math.min(irradiance(node, 0, channel), Math.min(irradiance(node, 1, channel), irradiance(node, 2, channel)));
+    }
+
+    /**
+     * By what part of themselves the differences of H between the corners of an element count where H and its bulge are
+     * reflected, in [0, 1]: less than 1 where a corner would reflect less than nothing otherwise. The mean stays the same
+     * (X. Zhang, C.-W. Shu, On maximum-principle-satisfying high order schemes for scalar conservation laws, 2010).
+     */
+    private double slope(int node, int channel, double bulge) {
+        double least = least(node, channel);
+        double mean = mean(node, channel);
+        return least + bulge >= 0 || mean + bulge < 0 ? 1 : (mean + bulge) / (mean - least);
     }
 
     /** H at the middle of the edge opposite corner k of an inner node less the mean of the edge's ends, W/m². */
@@ -147,7 +168,8 @@ public final class ElementLight {
     }
 
     /**
-     * Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed.
+     * Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. Of the mean over
+     * the corners: what is shot at each of them is said below.
      *
      * @param bulge of the element in this channel
      */
@@ -155,15 +177,17 @@ public final class ElementLight {
         return radiosity(node, k, channel) - shot(node, k, channel) + nodes.reflectance(node, channel) * bulge;
     }
 
-    /** The same at all corners, see {@link PatchTree.Quantity}. */
+    /** What is to be shot at all corners: no corner reflects less than nothing. See {@link PatchTree.Quantity}. */
     public void unshot(int node, double[] values, int at) {
         for (int c = 0; c < channels; c++) {
             double exitance = nodes.exitance(node, c);
             double reflectance = nodes.reflectance(node, c);
             double bulge = bulge(node, c);
+            double slope = slope(node, c, bulge);
+            double level = slope == 1 ? bulge : bulge + (1 - slope) * mean(node, c);
             for (int k = 0; k < 3; k++) {
-                values[at + channels * k + c] = exitance + reflectance * irradiance(node, k, c) - shot(node, k, c)
-                        + reflectance * bulge;
+                values[at + channels * k + c] = exitance + reflectance * slope * irradiance(node, k, c) - shot(node, k, c)
+                        + reflectance * level;
             }
         }
     }

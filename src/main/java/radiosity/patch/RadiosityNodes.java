@@ -1,6 +1,8 @@
 package radiosity.patch;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import radiosity.scene.ArraySize;
 
 /**
@@ -267,6 +269,46 @@ public final class RadiosityNodes {
     /** The vertices that were made by splits of this number. */
     public int[] verticesMade(int with) {
         return points.madeBy(with);
+    }
+
+    /** Whether the irradiance that a vertex has is negative in some channel. */
+    public boolean isNegative(int vertex) {
+        return points.isNegative(vertex);
+    }
+
+    /**
+     * Discards what vertices with a negative irradiance have received: it is 0 afterwards. No other vertices count as
+     * discarded from now on.
+     */
+    public void discardNegative() {
+        for (int v = 0; v < points.count(); v++) {
+            boolean isNegative = points.isNegative(v);
+            points.setDiscarded(v, isNegative);
+            if (isNegative) {
+                Arrays.fill(points.irradiance(), channels * v, channels * (v + 1), 0);
+            }
+        }
+    }
+
+    /** No vertices count as discarded from now on. */
+    public void keepAll() {
+        for (int v = 0; v < points.count(); v++) {
+            points.setDiscarded(v, false);
+        }
+    }
+
+    /** The vertices at which {@link #discardNegative} has discarded what they had received, the last time. */
+    public int[] discarded() {
+        return IntStream.range(0, points.count()).filter(points::isDiscarded).toArray();
+    }
+
+    public boolean isDiscarded(int vertex) {
+        return points.isDiscarded(vertex);
+    }
+
+    /** For whoever restores what was saved. */
+    public void setDiscarded(int vertex, boolean isDiscarded) {
+        points.setDiscarded(vertex, isDiscarded);
     }
 
     public boolean isBuried(int vertex) {

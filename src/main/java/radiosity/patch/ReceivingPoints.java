@@ -25,6 +25,8 @@ final class ReceivingPoints {
     private int[] made = new int[64];
     /** 1 per vertex: inside another object; its elements do without it. */
     private boolean[] buried = new boolean[64];
+    /** 1 per vertex: gathers anew, as what it had received was discarded. */
+    private boolean[] discarded = new boolean[64];
     /** channels per vertex: H in W/m². */
     private double[] irradiance;
     /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
@@ -113,6 +115,7 @@ final class ReceivingPoints {
         key = Arrays.copyOf(key, room);
         made = Arrays.copyOf(made, room);
         buried = Arrays.copyOf(buried, room);
+        discarded = Arrays.copyOf(discarded, room);
         irradiance = Arrays.copyOf(irradiance, channels * room);
     }
 
@@ -146,6 +149,23 @@ final class ReceivingPoints {
 
     void bury(int v) {
         buried[v] = true;
+    }
+
+    boolean isNegative(int v) {
+        for (int c = 0; c < channels; c++) {
+            if (irradiance[channels * v + c] < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean isDiscarded(int v) {
+        return discarded[v];
+    }
+
+    void setDiscarded(int v, boolean isDiscarded) {
+        discarded[v] = isDiscarded;
     }
 
     double[] irradiance() {

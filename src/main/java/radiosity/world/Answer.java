@@ -25,6 +25,8 @@ final class Answer {
     /** One per channel, W: signed. */
     final ExactSum[] unshot;
     int elements;
+    /** Elements with a vertex whose irradiance is negative. */
+    int negative;
 
     /** @param scale flux that is emitted, W */
     Answer(Faces faces, double scale) {
@@ -73,6 +75,7 @@ final class Answer {
             }
         }
         elements += other.elements;
+        negative += other.negative;
     }
 
     void write(DataOutput out) throws IOException {
@@ -83,6 +86,7 @@ final class Answer {
             }
         }
         out.writeInt(elements);
+        out.writeInt(negative);
     }
 
     private static void write(DataOutput out, ExactSum sum) throws IOException {
@@ -98,5 +102,6 @@ final class Answer {
             }
         }
         elements = in.readInt();
+        negative = in.readInt();
     }
 }

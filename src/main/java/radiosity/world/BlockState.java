@@ -8,11 +8,14 @@ import java.util.BitSet;
 import radiosity.patch.RadiosityNodes;
 
 /**
- * A block as bytes. For each subtree, nodes in preorder: for an inner one the number under which it was split; for an element -1, then what it has shot at
- * its corners, and for each corner whose vertex was not met before whether it is
- * buried and what it has received.
+ * A block as bytes. For each subtree, nodes in preorder: for an inner one the number under which it was split; for an
+ * element -1, then what it has shot at its corners, and for each corner whose vertex was not met before a byte of flags
+ * (buried, discarded) and what it has received.
  */
 final class BlockState {
+
+    private static final int BURIED = 1;
+    private static final int DISCARDED = 2;
 
     private BlockState() { }
 
@@ -42,7 +45,7 @@ final class BlockState {
             int v = nodes.corner(node, k);
             if (!met.get(v)) {
                 met.set(v);
-                out.writeBoolean(nodes.isBuried(v));
+                out.writeByte((nodes.isBuried(v) ? BURIED : 0) | (nodes.isDiscarded(v) ? DISCARDED : 0));
                 for (int c = 0; c < channels; c++) {
                     out.writeDouble(nodes.light().irradiance()[channels * v + c]);
                 }
@@ -79,9 +82,11 @@ final class BlockState {
             int v = nodes.corner(node, k);
             if (!met.get(v)) {
                 met.set(v);
-                if (in.readBoolean()) {
+                int flags = in.readByte();
+                if ((flags & BURIED) != 0) {
                     nodes.bury(v);
                 }
+                nodes.setDiscarded(v, (flags & DISCARDED) != 0);
                 for (int c = 0; c < channels; c++) {
                     nodes.light().irradiance()[channels * v + c] = in.readDouble();
                 }

@@ -110,7 +110,17 @@ final class Candidates {
             total += measure(node, layer, sums);
         }
         sums.elements++;
+        sums.negative += hasNegative(node) ? 1 : 0;
         return total;
+    }
+
+    private boolean hasNegative(int element) {
+        for (int k = 0; k < 3; k++) {
+            if (nodes.isNegative(nodes.corner(element, k))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The same of one layer of an element. */

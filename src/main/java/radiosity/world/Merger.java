@@ -23,7 +23,10 @@ final class Merger {
     private int[] faceOf = new int[1024];
     private int elements;
 
-    /** @param dark number of the split whose vertices have not gathered yet: they take what stands beside them */
+    /**
+     * @param dark the round whose new or discarded vertices have not gathered yet: they take what stands beside them; 0
+     *             where there is none
+     */
     Merger(InitialMesh mesh, List<byte[]> states, int dark) {
         this.mesh = mesh;
         this.dark = dark;
@@ -71,7 +74,7 @@ final class Merger {
             irradiance = Arrays.copyOf(irradiance, channels * room);
         }
         nodes.position(node, k, position, 3 * v);
-        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {
+        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark && !nodes.isDiscarded(from))) {
             copies[v]++;
             for (int c = 0; c < channels; c++) {
                 irradiance[channels * v + c] += nodes.light().irradiance()[channels * from + c];

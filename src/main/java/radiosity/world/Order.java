@@ -37,7 +37,9 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
         SHOOT,
         /** Subdivide where interpolation errs; new vertices are dark. */
         SPLIT,
-        /** Gather at the vertices that were made in the round before: nobody is marked. */
+        /** Discard what points with a negative irradiance have received; they are dark. */
+        DISCARD,
+        /** Gather at the vertices that the round before has made, or where it has discarded what they had: nobody is marked. */
         GATHER,
         /** Say what was ever shot. */
         TOTALS,
@@ -91,7 +93,7 @@ record Order(Kind kind, int number, boolean more, List<Shot> shots, double toler
 
     /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
     boolean changes() {
-        return kind == Kind.SHOOT || kind == Kind.SPLIT || kind == Kind.GATHER;
+        return kind == Kind.SHOOT || kind == Kind.SPLIT || kind == Kind.DISCARD || kind == Kind.GATHER;
     }
 
     /** Whether points gather. */

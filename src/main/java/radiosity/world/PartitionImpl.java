@@ -62,7 +62,7 @@ final class PartitionImpl implements Partition {
         candidates = new Candidates(mesh, nodes, shooters, crew);
         if (!restored) {
             receivers.bury(nodes, 0);
-            light(0);
+            light(IntStream.range(0, nodes.vertices()).toArray());
         }
     }
 
@@ -97,6 +97,7 @@ final class PartitionImpl implements Partition {
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
+            case DISCARD -> discard();
             case GATHER -> gather(order, ownPoints(order));
             default -> { }
         }
@@ -179,10 +180,14 @@ final class PartitionImpl implements Partition {
         gather(order, IntStream.of(points(order)).filter(points::get).toArray());
     }
 
-    /** Where is gathered, here or by others: in a round that gathers only, at the points that the round before has made. */
+    /**
+     * Where is gathered, here or by others: in a round that gathers only, at the points that the round before has made or
+     * where it has discarded what they had.
+     */
     private int[] points(Order order) {
-        return order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
-                : IntStream.range(0, nodes.vertices()).toArray();
+        return order.kind() != Order.Kind.GATHER ? IntStream.range(0, nodes.vertices()).toArray()
+                : IntStream.concat(IntStream.of(nodes.verticesMade(order.number() - 1)), IntStream.of(nodes.discarded()))
+                .toArray();
     }
 
     private int[] ownPoints(Order order) {
@@ -195,19 +200,25 @@ final class PartitionImpl implements Partition {
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
+        nodes.keepAll();
         new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number(), crew);
         costs.split(order.number());
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
-        light(known);
+        light(IntStream.range(known, nodes.vertices()).toArray());
+    }
+
+    private void discard() {
+        nodes.discardNegative();
+        light(nodes.discarded());
     }
 
     /** What has no geometry shoots first. */
-    private void light(int first) {
+    private void light(int[] vertices) {
         if (!lights.isEmpty()) {
-            crew.run(nodes.vertices() - first, i -> {
-                if (!nodes.isBuried(first + i)) {
-                    lights.light(nodes, first + i);
+            crew.run(vertices.length, i -> {
+                if (!nodes.isBuried(vertices[i])) {
+                    lights.light(nodes, vertices[i]);
                 }
             });
         }

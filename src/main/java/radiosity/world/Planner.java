@@ -32,8 +32,14 @@ sealed interface Planner permits ShootAndSort, Prediction, Unsorted, MatrixSolut
         return Integer.MAX_VALUE;
     }
 
-    /** Whether so little unshot flux, relative to the emitted, is the end. */
-    default boolean isEnough(double unsent, double wanted) {
+    /**
+     * Whether the calculation is at its end.
+     *
+     * @param last   what the partitions answered to the last round
+     * @param unsent unshot flux relative to the emitted
+     * @param wanted the same at which to stop
+     */
+    default boolean isEnough(Answer last, double unsent, double wanted) {
         return unsent <= wanted;
     }
 

@@ -24,6 +24,9 @@ final class Prediction implements Planner {
     /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
     private static final double SETTLED = 0.05;
     private static final int MOST_SPLITS = 12;
+    private static final int MOST_DISCARDS = 12;
+    /** For the unshot flux before the last shots: whatever is left, there are no more. */
+    private static final double ENDED = Double.NEGATIVE_INFINITY;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.02;
 
@@ -39,7 +42,7 @@ final class Prediction implements Planner {
     }
 
     /** What the last round was. */
-    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER }
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, DISCARD }
 
     private final World world;
     /** Of the scene, scene units squared. */
@@ -52,6 +55,7 @@ final class Prediction implements Planner {
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
     private int splits;
+    private int discards;
     private int elements;
     private boolean refined;
     /** Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. */
@@ -89,25 +93,44 @@ final class Prediction implements Planner {
         if (stage == Stage.SPLIT) {
             refined = last.elements == elements || splits == MOST_SPLITS;
             if (last.elements > elements) {
-                return gather();
+                return gather(true);
             }
         }
-        if (stage == Stage.SHOOT && refined && unsent >= left) {
-            return null;
+        if (stage == Stage.DISCARD) {
+            return gather(false);
         }
-        return shoot(last, unsent, goOn);
+        if (stage == Stage.SHOOT && refined && last.negative > 0) {
+            return discard(unsent);
+        }
+        boolean isLast = left == ENDED ? last.negative == 0 || discards == MOST_DISCARDS : stage == Stage.SHOOT;
+        return refined && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
+    }
+
+    /**
+     * What later shots take back goes along other rays than what came before, and where little arrives more may be taken
+     * back than had come: such a point gathers anew all that was ever shot, along the same rays.
+     */
+    private Order discard(double unsent) {
+        stage = Stage.DISCARD;
+        discards++;
+        if (unsent >= left || discards == MOST_DISCARDS) {
+            left = ENDED;
+        }
+        return order(Order.Kind.DISCARD, List.of(), new double[0]);
     }
 
     private Order split(Answer last) {
         stage = Stage.SPLIT;
         splits++;
         elements = last.elements;
-        return order(Order.Kind.SPLIT, List.of());
+        return order(Order.Kind.SPLIT, List.of(), new double[0]);
     }
 
-    private Order gather() throws IOException {
+    /** @param evenly whether what surfaces of a closed room have in common comes without rays; else nothing is subtracted */
+    private Order gather(boolean evenly) throws IOException {
         stage = Stage.GATHER;
-        return order(Order.Kind.GATHER, world.totals());
+        List<Shot> totals = world.totals();
+        return order(Order.Kind.GATHER, totals, evenly ? EvenLight.of(world.mesh, totals) : new double[0]);
     }
 
     private Order shoot(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
@@ -120,7 +143,7 @@ final class Prediction implements Planner {
         }
         stage = Stage.SHOOT;
         left = unsent;
-        return order(Order.Kind.SHOOT, shots);
+        return order(Order.Kind.SHOOT, shots, EvenLight.of(world.mesh, shots));
     }
 
     /**
@@ -212,8 +235,8 @@ final class Prediction implements Planner {
     }
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
-    private Order order(Order.Kind kind, List<Shot> shots) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, EvenLight.of(world.mesh, shots), new double[0], false, 0, 0);
+    private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, even, new double[0], false, 0, 0);
     }
 
     /** It asks when it knows the coarse system. */
@@ -223,14 +246,15 @@ final class Prediction implements Planner {
     }
 
     @Override
-    public boolean isEnough(double unsent, double wanted) {
-        return refined && unsent <= wanted;
+    public boolean isEnough(Answer last, double unsent, double wanted) {
+        return refined && unsent <= wanted && last.negative == 0;
     }
 
     @Override
     public void write(DataOutput out) throws IOException {
         out.writeByte(stage.ordinal());
         out.writeInt(splits);
+        out.writeInt(discards);
         out.writeInt(elements);
         out.writeBoolean(refined);
         out.writeDouble(left);
@@ -243,6 +267,7 @@ final class Prediction implements Planner {
     public void read(DataInput in) throws IOException {
         stage = Stage.values()[in.readByte()];
         splits = in.readInt();
+        discards = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();
         left = in.readDouble();

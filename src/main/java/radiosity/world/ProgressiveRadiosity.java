@@ -115,7 +115,7 @@ public final class ProgressiveRadiosity {
     private boolean isDone() {
         double left = agenda.isEmpty() ? unsent() : agenda.unsent();
         return tally.shots() >= stop.shots() || agenda.isBetweenRounds()
-                && planner.isEnough(left, Math.max(stop.unsent(), tally.flux.rounding()));
+                && planner.isEnough(last.afterRound(), left, Math.max(stop.unsent(), tally.flux.rounding()));
     }
 
     /** Whether more is unshot than the stop rule asks for, but only as {@linkplain StopRule#ROUNDING rounding}. */

@@ -10,7 +10,7 @@ final class Tally {
     private final InitialMesh mesh;
     private int shots;
     private int rounds;
-    /** The round whose new vertices have not gathered yet; 0 where there is none. */
+    /** The round whose new or discarded vertices have not gathered yet; 0 where there is none. */
     private int dark;
     /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
     private Answer beforeDark;
@@ -44,7 +44,7 @@ final class Tally {
             shots += done.shots().size();
             done.shots().forEach(flux::count);
         }
-        if (done.kind() == Order.Kind.SPLIT && after.elements > before.elements) {
+        if (done.kind() == Order.Kind.SPLIT && after.elements > before.elements || done.kind() == Order.Kind.DISCARD) {
             dark = done.number();
             beforeDark = before;
         } else if (done.kind() != Order.Kind.ROWS && !done.more()) {
@@ -61,7 +61,7 @@ final class Tally {
         return rounds;
     }
 
-    /** The round whose new vertices have not gathered yet; 0 where there is none. */
+    /** The round whose new or discarded vertices have not gathered yet; 0 where there is none. */
     int dark() {
         return dark;
     }
