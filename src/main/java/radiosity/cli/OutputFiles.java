@@ -37,6 +37,11 @@ final class OutputFiles {
         return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent));
     }
 
+    /** The same for what a time limit has cut off after a number of shots. */
+    OutputFiles cutOff(String perCent, int shots) {
+        return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent, shots));
+    }
+
     /** Fails where something cannot be read or written, before any work. */
     void check() throws IOException {
         FileChecks checks = new FileChecks();

@@ -6,6 +6,7 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * How long a render may take ({@code --time}).
@@ -17,6 +18,8 @@ record TimeLimit(String text, double seconds) {
 
     static final String OPTION = "--time";
     private static final String ACCURACY = "--accuracy";
+    /** Options that {@link #cutOff} stands for. */
+    private static final Set<String> REPLACED = Set.of(OPTION, ACCURACY, "--schedule", "-it", "--iterations");
     private static final MathContext DIGITS = new MathContext(3, RoundingMode.CEILING);
 
     /** Seconds that the units have; none is seconds. */
@@ -25,6 +28,25 @@ record TimeLimit(String text, double seconds) {
     /** An accuracy as {@code --accuracy} reads it: three digits, not finer than the given part of 1. */
     static String perCent(double accuracy) {
         return BigDecimal.valueOf(100 * accuracy).round(DIGITS).stripTrailingZeros().toPlainString() + "%";
+    }
+
+    /** The options that give to the last bit what a time limit has cut off after a number of shots. */
+    static List<String> cutOff(String accuracy, int shots) {
+        return List.of("--schedule", "predict", ACCURACY, accuracy, "-it", Integer.toString(shots));
+    }
+
+    /** The command line that gives to the last bit what a time limit has cut off after a number of shots. */
+    static List<String> reproducing(List<String> arguments, String accuracy, int shots) {
+        List<String> same = new ArrayList<>(cutOff(accuracy, shots));
+        for (int i = 0; i < arguments.size(); i++) {
+            String option = arguments.get(i).replaceFirst("=.*", "");
+            if (!REPLACED.contains(option)) {
+                same.add(arguments.get(i));
+            } else if (option.equals(arguments.get(i))) {
+                i++; // its value
+            }
+        }
+        return same;
     }
 
     /** The command line that gives to the last bit what came of one with a time limit. */

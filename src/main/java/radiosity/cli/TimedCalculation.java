@@ -4,13 +4,15 @@ import java.io.IOException;
 import java.util.Locale;
 import java.util.Optional;
 import radiosity.world.NoWorkerException;
+import radiosity.world.ProgressiveRadiosity;
 import radiosity.world.RadiositySettings;
 
 /**
  * Calculates ever more exactly until the time is up ({@code --time}); what counts is the last solution that is whole.
  *
  * <p>Time chooses the accuracies, never the bits: each solution is the one that {@code --accuracy} gives, and the
- * scene file says which. Each is saved as soon as it is there.
+ * scene file says which. Each is saved as soon as it is there. Where not even the first calculation is done in time, it
+ * is cut off after a shot, as by {@code -it}.
  */
 final class TimedCalculation {
 
@@ -25,11 +27,20 @@ final class TimedCalculation {
     private final Conversation user;
     private final StopRequest stop;
     private final OutputFiles files;
+    /** The first calculation goes on beyond the limit until no more of the emitted flux than this is unsent. */
+    private static final double LIT = 0.5;
+
+    /** The calculation that is under way. */
+    private ProgressiveRadiosity current;
+    /** Patches that had shot when this was asked last. */
+    private int shots;
+    /** Whether the limit has cut off the first calculation. */
+    private boolean isCutOff;
+    /** Whether the user knows that the first calculation takes longer than the limit. */
+    private boolean isLate;
     private Calculated best;
     /** Its accuracy, as the user would write it. */
     private String reached;
-    /** When the first was there, seconds. */
-    private double first;
 
     TimedCalculation(Calculation calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
                      Conversation user, StopRequest stop, OutputFiles files) {
@@ -42,7 +53,7 @@ final class TimedCalculation {
         this.files = files;
     }
 
-    /** The best that was done; at least the coarsest is, however long it takes. */
+    /** The best that was done: at least the first calculation until there is some light, however long that takes. */
     Calculated run() throws IOException {
         double accuracy = AccuracyChoice.COARSEST;
         while (accuracy > 0) {
@@ -62,7 +73,8 @@ final class TimedCalculation {
         double accuracy = new Values.PerCent().convert(perCent);
         Calculated result;
         try {
-            result = calculation.run(settings.accurate(accuracy), radiosity -> { }, Optional.empty(), this::goesOn);
+            result = calculation.run(settings.accurate(accuracy), radiosity -> current = radiosity, Optional.empty(),
+                    this::goesOn);
         } catch (NoWorkerException | OutOfMemoryError e) {
             if (best == null) {
                 throw e;
@@ -70,36 +82,45 @@ final class TimedCalculation {
             user.message(perCent + ": " + Outcome.line(e));
             return false;
         }
-        if (best == null) {
-            first = limit.seconds() - course.left();
-        }
         if (best == null || !result.isCut()) {
             best = result;
             reached = perCent;
-            files.accurate(perCent).saveScene(result.solution(), result.settings(), result.certificate());
+            OutputFiles to = isCutOff ? files.cutOff(perCent, result.progress().shots()) : files.accurate(perCent);
+            to.saveScene(result.solution(), result.settings(), result.certificate());
         }
         choice.took(accuracy, begin - course.left(), result.progress().elements());
         return !result.isCut();
     }
 
     private boolean goesOn() {
-        return !stop.made() && (best == null || left() > 0);
+        if (stop.made() || left() > 0) {
+            return !stop.made();
+        }
+        int before = shots;
+        shots = current.shots();
+        isCutOff = best == null && shots > before && current.progress().unsent() <= LIT;
+        if (best == null && !isCutOff && !isLate) {
+            isLate = true;
+            user.message(TimeLimit.OPTION + " " + limit.text()
+                    + ": too short for this scene; going on until half of its light is distributed");
+        }
+        return best == null && !isCutOff;
     }
 
     /** For the user: in what time what was done, and how to do it again to the last bit. */
     String told() {
         String time = seconds(limit.seconds() - course.left());
+        if (isCutOff) {
+            return TimeLimit.OPTION + " " + limit.text() + ": too short for this scene, cut off after " + time
+                    + "; the same as with " + String.join(" ", TimeLimit.cutOff(reached, best.progress().shots()));
+        }
         return TimeLimit.OPTION + " " + limit.text() + ": "
                 + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of --accuracy "
                 : whole(time) + "; the same as with --accuracy ") + reached;
     }
 
     private String whole(String time) {
-        if (stop.made()) {
-            return "stopped after " + time;
-        }
-        return first > limit.seconds() ? "too short for this scene, the coarsest solution was there after " + seconds(first)
-                : "done in " + time;
+        return (stop.made() ? "stopped after " : "done in ") + time;
     }
 
     private static String seconds(double seconds) {

@@ -8,6 +8,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.world.Progress;
+import radiosity.world.SavedState;
 
 /** {@code --time}: the clock chooses the accuracy and never the bits. */
 class TimeLimitTest {
@@ -58,30 +60,54 @@ class TimeLimitTest {
         assertEquals(1 / 3.0, course.done(new Progress(5, 3, 0.5, 1234, false)), 1e-12);
     }
 
-    /** In this process the time is over from the start. */
-    @Test
-    void tooShort_isTheCoarsestSolution() throws IOException {
+    /** In this process the time is over from the start: it is cut off as soon as there is some light. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "--layers", "--schedule predict -it 100000"})
+    void tooShort_isCutOffAsByTheOptionsThatArePrinted(String others) throws IOException {
         Program program = new Program(directory);
-        Path scene = program.file("foobar.lws");
         Path output = program.file("foobar.scene");
-        Run run = Run.of("-q", "--time", "1ms", scene, output);
+        Run run = run(others + " --time 1ms", program);
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
-        assertTrue(run.out().contains("--time 1ms: too short for this scene, "), run.out());
-        assertTrue(run.out().contains("; the same as with --accuracy 50%"), run.out());
-        byte[] timed = Files.readAllBytes(output);
-        assertEquals(ExitCode.DONE, Run.of("-q", "--accuracy", "50%", scene, output).exitCode());
-        assertArrayEquals(timed, Files.readAllBytes(output));
+        assertTrue(run.err().contains("--time 1ms: too short for this scene; going on until"), run.err());
+        Matcher same = Pattern.compile("too short for this scene, cut off after .*; the same as with (--.*)")
+                .matcher(run.out());
+        assertTrue(same.find(), run.out());
+        SavedState timed = SavedCalculation.read(output).state();
+        Run again = run(same.group(1) + (others.equals("--layers") ? " --layers" : ""), program);
+        assertEquals(ExitCode.DONE, again.exitCode(), again.err());
+        assertEquals(timed, SavedCalculation.read(output).state());
+        Matcher unsent = Pattern.compile("(\\S+) % unsent").matcher(run.out());
+        assertTrue(unsent.find() && Double.parseDouble(unsent.group(1)) <= 50, run.out());
+    }
+
+    private static Run run(String options, Program program) {
+        List<Object> arguments = new ArrayList<>(List.of("-q", "-pa", "5000"));
+        arguments.addAll(List.of(options.strip().split(" ")));
+        arguments.addAll(List.of(program.file("foobar.lws"), program.file("foobar.scene")));
+        return Run.of(arguments.toArray());
+    }
+
+    @Test
+    void commandLine_namesTheShotsAfterWhichItWasCutOff() {
+        List<String> options = List.of("--schedule", "predict", "--accuracy", "50%", "-it", "7");
+        for (String given : List.of("--time 60s -q a b", "--time=60s -it 9 -q a b",
+                "-q --schedule=predict --time 60s a b")) {
+            List<String> expected = new ArrayList<>(options);
+            expected.addAll(List.of("-q", "a", "b"));
+            assertEquals(expected, TimeLimit.reproducing(List.of(given.split(" ")), "50%", 7));
+        }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"-q --time 5s", "--time=5s --srgb -q"})
+    @ValueSource(strings = {"-q --time 15s", "--time=15s --srgb -q"})
     void sceneFile_isTheSameAsWithTheAccuracyThatIsPrinted(String options) throws Exception {
         Program program = new Program(directory);
-        String told = rendered(program, options + FILES);
+        String told = rendered(program, "-pa 20000 " + options + FILES);
         Matcher accuracy = Pattern.compile("the same as with --accuracy (\\S+)").matcher(told);
         assertTrue(accuracy.find(), told);
         byte[] timed = Files.readAllBytes(program.file("foobar.scene"));
-        rendered(program, options.replace("--time", "--accuracy").replace("5s", accuracy.group(1)) + FILES);
+        rendered(program, "-pa 20000 " + options.replace("--time", "--accuracy").replace("15s", accuracy.group(1))
+                + FILES);
         assertArrayEquals(timed, Files.readAllBytes(program.file("foobar.scene")));
     }
 
