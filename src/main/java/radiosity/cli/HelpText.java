@@ -42,7 +42,7 @@ final class HelpText {
         for (OptionSpec option : options) {
             table.addRowValues(names(option), String.join(" ", option.description()));
         }
-        text.append(title).append(":%n".formatted()).append(table).append("%n".formatted());
+        text.append(title).append(":").append(System.lineSeparator()).append(table).append(System.lineSeparator());
     }
 
     private static String names(OptionSpec option) {

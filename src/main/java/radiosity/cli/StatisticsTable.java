@@ -17,8 +17,8 @@ final class StatisticsTable {
     }
 
     void print(PrintStream out) {
-        out.printf("%-24s %-8s %7s %10s %7s %9s %7s %9s%n", "host", "", "blocks", "elements", "rounds", "CPU s", "idle %",
-                "MiB");
+        out.printf(Locale.ROOT, "%-24s %-8s %7s %10s %7s %9s %7s %9s%n", "host", "", "blocks", "elements", "rounds",
+                "CPU s", "idle %", "MiB");
         for (HostStatistics host : world.hosts()) {
             out.printf(Locale.ROOT, "%-24s %-8s %7d %,10d %7d %9.2f %7.1f %9.1f%n", host.name(), host.state(),
                     host.blocks(), host.elements(), host.rounds(), host.cpu(), 100 * host.idle(),

@@ -1,6 +1,7 @@
 package radiosity.scene;
 
 import java.io.IOException;
+import java.util.Locale;
 
 /** A file that cannot be read as what it should be: the message says <i>where: expected X, got Y</i>. */
 public final class SceneFormatException extends IOException {
@@ -21,7 +22,7 @@ public final class SceneFormatException extends IOException {
         StringBuilder safe = new StringBuilder(text.length());
         text.codePoints().forEach(c -> {
             if (Character.isISOControl(c) || Character.getType(c) == Character.FORMAT) {
-                safe.append(String.format("\\u%04x", c));
+                safe.append(String.format(Locale.ROOT, "\\u%04x", c));
             } else {
                 safe.appendCodePoint(c);
             }

@@ -70,7 +70,8 @@ final class Overlay {
 
     /** The keys. */
     static BufferedImage help() {
-        return text(Arrays.stream(Keys.HELP).map(line -> String.format("%-20s %s", line[0], line[1])).toList());
+        return text(Arrays.stream(Keys.HELP)
+                .map(line -> String.format(Locale.ROOT, "%-20s %s", line[0], line[1])).toList());
     }
 
     /** What the colours of false colour mean, W/m². */

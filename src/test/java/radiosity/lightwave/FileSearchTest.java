@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -80,6 +81,17 @@ class FileSearchTest {
     @CsvSource({"secret.lwo", "../../../elsewhere/secret.lwo", "text.lwo", "gone.lwo", ".", "/", "C:", "chair.lwo/x"})
     void filesOutsideOfTheRoots_andThoseThatAreNoObjects_areNotFound(String written) throws IOException {
         assertEquals(Optional.empty(), find(written, LightWaveOptions.defaults()));
+    }
+
+    /** Whatever order a file system lists its files in. */
+    @Test
+    void crowdedDirectory_isCutByName(@TempDir Path crowd) throws IOException {
+        for (int i = 59; i >= 0; i--) {
+            Files.createFile(crowd.resolve("file" + (100 + i * 37 % 60)));
+        }
+        FileIndex index = new FileIndex(List.of(crowd), new Notes("crowd", told::add, false), 20);
+        assertEquals(IntStream.range(100, 120).mapToObj(i -> "file" + i).toList(),
+                index.names().stream().sorted().toList());
     }
 
     @Test
