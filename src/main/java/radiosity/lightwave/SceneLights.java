@@ -45,13 +45,13 @@ final class SceneLights {
     private void light(SceneItem item, Rgb power, List<Light> lights) {
         int type = type(item);
         switch (type) {
-            case 0 -> lights.add(make(item, Light.Kind.DISTANT, power));
-            case 1 -> lights.add(make(item, Light.Kind.POINT, power));
-            case 2 -> lights.add(make(item, Light.Kind.SPOT, power));
-            case 4 -> lights.add(make(item, Light.Kind.AREA, power.times(Math.PI)));
+            case 0 -> add(item, Light.Kind.DISTANT, power, lights);
+            case 1 -> add(item, Light.Kind.POINT, power, lights);
+            case 2 -> add(item, Light.Kind.SPOT, power, lights);
+            case 4 -> add(item, Light.Kind.AREA, power.times(Math.PI), lights);
             case 3 -> {
                 notes.note(item.place(), "linear lights are taken as point lights at their middle");
-                lights.add(make(item, Light.Kind.POINT, power));
+                add(item, Light.Kind.POINT, power, lights);
             }
             default -> notes.note(item.place(), "lights of a kind that is not known are left out", String.valueOf(type));
         }
@@ -71,8 +71,21 @@ final class SceneLights {
         };
     }
 
-    private Light make(SceneItem item, Light.Kind kind, Rgb power) {
+    private void add(SceneItem item, Light.Kind kind, Rgb power, List<Light> lights) {
         Matrix world = new LookAt(placement, instant).world(item);
+        boolean isSomewhere = power.isFinite();
+        for (double m : world.m()) {
+            isSomewhere &= Double.isFinite(m);
+        }
+        double length = right(world.direction(0, 0, 1)).length();
+        if (isSomewhere && length > 0 && Double.isFinite(length)) {
+            lights.add(make(item, kind, power, world));
+        } else {
+            notes.note(item.place(), "lights are left out that are nowhere, or scaled to nothing");
+        }
+    }
+
+    private Light make(SceneItem item, Light.Kind kind, Rgb power, Matrix world) {
         double range = item.number("LightRange", instant, 1);
         String cone = item.has("LightConeAngle") ? "LightConeAngle" : "ConeAngle";
         String edge = item.has("LightEdgeAngle") ? "LightEdgeAngle" : "EdgeAngle";
@@ -87,7 +100,8 @@ final class SceneLights {
     }
 
     private double angle(double written) {
-        return scene.version <= 2 ? Math.toRadians(written) : written;
+        double angle = scene.version <= 2 ? Math.toRadians(written) : written;
+        return Math.max(0, Math.min(Math.PI, angle));
     }
 
     /** A left-handed direction in the right-handed space of scenes. */

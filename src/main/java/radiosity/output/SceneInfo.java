@@ -1,16 +1,22 @@
 package radiosity.output;
 
 import java.io.IOException;
+import java.lang.reflect.Array;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
@@ -60,8 +66,8 @@ public final class SceneInfo {
         Map<String, Object> extras = file.extras();
         line("format", String.valueOf(extras.get("formatVersion")));
         line("program", String.valueOf(extras.get("program")));
-        line("shots", extras.get("shots") + " in " + extras.get("rounds") + " rounds, unshot "
-                + extras.get("unshotFlux") + " W");
+        line("shots", value(extras.get("shots")) + " in " + value(extras.get("rounds"))
+                + " rounds; unshot flux added up without its sign: " + value(extras.get("unshotFlux")) + " W");
         line("state", extras.containsKey("state") ? "kept, the render can go on" : "none, the render cannot go on");
     }
 
@@ -135,14 +141,14 @@ public final class SceneInfo {
         line("shot", watts(ledger.shot()));
         line("received", watts(ledger.received()));
         line("absorbed", watts(ledger.absorbed()));
-        line("unshot", watts(ledger.unshot()));
+        line("unshot", watts(ledger.unshot()) + " signed: what was shot too much is subtracted");
         double[] deficit = new double[ledger.shot().length];
         Arrays.setAll(deficit, ledger::deficit);
         line("deficit", watts(deficit));
     }
 
     private static String watts(double[] flux) {
-        return Arrays.toString(flux).replaceAll("[\\[\\]]", "") + " W";
+        return value(flux) + " W";
     }
 
     /** Of the file's certificate, what is about the whole. */
@@ -151,7 +157,7 @@ public final class SceneInfo {
             Map<String, Object> whole = new TreeMap<>();
             certificate.forEach((key, value) -> whole.put(String.valueOf(key), value));
             whole.remove("surfaces");
-            line("certificate", whole.toString().replaceAll("[{}]", ""));
+            line("certificate", value(whole));
         }
     }
 
@@ -173,8 +179,31 @@ public final class SceneInfo {
     private void rest() {
         new TreeMap<>(file.extras()).forEach((key, value) -> {
             if (!SHOWN.contains(key)) {
-                line(key, String.valueOf(value));
+                line(key, value(value));
             }
         });
+    }
+
+    /** A value of the extras as text: real numbers to five digits, lists and arrays by what they contain. */
+    private static String value(Object value) {
+        if (value instanceof Map<?, ?> map) {
+            return map.entrySet().stream().map(entry -> entry.getKey() + "=" + value(entry.getValue()))
+                    .collect(Collectors.joining(", "));
+        }
+        if (value instanceof Collection<?> list) {
+            return list.stream().map(SceneInfo::value).collect(Collectors.joining(", "));
+        }
+        if (value != null && value.getClass().isArray()) {
+            return IntStream.range(0, Array.getLength(value)).mapToObj(i -> value(Array.get(value, i)))
+                    .collect(Collectors.joining(", "));
+        }
+        return value instanceof Double || value instanceof Float || value instanceof BigDecimal
+                ? number(((Number) value).doubleValue()) : String.valueOf(value);
+    }
+
+    private static String number(double value) {
+        return Double.isFinite(value) && value != 0
+                ? new BigDecimal(value).round(new MathContext(5)).stripTrailingZeros().toString().replace("E+", "E")
+                : String.valueOf(value == 0 ? 0 : value);
     }
 }

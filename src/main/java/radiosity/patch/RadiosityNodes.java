@@ -24,6 +24,7 @@ public final class RadiosityNodes {
     /** Leaves of the initial mesh. */
     private final int[] patches;
     private int patchCount;
+    /** For whoever divides nodes: modified. */
     private final int[] weights = new int[9];
 
     /** Makes the initial mesh of some blocks. */
@@ -184,16 +185,17 @@ public final class RadiosityNodes {
     }
 
     /**
-     * Where corner k of a node lies in the scene.
+     * Where corner k of a node lies in the scene; any number of threads may ask.
      *
      * @param to modified: x, y, z in scene units, 3 from {@code at}
      */
     public void position(int node, int k, double[] to, int at) {
-        Path.weights(tree.path(node), weights);
+        int[] weight = new int[9];
+        Path.weights(tree.path(node), weight);
         for (int a = 0; a < 3; a++) {
             double sum = 0;
             for (int j = 0; j < 3; j++) {
-                sum += (double) weights[3 * k + j] / Path.ONE * faces.sceneCorner(face(node), j, a);
+                sum += (double) weight[3 * k + j] / Path.ONE * faces.sceneCorner(face(node), j, a);
             }
             to[at + a] = sum;
         }

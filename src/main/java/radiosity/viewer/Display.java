@@ -26,7 +26,7 @@ final class Display {
     private final Walker walker;
     private final Walking walking;
     private Extent extent;
-    private CompletableFuture<Obstacles> obstacles;
+    private CompletableFuture<Optional<Obstacles>> obstacles;
     private SceneShapes shapes;
     private Runnable changed = () -> { };
     private boolean wireframe;
@@ -89,7 +89,7 @@ final class Display {
     void show(LitScene other) {
         lighting.show(other);
         extent = Extent.of(other);
-        obstacles = CompletableFuture.supplyAsync(() -> new Obstacles(other));
+        obstacles = CompletableFuture.supplyAsync(() -> new Obstacles(other)).handle(Display::orNothing);
         surfaces();
         look();
     }
@@ -123,10 +123,18 @@ final class Display {
         status("read again: " + other.progress());
     }
 
+    /** Says once where obstacles cannot be made, as in too little memory: the user then walks without them. */
+    private static Optional<Obstacles> orNothing(Obstacles made, Throwable failure) {
+        if (failure != null) {
+            System.err.println("viewer: expected memory for what is in the way, got " + failure.getMessage()
+                    + "; walls let you through, and a click tells nothing");
+        }
+        return Optional.ofNullable(made);
+    }
+
     /** Until the obstacles of a large scene are known nothing is in the way. */
     private Vec3 allowed(Vec3 eye, Vec3 step) {
-        Obstacles known = obstacles.getNow(null);
-        return known == null ? step : known.allowed(eye, step);
+        return obstacles.getNow(Optional.empty()).map(known -> known.allowed(eye, step)).orElse(step);
     }
 
     void look() {
@@ -233,7 +241,7 @@ final class Display {
         Vec3 direction = camera.direction((2.0 * x + 1) / stage.canvas().getWidth() - 1,
                 1 - (2.0 * y + 1) / stage.canvas().getHeight());
         double far = REACH * (extent.size() + camera.position().minus(extent.centre()).length());
-        Optional<Probe> probe = obstacles.join().hit(camera.position(), direction, far)
+        Optional<Probe> probe = obstacles.join().flatMap(known -> known.hit(camera.position(), direction, far))
                 .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position().plus(direction.times(hit.distance()))));
         status(probe.map(Probe::lines).orElse(List.of()));
         return probe;

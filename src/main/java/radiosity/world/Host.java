@@ -104,7 +104,7 @@ final class Host implements AutoCloseable {
         for (int at = 0; at < message.length; at += PART_BYTES) {
             remote.send(session, Arrays.copyOfRange(message, at, Math.min(message.length, at + PART_BYTES)));
         }
-        load.bytes += message.length;
+        load.bytes.addAndGet(message.length);
     }
 
     private void beat() {
@@ -152,7 +152,7 @@ final class Host implements AutoCloseable {
 
     Reply round(long number, byte[] order) throws IOException {
         byte[] bytes = Attempts.repeat(() -> remote.round(session, number, order));
-        load.bytes += order.length + bytes.length;
+        load.bytes.addAndGet((long) order.length + bytes.length);
         return Reply.decode(bytes);
     }
 
@@ -160,7 +160,7 @@ final class Host implements AutoCloseable {
     List<byte[]> take(Adoption adoption) throws IOException {
         send(adoption.encode());
         byte[] answers = remote.take(session);
-        load.bytes += answers.length;
+        load.bytes.addAndGet(answers.length);
         return Wire.list(answers);
     }
 
@@ -186,7 +186,7 @@ final class Host implements AutoCloseable {
             out.write(roles);
         }));
         byte[] left = remote.share(session);
-        load.bytes += left.length;
+        load.bytes.addAndGet(left.length);
         return left;
     }
 
@@ -196,7 +196,7 @@ final class Host implements AutoCloseable {
         while (states.size() < blocks.size()) {
             byte[] wanted = ids(blocks.subList(states.size(), blocks.size()));
             byte[] some = Attempts.repeat(() -> remote.blocks(session, wanted));
-            load.bytes += some.length;
+            load.bytes.addAndGet(some.length);
             int before = states.size();
             states.addAll(Wire.list(some));
             if (states.size() == before) {

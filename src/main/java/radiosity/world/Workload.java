@@ -1,5 +1,7 @@
 package radiosity.world;
 
+import java.util.concurrent.atomic.AtomicLong;
+
 /**
  * What a host has to do and has done. Its time is counted as if nothing took any but the hosts' processors: a step
  * begins when the host has done the one before, and the master has seen done what it had seen when it gave the step.
@@ -18,7 +20,8 @@ final class Workload {
     double sinceWait;
     /** At how many points it gathered in the last step. */
     int told;
-    volatile long bytes;
+    /** Sent and received; several threads add to it. */
+    final AtomicLong bytes = new AtomicLong();
 
     /** @param given what the slowest host had reached when the master gave this step */
     void add(Reply reply, double given) {
@@ -39,6 +42,6 @@ final class Workload {
     /** @param end when it was not needed any more, s */
     HostStatistics statistics(String name, String state, int blocks, double end) {
         return new HostStatistics(name, state, blocks, elements, rounds, cpu, rounds == 0 ? 0 : 1 - cpu / (end - begun),
-                bytes);
+                bytes.get());
     }
 }
