@@ -1,5 +1,6 @@
 package radiosity.world;
 
+import com.fasterxml.jackson.core.io.NumberOutput;
 import java.util.List;
 import java.util.Locale;
 import radiosity.formfactor.FormFactorCalculators;
@@ -166,10 +167,16 @@ final class InitialMesh {
     /** What two calculations must have in common for one to go on from the other. */
     String fingerprint() {
         return String.format(Locale.ROOT, "scene %016x in %d blocks, -pa %s -nr %d -mt %s --schedule %s", digest(),
-                blocks.size(), patchArea(), rays(), settings.meshing(), settings.schedule().name().toLowerCase(Locale.ROOT))
+                blocks.size(), text(patchArea()), rays(), text(settings.meshing()),
+                settings.schedule().name().toLowerCase(Locale.ROOT))
                 + (settings.layers() ? " --layers" : "")
                 + (settings.factors() == FormFactors.RAYCAST ? ""
                 : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT));
+    }
+
+    /** The shortest digits for a number; those of Double.toString differ between JDK 17 and JDK 19. */
+    private static String text(double number) {
+        return NumberOutput.toString(number, true);
     }
 
     /** By what it shines, not by its name, which hosts are not told. */

@@ -110,6 +110,14 @@ class SameBitsTest {
                 SCENE.camera(), places);
     }
 
+    /** Hosts on JDK 17 and on JDK 25 compare it; JDK 17 has 1.9999999999999998E23 for this number. */
+    @Test
+    void fingerprint_hasTheSameDigitsOnEveryJdk() {
+        RadiositySettings settings = new RadiositySettings(SCENE.area() / 120, 1, 2e23, Schedule.PAPER);
+        String fingerprint = new LocalWorld(SCENE, settings, 1).mesh.fingerprint();
+        assertTrue(fingerprint.contains(" -mt 2.0E23 "), fingerprint);
+    }
+
     @Test
     void ledger_closes() throws IOException {
         for (Schedule schedule : Schedule.values()) {
