@@ -12,7 +12,8 @@ powershell -NoProfile -Command "$built = (Get-Item $env:JAR).LastWriteTime; exit
 if not errorlevel 1 goto run
 :build
 echo building %JAR% 1>&2
-call mvn -q -B -Dmaven.test.skip=true -f "%PROJECT%\pom.xml" package 1>&2
+set "MAVEN_OPTS=%MAVEN_OPTS% -Djansi.noreset=true"
+call mvn -q -B -Dstyle.color=never -Dmaven.test.skip=true -f "%PROJECT%\pom.xml" package 1>&2
 if errorlevel 1 exit /b 1
 :run
 set "JAVA=java"
@@ -22,5 +23,5 @@ if not defined DIRECTIVES goto start
 if not exist "%DIRECTIVES%" goto start
 if not defined JAVA_OPTS set HOT=-XX:+UnlockDiagnosticVMOptions -XX:-DisplayVMOutput -XX:CompilerDirectivesFile="%DIRECTIVES%"
 :start
-"%JAVA%" -XX:+UseParallelGC -XX:MaxRAMPercentage=75 %HOT% %JAVA_OPTS% -cp "%JAR%" %MAIN% %*
+"%JAVA%" --enable-native-access=ALL-UNNAMED -XX:+UseParallelGC -XX:MaxRAMPercentage=75 %HOT% %JAVA_OPTS% -cp "%JAR%" %MAIN% %*
 exit /b %ERRORLEVEL%

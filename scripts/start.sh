@@ -21,10 +21,12 @@ is_stale() {
         || [ -n "$(find "$project/pom.xml" "$project/src/main" -type f -newer "$jar" | head -n 1)" ]
 }
 
+# Without escape codes: Maven's library for colours would end with one even where nothing was coloured.
 build() {
     echo "building $jar" >&2
     : >"$unfinished"
-    (cd "$project" && mvn -q -B -Dstyle.color=never -Dmaven.test.skip=true package) >&2 \
+    (cd "$project" && MAVEN_OPTS="$MAVEN_OPTS -Djansi.noreset=true" \
+        mvn -q -B -Dstyle.color=never -Dmaven.test.skip=true package) >&2 \
         || fail "$jar: expected to be built, got the errors above"
     keep_classes
     rm -f "$unfinished"
@@ -106,8 +108,9 @@ start() {
     fi
     hot=
     if [ -z "$JAVA_OPTS" ] && [ -f "${directives-}" ]; then hot=$directives; fi
-    # JAVA_OPTS is split into words on purpose
-    exec "$java" -XX:SharedArchiveFile="${jar%.jar}.jsa" -Xlog:cds=off -Xlog:cds+dynamic=off -XX:+UseParallelGC \
-        -XX:MaxRAMPercentage=75 ${hot:+-XX:+UnlockDiagnosticVMOptions} ${hot:+-XX:-DisplayVMOutput} \
-        ${hot:+"-XX:CompilerDirectivesFile=$hot"} $built $JAVA_OPTS -cp "$jar" "$@"
+    # JAVA_OPTS is split into words on purpose. Natives of the key listener and of Java 3D are loaded without a word from
+    # the JVM.
+    exec "$java" --enable-native-access=ALL-UNNAMED -XX:SharedArchiveFile="${jar%.jar}.jsa" -Xlog:cds=off \
+        -Xlog:cds+dynamic=off -XX:+UseParallelGC -XX:MaxRAMPercentage=75 ${hot:+-XX:+UnlockDiagnosticVMOptions} \
+        ${hot:+-XX:-DisplayVMOutput} ${hot:+"-XX:CompilerDirectivesFile=$hot"} $built $JAVA_OPTS -cp "$jar" "$@"
 }

@@ -3,6 +3,7 @@ package radiosity.world;
 import com.fasterxml.jackson.core.io.NumberOutput;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.FormFactors;
 import radiosity.patch.Block;
@@ -14,6 +15,7 @@ import radiosity.patch.Rooms;
 import radiosity.patch.Strips;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
@@ -24,6 +26,8 @@ final class InitialMesh {
     private static final int PATCHES = 6000;
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
+    /** Where a fingerprint is split into scene and options. */
+    private static final String PARTS = ",? (?=-)";
     /** What is shared out: where borders cost time, and where every point is computed once. */
     private static final int BLOCKS = 256;
     private static final int FINE_BLOCKS = 1024;
@@ -171,7 +175,43 @@ final class InitialMesh {
                 settings.schedule().name().toLowerCase(Locale.ROOT))
                 + (settings.layers() ? " --layers" : "")
                 + (settings.factors() == FormFactors.RAYCAST ? ""
-                : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT));
+                : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT))
+                + (predicts() ? accuracy() : "");
+    }
+
+    /** In per cent, and as the two numbers that follow from that. */
+    private String accuracy() {
+        return String.format(Locale.ROOT, " --accuracy %.6g%% (tolerance %s, mesh error %s)",
+                100 * Accuracy.of(settings.tolerance()), tolerance(), meshError());
+    }
+
+    /** With prediction: irradiance that one ray may carry, relative to the mean. */
+    double tolerance() {
+        return settings.tolerance() > 0 ? settings.tolerance() : Accuracy.tolerance(Accuracy.DEFAULT);
+    }
+
+    /** With prediction: error of interpolation that one element may add to the whole. */
+    double meshError() {
+        return settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
+    }
+
+    /**
+     * Checks that a calculation with another mesh's fingerprint can go on with this one.
+     *
+     * @throws SceneFormatException that names the differences
+     */
+    void checkFingerprint(String saved) throws SceneFormatException {
+        List<String> own = List.of(fingerprint().split(PARTS));
+        List<String> others = List.of(saved.split(PARTS));
+        if (!own.equals(others)) {
+            throw new SceneFormatException("the saved calculation", "", "the same scene and settings ("
+                    + difference(own, others) + ")", difference(others, own));
+        }
+    }
+
+    private static String difference(List<String> of, List<String> from) {
+        String parts = of.stream().filter(part -> !from.contains(part)).collect(Collectors.joining(" "));
+        return parts.isEmpty() ? "none" : parts;
     }
 
     /** The shortest digits for a number; those of Double.toString differ between JDK 17 and JDK 19. */

@@ -64,9 +64,8 @@ final class Prediction implements Planner {
     Prediction(World world) {
         this.world = world;
         area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
-        RadiositySettings settings = world.settings();
-        tolerance = settings.tolerance() > 0 ? settings.tolerance() : Accuracy.tolerance(Accuracy.DEFAULT);
-        meshError = settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
+        tolerance = world.mesh.tolerance();
+        meshError = world.mesh.meshError();
         weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
         coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN ? new CoarseSystem(world.mesh, world.crew) : null;

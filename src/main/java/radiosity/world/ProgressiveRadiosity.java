@@ -300,11 +300,7 @@ public final class ProgressiveRadiosity {
      */
     public void resume(SavedState state) throws IOException {
         try (DataInputStream in = new DataInputStream(state.open())) {
-            String before = in.readUTF();
-            if (!before.equals(world.mesh.fingerprint())) {
-                throw new SceneFormatException("the saved calculation", "", "the same scene and settings ("
-                        + world.mesh.fingerprint() + ")", before);
-            }
+            world.mesh.checkFingerprint(in.readUTF());
             tally.read(in);
             prepare();
             planner.read(in);

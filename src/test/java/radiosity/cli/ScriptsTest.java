@@ -17,6 +17,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -28,6 +29,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The start script in a project of its own, with a java and an mvn that only say how they were called. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has the .cmd twins instead")
 class ScriptsTest {
+
+    /** Lets libraries load natives, of which JDKs from 24 on would warn. */
+    private static final String NATIVES = "--enable-native-access=ALL-UNNAMED";
 
     @TempDir
     Path directory;
@@ -76,6 +80,9 @@ class ScriptsTest {
         Matcher option = Pattern.compile("-XX:[+-]?\\w+").matcher(Files.readString(Path.of("scripts", "start.sh")));
         while (option.find()) {
             assertTrue(twin.contains(option.group()) || option.group().contains("Archive"), option.group());
+        }
+        for (String both : new String[] {NATIVES, "-Djansi.noreset=true", "-Dstyle.color=never"}) {
+            assertTrue(twin.contains(both) && Files.readString(Path.of("scripts", "start.sh")).contains(both), both);
         }
         assertTrue(twin.contains("if not defined JAVA_OPTS"), "the JVM's own words are not shown with them");
         for (String name : new String[] {"RadiosityRenderer", "PartitionServer", "ViewSceneFile"}) {
@@ -245,5 +252,37 @@ class ScriptsTest {
         run(script());
         environment.put("JAVA_OPTS", "-Xmx8g -Dx=y");
         assertTrue(run(script()).contains(" -XX:MaxRAMPercentage=75 -Xmx8g -Dx=y -cp "));
+    }
+
+    @Test
+    void build_printsNoEscapeCodes() throws Exception {
+        tool("mvn", "echo mvn $MAVEN_OPTS; touch target/radiosity.jar");
+        environment.put("MAVEN_OPTS", "-Xmx1g");
+        assertTrue(run(script()).contains("mvn -Xmx1g -Djansi.noreset=true\n"));
+    }
+
+    /** This JDK, and those in directories beside it. */
+    @Test
+    void everyJdkAtHand_addsNothingToWhatTheProgramPrints() throws Exception {
+        Path home = Path.of(System.getProperty("java.home")).toRealPath();
+        Path python = Path.of("/usr/bin/python3");
+        assumeTrue(Files.exists(python), "needs python3 for a pseudo terminal");
+        int tried = 0;
+        try (Stream<Path> jdks = Files.list(home.getParent())) {
+            for (Path jdk : jdks.filter(Files::isDirectory).filter(d -> Files.exists(d.resolve("bin/java"))).toList()) {
+                List<String> command = Program.command("-q -pa 20000 -it 1 " + Path.of("scenes/cornell-box.lws").toAbsolutePath()
+                        + " " + directory.resolve("box.scene"));
+                command.set(0, jdk.resolve("bin/java").toString());
+                command.add(1, NATIVES);
+                command.addAll(0, List.of(python.toString(), "-c", "import pty,sys; pty.spawn(sys.argv[1:])"));
+                Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+                process.getOutputStream().close();
+                String output = Program.rest(process);
+                assertTrue(output.contains("1 shot in 1 round"), jdk + ": " + output);
+                assertFalse(output.contains("WARNING"), jdk + ": " + output);
+                tried++;
+            }
+        }
+        assertTrue(tried > 0);
     }
 }
