@@ -16,7 +16,7 @@ import radiosity.scene.Vec3;
  * <p>Discontinuity meshing for the discontinuities that no refinement can find an end to: D. Baum, S. Mann, K. Smith,
  * J. Winget, Making radiosity usable, 1991. Faces of a size of few elements are left as they are.
  */
-final class Cutting {
+public final class Cutting {
 
     /** Of the area of all faces. */
     private static final double LEAST_AREA = 2e-4;
@@ -27,12 +27,22 @@ final class Cutting {
 
     private final Faces faces;
     final Contacts contacts;
-    final CutPoints points;
+    private final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
-    final Map<Integer, List<int[]>> pieces = new HashMap<>();
+    private final Map<Integer, List<int[]>> pieces = new HashMap<>();
     /** Edges along contacts: two points, the lower number first. */
     final Set<Long> edges = new HashSet<>();
     private int count;
+
+    /**
+     * Cuts large faces along their contacts; leaves all faces as they are where nothing stands on them or comes through,
+     * and where so many triangles do that there would be more pieces than elements.
+     */
+    public static Faces cut(Faces faces) {
+        Cutting cutting = new Cutting(faces);
+        return cutting.edges.isEmpty() || cutting.isTooFine() ? faces
+                : faces.withPieces(new FacePieces(cutting.points, cutting.pieces, cutting.edges));
+    }
 
     Cutting(Faces faces) {
         this.faces = faces;
@@ -45,13 +55,8 @@ final class Cutting {
         }
     }
 
-    /** Pieces of all faces that are cut. */
-    int count() {
-        return count;
-    }
-
     /** Whether so much stands on faces or comes through them that it was given up. */
-    boolean isTooFine() {
+    private boolean isTooFine() {
         return count > MOST;
     }
 

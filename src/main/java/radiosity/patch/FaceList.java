@@ -56,11 +56,11 @@ final class FaceList {
     }
 
     /** The same faces with the pieces of those that are cut. */
-    FaceList cut(Cutting cutting) {
-        FaceList list = new FaceList(box, cutting.points, count + cutting.count());
+    FaceList withPieces(FacePieces cut) {
+        FaceList list = new FaceList(box, cut.points(), count + cut.count());
         list.dropped = dropped;
         for (int f = 0; f < count; f++) {
-            List<int[]> pieces = cutting.pieces.get(f);
+            List<int[]> pieces = cut.byFace().get(f);
             if (pieces == null) {
                 list.add(this, f, point[3 * f], point[3 * f + 1], point[3 * f + 2]);
                 continue;

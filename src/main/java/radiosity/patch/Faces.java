@@ -76,14 +76,9 @@ public final class Faces {
         shine = new Shine(this, kinds);
     }
 
-    /**
-     * The same with large faces cut where others stand on them or come through; as it is where nothing does, and where
-     * so many do that there would be more pieces than elements.
-     */
-    public Faces cut() {
-        Cutting cutting = new Cutting(this);
-        return cutting.edges.isEmpty() || cutting.isTooFine() ? this
-                : new Faces(scene, box, kinds, list.cut(cutting), cutting.edges);
+    /** The same scene with some faces replaced by their pieces. */
+    Faces withPieces(FacePieces pieces) {
+        return new Faces(scene, box, kinds, list.withPieces(pieces), pieces.edges());
     }
 
     /** A place in the scene, brought to size 1 around the origin. */

@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.FormFactors;
 import radiosity.patch.Block;
+import radiosity.patch.Cutting;
 import radiosity.patch.Faces;
 import radiosity.patch.Fellows;
 import radiosity.patch.Hash;
@@ -66,7 +67,7 @@ final class InitialMesh {
         this.scene = predicts() ? Strips.cut(scene, settings.patchArea() > 0 ? settings.patchArea()
                 : scene.area() / COARSE_PATCHES) : scene;
         Faces whole = new Faces(this.scene, settings.layers());
-        faces = predicts() ? whole.cut() : whole;
+        faces = predicts() ? Cutting.cut(whole) : whole;
         rooms = new Rooms(faces, this::isBuried);
         faces.darken(rooms::isHidden);
         double squared = faces.size() * faces.size();

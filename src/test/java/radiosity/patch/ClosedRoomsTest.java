@@ -86,7 +86,7 @@ class ClosedRoomsTest {
     /** Where the floor is cut, what is under the block stands in no room. */
     @Test
     void blockWithoutBottomOnACutFloor_leavesTheRoomClosed() {
-        Faces cut = new Faces(radiosity.accuracy.Rooms.closedCornell(WALL)).cut();
+        Faces cut = Cutting.cut(new Faces(radiosity.accuracy.Rooms.closedCornell(WALL)));
         Rooms found = new Rooms(cut, f -> true);
         assertEquals(1, found.count());
         assertTrue(found.isPlain());
@@ -96,7 +96,7 @@ class ClosedRoomsTest {
     /** 4 mm thick, between floor, walls and ceiling that are one polygon each. */
     @Test
     void thinWall_makesTwoRoomsOfOne() {
-        Faces cut = new Faces(withWall(0.5, 0.504)).cut();
+        Faces cut = Cutting.cut(new Faces(withWall(0.5, 0.504)));
         Rooms found = new Rooms(cut);
         assertEquals(2, found.count());
         for (int f = 0; f < cut.count(); f++) {
@@ -108,7 +108,7 @@ class ClosedRoomsTest {
 
     @Test
     void wallOfNoThickness_makesTwoRoomsOfOne() {
-        assertEquals(2, new Rooms(new Faces(withWall(0.5, 0.5)).cut()).count());
+        assertEquals(2, new Rooms(Cutting.cut(new Faces(withWall(0.5, 0.5)))).count());
     }
 
     private static int firstAt(Faces faces, double z) {

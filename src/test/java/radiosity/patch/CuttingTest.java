@@ -26,7 +26,7 @@ class CuttingTest {
     }
 
     private static Faces cut(SceneBuilder builder) {
-        return new Faces(builder.scene("cut")).cut();
+        return Cutting.cut(new Faces(builder.scene("cut")));
     }
 
     private static SceneBuilder wall(SceneBuilder builder, double from, double to) {
@@ -37,7 +37,7 @@ class CuttingTest {
     @Test
     void whatTouchesNothing_staysAsItIs() {
         Faces whole = new Faces(floor().scene("floor"));
-        assertSame(whole, whole.cut());
+        assertSame(whole, Cutting.cut(whole));
     }
 
     @Test
@@ -114,6 +114,6 @@ class CuttingTest {
                     random.nextDouble())).toArray(Vec3[]::new));
         }
         Faces whole = new Faces(soup.scene("soup"));
-        assertSame(whole, whole.cut());
+        assertSame(whole, Cutting.cut(whole));
     }
 }
