@@ -11,32 +11,35 @@ final class Footprint {
     private static final double IN_PLANE = 1e-6;
 
     private final Faces faces;
-    private final int[] shell;
-    private final int own;
+    private final FaceGroups parts;
+    private final int[] own;
     private final List<int[]> rim;
 
     /**
-     * @param shell 1 per face: the lowest face of its shell; not modified
-     * @param own   the shell that is open
+     * @param parts faces by their parts
+     * @param own   faces of the shell that is open; not modified
      * @param rim   two points per edge of its boundary, at least one edge
      */
-    Footprint(Faces faces, int[] shell, int own, List<int[]> rim) {
+    Footprint(Faces faces, FaceGroups parts, int[] own, List<int[]> rim) {
         this.faces = faces;
-        this.shell = shell;
+        this.parts = parts;
         this.own = own;
         this.rim = rim;
     }
 
-    /** Whether the rim lies on one plane part of a wall, and the shell is seen from outside. */
-    boolean isOn(int wall) {
+    /**
+     * Whether the rim lies on one plane part of a wall, and the shell is seen from outside.
+     *
+     * @param wall faces; not modified
+     */
+    boolean isOn(int[] wall) {
         double[] first = at(rim.get(0)[0]);
-        return volumeFrom(first) >= 0 && IntStream.range(0, shell.length)
-                .filter(f -> shell[f] == wall && covers(f, first)).map(f -> faces.part[f]).distinct()
-                .anyMatch(this::carries);
+        int[] below = IntStream.of(wall).filter(f -> covers(f, first)).map(f -> faces.part[f]).distinct().toArray();
+        return below.length > 0 && volumeFrom(first) >= 0 && IntStream.of(below).anyMatch(this::carries);
     }
 
     private boolean carries(int part) {
-        int[] floor = IntStream.range(0, shell.length).filter(f -> faces.part[f] == part).toArray();
+        int[] floor = parts.of(part);
         return rim.stream().allMatch(edge -> {
             double[] p = at(edge[0]);
             double[] q = at(edge[1]);
@@ -87,12 +90,10 @@ final class Footprint {
     /** Volume of the shell closed by a lid in a plane through an apex, of the scene's cubed size. */
     private double volumeFrom(double[] apex) {
         double sum = 0;
-        for (int f = 0; f < shell.length; f++) {
-            if (shell[f] == own) {
-                double[] a = edge(f, 0, apex);
-                sum -= faces.area(f) / 3 * (faces.normal(f, 0) * a[0] + faces.normal(f, 1) * a[1]
-                        + faces.normal(f, 2) * a[2]);
-            }
+        for (int f : own) {
+            double[] a = edge(f, 0, apex);
+            sum -= faces.area(f) / 3 * (faces.normal(f, 0) * a[0] + faces.normal(f, 1) * a[1]
+                    + faces.normal(f, 2) * a[2]);
         }
         return sum;
     }

@@ -33,6 +33,15 @@ public final class Rooms {
     /** 6 per lowest face: low x, y, z, high x, y, z. */
     private final float[] box;
     private final int[] room;
+    private final FaceGroups members;
+    private final FaceGroups parts;
+    private final ShellBoxes all;
+    /** Boxes of closed shells that are seen from inside: nothing that one reaches into is the wall of a closed room. */
+    private final ShellBoxes inward;
+    /** Boxes of shells of which it depends on the wall whether they are solid. */
+    private final ShellBoxes doubtful;
+    /** Pairs of shells and of faces that were looked at, for tests. */
+    long looks;
     /** 1 per lowest face: whether all of the shell are buried pieces that look at backs. */
     private final boolean[] hidden;
     private int count;
@@ -54,12 +63,18 @@ public final class Rooms {
         room = new int[n];
         hidden = new boolean[n];
         Arrays.fill(room, -1);
+        members = new FaceGroups(shell);
+        parts = new FaceGroups(faces.part);
         measure();
+        all = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f).toArray());
+        inward = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f && isWall(f)).toArray());
+        doubtful = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f && open[f]).toArray());
+        int[] insideOf = new int[n];
         for (int f = 0; f < n; f++) {
             if (shell[f] == f && isWall(f) && isClosed(f)) {
-                furnish(f);
+                furnish(f, insideOf);
             }
-            hidden[f] = shells.seesBacks[f] && IntStream.of(of(f)).allMatch(g -> faces.isPiece(g) && buried.test(g));
+            hidden[f] = shells.seesBacks[f] && IntStream.of(members.of(f)).allMatch(g -> faces.isPiece(g) && buried.test(g));
         }
         plain = findPlain();
     }
@@ -80,17 +95,48 @@ public final class Rooms {
     }
 
     private boolean findPlain() {
+        if (count != 1) {
+            return false;
+        }
         for (int f = 0; f < shell.length; f++) {
             if (room[f] != 0 && !isHidden(f) || room[f] == 0 && open[shell[f]]) {
                 return false;
             }
-            for (int g = 0; g < f && shell[f] == f && volume[f] >= 0; g++) {
-                if (shell[g] == g && volume[g] >= 0 && overlap(f, g, -TOUCH)) {
-                    return false;
-                }
+            if (shell[f] == f && volume[f] >= 0 && all.any(f, -TOUCH, other -> volume[other] >= 0)) {
+                return false;
             }
         }
-        return count == 1;
+        return true;
+    }
+
+    /** Boxes of some shells, to find those that overlap another without looking at all. */
+    private final class ShellBoxes {
+
+        private final int[] some;
+        private final BoxTree tree;
+
+        /** @param some lowest faces; not modified, kept */
+        ShellBoxes(int[] some) {
+            this.some = some;
+            double[] boxes = new double[6 * some.length];
+            for (int i = 0; i < boxes.length; i++) {
+                boxes[i] = box[6 * some[i / 6] + i % 6];
+            }
+            tree = new BoxTree(boxes);
+        }
+
+        /** Whether one of them, but for the shell itself, overlaps a shell and is wanted. */
+        boolean any(int s, double by, IntPredicate wanted) {
+            BoxTree.Region region = (boxes, i) -> {
+                looks++;
+                boolean meets = true;
+                for (int a = 0; a < 3; a++) {
+                    meets &= boxes[i + a] <= box[6 * s + 3 + a] - by && box[6 * s + a] <= boxes[i + 3 + a] - by;
+                }
+                return meets;
+            };
+            return tree.any(region, i -> some[i] != s && wanted.test(some[i]));
+        }
     }
 
     /** Number of closed rooms. */
@@ -133,14 +179,9 @@ public final class Rooms {
         return !open[s] && volume[s] < 0;
     }
 
-    /** Whether all that reaches into a shell's box is solid. */
+    /** Whether all that reaches into a shell's box is solid: what is closed and seen from inside never is. */
     private boolean isClosed(int wall) {
-        for (int s = 0; s < shell.length; s++) {
-            if (s != wall && shell[s] == s && overlap(wall, s, TOUCH) && !isSolid(s, wall)) {
-                return false;
-            }
-        }
-        return true;
+        return !inward.any(wall, TOUCH, s -> true) && !doubtful.any(wall, TOUCH, s -> !isSolid(s, wall));
     }
 
     /**
@@ -149,30 +190,26 @@ public final class Rooms {
      */
     private boolean isSolid(int s, int wall) {
         if (shells.seesBacks[s]) {
-            int[] walls = of(wall);
-            return IntStream.of(of(s)).allMatch(f -> faces.isPiece(f) && inside(f, walls) == 0);
+            int[] walls = members.of(wall);
+            return IntStream.of(members.of(s)).allMatch(f -> faces.isPiece(f) && inside(f, walls) == 0);
         }
-        return open[s] ? new Footprint(faces, shell, s, shells.rims.get(s)).isOn(wall) : volume[s] >= 0;
+        return open[s] ? new Footprint(faces, parts, members.of(s), shells.rims.get(s)).isOn(members.of(wall))
+                : volume[s] >= 0;
     }
 
-    private int[] of(int s) {
-        return IntStream.range(0, shell.length).filter(f -> shell[f] == s).toArray();
-    }
-
-    private boolean overlap(int s, int t, double by) {
-        for (int a = 0; a < 3; a++) {
-            if (box[6 * s + a] > box[6 * t + 3 + a] - by || box[6 * t + a] > box[6 * s + 3 + a] - by) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Gives a wall and the solids in it the number of a room, unless a face is neither in it nor out of it. */
-    private void furnish(int wall) {
-        int[] walls = of(wall);
-        int[] others = IntStream.range(0, shell.length).filter(f -> shell[f] != wall && overlap(wall, shell[f], TOUCH)).toArray();
-        int[] inside = new int[shell.length];
+    /**
+     * Gives a wall and the solids in it the number of a room, unless a face is neither in it nor out of it.
+     *
+     * @param inside 1 per face: 0; the same afterwards
+     */
+    private void furnish(int wall, int[] inside) {
+        int[] walls = members.of(wall);
+        IntStream.Builder near = IntStream.builder();
+        all.any(wall, TOUCH, s -> {
+            IntStream.of(members.of(s)).forEach(near);
+            return false;
+        });
+        int[] others = near.build().sorted().toArray();
         boolean clear = (long) walls.length * others.length <= MOST_PAIRS;
         for (int i = 0; i < others.length && clear; i++) {
             int f = others[i];
@@ -180,15 +217,22 @@ public final class Rooms {
             clear = inside[f] % PLACES == 0 && (faces.part[f] == f || inside[faces.part[f]] == inside[f]);
         }
         if (clear) {
-            for (int f = 0; f < shell.length; f++) {
-                room[f] = shell[f] == wall || inside[f] > 0 ? count : room[f];
+            for (int f : walls) {
+                room[f] = count;
+            }
+            for (int f : others) {
+                room[f] = inside[f] > 0 ? count : room[f];
             }
             count++;
+        }
+        for (int f : others) {
+            inside[f] = 0;
         }
     }
 
     /** How many of a few places before a face are inside a shell: its middle, and near its corners. */
     private int inside(int face, int[] walls) {
+        looks += walls.length;
         int found = 0;
         for (int place = 0; place < PLACES; place++) {
             double[] at = new double[3];

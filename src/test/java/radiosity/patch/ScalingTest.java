@@ -105,6 +105,62 @@ class ScalingTest {
         return points.looks + n * n;
     }
 
+    /** How closed boxes stand: where, and whether they are seen from inside. */
+    private enum Boxes {
+        BESIDE_EACH_OTHER(1.5, false),
+        TOUCHING(1, false),
+        IN_ONE_PLACE(0, false),
+        ROOMS(1.5, true),
+        TOUCHING_ROOMS(1, true),
+        ROOMS_IN_ONE_PLACE(0, true);
+
+        private final double apart;
+        private final boolean inward;
+
+        Boxes(double apart, boolean inward) {
+            this.apart = apart;
+            this.inward = inward;
+        }
+
+        Scene scene(int n) {
+            SceneBuilder builder = new SceneBuilder();
+            if (!inward) {
+                box(builder, -1, -1, -1, 2 * n, true);
+            }
+            for (int i = 0; i < n * n; i++) {
+                box(builder, apart * (i % n), 0, apart * (i / n), 1, inward);
+            }
+            return builder.scene("boxes");
+        }
+    }
+
+    private static void box(SceneBuilder builder, double x, double y, double z, double edge, boolean inward) {
+        for (int axis = 0; axis < 3; axis++) {
+            for (int side = 0; side < 2; side++) {
+                Vec3[] corners = new Vec3[4];
+                for (int k = 0; k < 4; k++) {
+                    int u = k == 1 || k == 2 ? 1 : 0;
+                    int v = k / 2;
+                    int[] at = {side, u, v};
+                    boolean turned = side == 0 == inward;
+                    corners[turned ? k : 3 - k] = new Vec3(x + edge * at[(3 - axis) % 3],
+                            y + edge * at[(4 - axis) % 3], z + edge * at[(5 - axis) % 3]);
+                }
+                builder.polygon(GREY, corners);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void roomsOfClosedBoxes(Boxes boxes) {
+        Rooms few = new Rooms(new Faces(boxes.scene(12)));
+        Rooms many = new Rooms(new Faces(boxes.scene(24)));
+        assertEquals(boxes == Boxes.BESIDE_EACH_OTHER ? 1 : boxes.inward && boxes.apart > 0 ? 144 : 0, few.count());
+        assertEquals(few.count() == 144 ? 576 : few.count(), many.count());
+        assertScales(few.looks, many.looks);
+    }
+
     @Test
     void pointsThatAreOne_areFoundAcrossCells() {
         Scene scene = sheet(Plane.LEVEL, 2);
