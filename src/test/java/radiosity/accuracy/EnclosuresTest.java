@@ -18,6 +18,7 @@ import radiosity.world.Solution;
  * everywhere; the continuous solution of a box is compared at its points. The mean B of a scene is what errors are quoted
  * in.
  */
+@NeedsReference("truth/enclosures.json")
 public class EnclosuresTest {
 
     private static final String FILE = "enclosures.json";

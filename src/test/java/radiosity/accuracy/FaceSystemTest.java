@@ -16,6 +16,7 @@ import radiosity.scene.Vec3;
  * <p>From a convex box's face all of another is visible and the factor is smooth but for the common edge, so it is
  * integrated by {@link Quadrature}.
  */
+@NeedsReference("truth/enclosures.json")
 public class FaceSystemTest {
 
     private static final double ASKED = 3e-3;

@@ -24,6 +24,7 @@ import radiosity.scene.Vec3;
  * has kinks anywhere. With so many points the noise of its rays is below 1 % in the mean: where half of what is behind is
  * hidden, a ray's standard deviation is 1/2, and 1 / (2 sqrt({@value #POINTS})) = .5 %.
  */
+@NeedsReference("truth/formfactors.json")
 public class FormFactorsTest {
 
     private static final String FILE = "formfactors.json";

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
+import radiosity.accuracy.NeedsReference;
 import radiosity.lightwave.SceneAssembly.Reading;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -24,6 +25,7 @@ import radiosity.scene.Vec3;
  * Real files against what an independent reader found in their bytes: expected.json, in left-handed coordinates, scenes
  * posed at the first key of every channel.
  */
+@NeedsReference("lightwave/expected.json")
 class CorpusTest {
 
     private static final double AREA = 1e-4;
