@@ -5,7 +5,6 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -34,46 +33,34 @@ final class Campaign {
     private final boolean keep;
     private final Tally tally = new Tally();
     private final Toolbox tools;
-    private final List<SceneKind> kinds = new ArrayList<>();
-    private final List<Fault> faults = new ArrayList<>(Arrays.asList(Fault.values()));
+    private final Menu menu;
     private final List<String> options;
     private final AtomicInteger next = new AtomicInteger();
     private final AtomicInteger failed = new AtomicInteger();
+    private final List<String> failures = Collections.synchronizedList(new ArrayList<>());
 
     /**
      * @param directory for all files; those of failed runs stay
-     * @param large     whether scenes that take a minute are among them
      * @param keep      whether the files of sound runs stay too
      */
-    Campaign(Subject subject, Path directory, PrintStream out, boolean large, boolean keep)
+    Campaign(Subject subject, Menu menu, Path directory, PrintStream out, boolean keep)
             throws IOException, InterruptedException {
+        this.menu = menu;
         this.keep = keep;
         this.subject = subject.copied(directory.resolve("program"));
         this.directory = directory;
         this.out = out;
         Set<String> known = this.subject.options();
         tools = new Toolbox(directory, known);
-        for (int twice = 0; twice < 2; twice++) {
-            kinds.addAll(Arrays.stream(SceneKind.values()).filter(kind -> kind != SceneKind.STUDY).toList());
-        }
-        if (large) {
-            kinds.add(SceneKind.STUDY);
-        }
         options = RandomCommand.OPTIONS.stream().filter(known::contains).toList();
         if (options.isEmpty()) {
             throw new IOException("--help: expected options, got none");
         }
-        tally.expect("scene", kinds.stream().map(Enum::name).distinct().toList());
+        tally.expect("scene", menu.kinds().stream().map(Enum::name).distinct().toList());
         tally.expect("option", options);
-        tally.expect("fault", faults.stream().map(Enum::name).toList());
+        tally.expect("fault", menu.faults().stream().map(Enum::name).toList());
         known.stream().filter(option -> !RandomCommand.OPTIONS.contains(option)).sorted()
                 .forEach(option -> tally.note("not tortured: option " + option));
-    }
-
-    /** One thing of a list, in turns. */
-    private static <T> T turn(List<T> things, long seed, int index, int salt) {
-        int turn = index / things.size();
-        return new Dice(Dice.mixed(seed) + 1000L * turn + salt).shuffled(things).get(index % things.size());
     }
 
     /**
@@ -104,30 +91,31 @@ final class Campaign {
     }
 
     private void run(long seed, int index, int number) throws IOException, InterruptedException {
-        SceneKind kind = turn(kinds, seed, index, 1);
-        Fault fault = turn(faults, seed, index, 2);
-        String option = turn(options, seed, index, 3);
+        SceneKind kind = Menu.turn(menu.kinds(), seed, index, 1);
+        Fault fault = Menu.turn(menu.faults(), seed, index, 2);
+        String option = Menu.turn(options, seed, index, 3);
         Path files = Files.createDirectories(directory.resolve("run-" + seed + "." + index + "-" + number));
         TortureRun run = new TortureRun(subject, tally, tools, files, Dice.mixed(seed) + index, kind, fault, option);
         long begin = System.nanoTime();
-        List<String> failures = run.run();
+        List<String> wrong = run.run();
+        failures.addAll(wrong);
         tally.count("scene", kind.name());
         report(String.format(Locale.ROOT, "%d.%d %s %s %s: %s, %.0f s", seed, index, kind, fault, option,
-                failures.isEmpty() ? run.outcome() : "FAILED", (System.nanoTime() - begin) * 1e-9), failures, files);
-        if (!failures.isEmpty()) {
+                wrong.isEmpty() ? run.outcome() : "FAILED", (System.nanoTime() - begin) * 1e-9), wrong, files);
+        if (!wrong.isEmpty()) {
             failed.incrementAndGet();
         }
-        if (failures.isEmpty() && !keep) {
+        if (wrong.isEmpty() && !keep) {
             delete(files);
         } else {
             Files.writeString(files.resolve("log"), run.log());
         }
     }
 
-    private synchronized void report(String line, List<String> failures, Path files) {
+    private synchronized void report(String line, List<String> wrong, Path files) {
         out.println(line);
-        failures.forEach(failure -> out.println("    " + failure));
-        if (!failures.isEmpty()) {
+        wrong.forEach(failure -> out.println("    " + failure));
+        if (!wrong.isEmpty()) {
             String seed = line.substring(0, line.indexOf(' '));
             out.println("    again: --seed " + seed + "; files and commands (log): " + files);
         }
@@ -135,6 +123,11 @@ final class Campaign {
 
     int failed() {
         return failed.get();
+    }
+
+    /** What was wrong, of all runs. */
+    List<String> failures() {
+        return failures;
     }
 
     Tally tally() {

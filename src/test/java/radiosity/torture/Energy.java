@@ -13,6 +13,8 @@ import java.util.List;
  */
 final class Energy {
 
+    /** More than this share of what was emitted is not found absorbed or escaped where no energy is gained. */
+    static final double MOST = 1.002;
     private static final int MOST_TESTS = 30_000_000;
     private static final int MOST_RAYS = 20_000;
 

@@ -112,7 +112,8 @@ final class RandomCommand {
 
     /** The schedule, and what goes with it. */
     private void calculation() {
-        boolean mayBeTimed = !Set.of("--accuracy", "-dr", "-si", "-sn", "-tf", "-it", "-se").contains(wanted);
+        boolean mayBeTimed = !light.containsKey("--strict")
+                && !Set.of("--accuracy", "-dr", "-si", "-sn", "-tf", "-it", "-se").contains(wanted);
         boolean large = scene.kind() == SceneKind.STUDY;
         timed = mayBeTimed && is("--time", .06) && known.contains("--time");
         schedule = timed || large || wanted.equals("--accuracy") ? "predict"
@@ -123,10 +124,11 @@ final class RandomCommand {
         }
         if (timed) {
             light("--time", large ? "2s" : dice.of("200ms", "1s", "2s", "3s"));
-        } else if (large || schedule.equals("predict") && !wanted.equals("-pa") && is("--accuracy", .6)) {
+        } else if (large || schedule.equals("predict") && is("--accuracy", .85)) {
             light("--accuracy", (large ? dice.of(10, 20) : dice.of(50, 30, 20, 10, 5)) + "%");
-        } else {
-            patchArea(schedule);
+        }
+        if (!timed && !large && (!light.containsKey("--accuracy") || is("-pa", .3))) {
+            patchArea();
         }
         boolean predicts = schedule.equals("predict");
         if (!timed && (is("-it", .25) || steep && !predicts)) {
@@ -142,18 +144,20 @@ final class RandomCommand {
         if (scene.kind() != SceneKind.EMISSION && !large && !schedule.equals("matrix") && is("-mt", .12)) {
             light("-mt", text(dice.logarithmic(1, 30)));
         }
+        String factors = dice.of("raycast", "plain", "hemicube", "nusselt");
         if (!large && is("--form-factors", .2)) {
-            light("--form-factors", dice.of("raycast", "plain", "hemicube", "nusselt"));
+            light("--form-factors", factors);
         }
-        if (!large && is("-nr", .2)) {
-            light("-nr", "" + (int) dice.logarithmic(1, 100));
+        boolean cells = light.containsKey("--form-factors") && factors.matches("hemicube|nusselt");
+        if (!large && (cells || is("-nr", .2))) {
+            light("-nr", "" + (int) dice.logarithmic(1, cells ? 30 : 100));
         }
         if (is("--layers", large ? .5 : .15)) {
             light("--layers");
         }
     }
 
-    private void patchArea(String schedule) {
+    private void patchArea() {
         double least = schedule.equals("predict") || schedule.equals("paper") ? .5 : 1.5;
         double perCent = dice.logarithmic(least, 20);
         light("-pa", scene.area() > 0 && dice.chance(.3) ? text(perCent / 100 * scene.area()) : text(perCent) + "%");
@@ -225,9 +229,10 @@ final class RandomCommand {
         return light.containsKey(option) || rest.containsKey(option);
     }
 
-    /** The value of an option that decides the light. */
-    String value(String option) {
-        return light.get(option).get(0);
+    /** Whether accuracy is left to the program: nothing is coarser than it would choose itself. */
+    boolean isExact() {
+        return schedule.equals("predict") && !light.containsKey("-nr")
+                && light.getOrDefault("--form-factors", List.of("raycast")).equals(List.of("raycast"));
     }
 
     /** Replaces what decides when to stop, or says how exactly to calculate. */

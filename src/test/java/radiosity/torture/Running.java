@@ -6,9 +6,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /** A process, what it prints, and signals to it. */
 final class Running implements AutoCloseable {
+
+    /** For so long, s, a process may do next to nothing: a share of a processor. */
+    private static final double LONGEST_IDLE = 120;
+    private static final double IDLE = .004;
 
     private final List<String> command;
     private final Process process;
@@ -74,13 +79,34 @@ final class Running implements AutoCloseable {
         new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).redirectErrorStream(true).start().waitFor();
     }
 
-    /** @return null if it has not ended by then; it is killed, after having printed its threads, if it can */
-    Ended await(double seconds) throws IOException, InterruptedException {
-        if (!process.waitFor(Math.max(1, (long) (1000 * (seconds - seconds()))), TimeUnit.MILLISECONDS)) {
-            signal("QUIT");
-            Thread.sleep(1000);
-            close();
-            return null;
+    /** CPU seconds so far, with the processes that it started; 0 where the system does not say. */
+    double processorTime() {
+        return Stream.concat(Stream.of(process.toHandle()), process.descendants())
+                .flatMap(each -> each.info().totalCpuDuration().stream()).mapToDouble(time -> time.toMillis() * 1e-3)
+                .sum();
+    }
+
+    /**
+     * Waits for the end, however slow the machine is, as long as the process computes.
+     *
+     * @param most CPU seconds
+     * @return null if it took more or did nothing for long; it is killed, after having printed its threads, if it can
+     */
+    Ended await(double most) throws IOException, InterruptedException {
+        double before = 0;
+        double since = seconds();
+        while (!process.waitFor(200, TimeUnit.MILLISECONDS)) {
+            double now = processorTime();
+            if (now > before + IDLE * LONGEST_IDLE) {
+                before = now;
+                since = seconds();
+            }
+            if (now > most || seconds() - since > LONGEST_IDLE) {
+                signal("QUIT");
+                Thread.sleep(1000);
+                close();
+                return null;
+            }
         }
         reader.join(5000);
         return new Ended(command, process.exitValue(), printed.toString(), (end - begin) * 1e-9);

@@ -257,6 +257,15 @@ enum SceneKind {
         return maker.made(this);
     }
 
+    /**
+     * Whether surfaces lie in or on each other, or a lamp lies in a hole: more light may be absorbed there than was
+     * emitted, as what lies in one place receives twice.
+     */
+    boolean overlaps() {
+        return this == SOUP || this == COPLANAR || this == RECESSED || this == INSTANCES || this == POLYGONS
+                || this == STUDY;
+    }
+
     boolean isShipped() {
         return this == CORNELL || this == STUDY;
     }

@@ -20,8 +20,9 @@ import java.util.stream.Stream;
  * @param renderer  main class of RadiosityRenderer
  * @param server    main class of PartitionServer
  * @param shipped   directory with the scenes that the project ships
+ * @param java      options for java
  */
-record Subject(String classPath, String renderer, String server, Path shipped) {
+record Subject(String classPath, String renderer, String server, Path shipped, List<String> java) {
 
     /** A line of --help that begins with an option. */
     private static final Pattern OPTION = Pattern.compile("(?m)^  (--?[a-z][a-z-]*)");
@@ -30,7 +31,12 @@ record Subject(String classPath, String renderer, String server, Path shipped) {
     static Subject own() {
         return new Subject(System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
                 radiosity.cli.RadiosityRenderer.class.getName(), radiosity.cli.PartitionServer.class.getName(),
-                Path.of("scenes").toAbsolutePath());
+                Path.of("scenes").toAbsolutePath(), List.of());
+    }
+
+    /** The same with another main class for RadiosityRenderer. */
+    Subject with(String main, List<String> options) {
+        return new Subject(classPath, main, server, shipped, options);
     }
 
     /** Another checkout, built: its jar, or its classes with this one's libraries. */
@@ -43,7 +49,7 @@ record Subject(String classPath, String renderer, String server, Path shipped) {
         if (!Files.exists(jar) && !Files.isDirectory(classes)) {
             throw new IOException(home + ": expected a checkout with target/radiosity.jar or target/classes, got none");
         }
-        return new Subject(path, own.renderer, own.server, home.resolve("scenes").toAbsolutePath());
+        return new Subject(path, own.renderer, own.server, home.resolve("scenes").toAbsolutePath(), List.of());
     }
 
     /** The same with its class directories and jars copied: a build in the meantime does it no harm. */
@@ -55,7 +61,8 @@ record Subject(String classPath, String renderer, String server, Path shipped) {
             boolean changes = Files.isDirectory(from) || from.endsWith("target/radiosity.jar");
             entries.add((changes ? copy(from, to.resolve("program-" + entries.size())) : from).toString());
         }
-        return new Subject(String.join(File.pathSeparator, entries), renderer, server, copy(shipped, to.resolve("scenes")));
+        return new Subject(String.join(File.pathSeparator, entries), renderer, server,
+                copy(shipped, to.resolve("scenes")), java);
     }
 
     private static Path copy(Path from, Path to) throws IOException {
@@ -72,10 +79,11 @@ record Subject(String classPath, String renderer, String server, Path shipped) {
     }
 
     /** A command line of it; the class path stands in the environment ({@link #start}). */
-    List<String> command(String mainClass, List<String> java, List<String> arguments) {
+    List<String> command(String mainClass, List<String> options, List<String> arguments) {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(java);
+        command.addAll(options);
         command.add("-Djava.awt.headless=true");
         command.add(mainClass);
         command.addAll(arguments);

@@ -3,6 +3,7 @@ package radiosity.torture;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -13,8 +14,8 @@ import java.util.TreeMap;
 final class Tally {
 
     private final Map<String, Map<String, Integer>> counts = new LinkedHashMap<>();
-    /** Absorbed and escaped flux by emitted, the largest of each kind of scene. */
-    private final Map<SceneKind, Double> energy = new TreeMap<>();
+    /** Absorbed and escaped flux by emitted, of scenes of a kind. */
+    private final Map<String, List<Double>> energy = new TreeMap<>();
     private final List<String> notes = new ArrayList<>();
 
     /** A kind of thing, and all that it may be: what never comes is counted as 0. */
@@ -32,8 +33,8 @@ final class Tally {
         return counts.getOrDefault(what, Map.of()).getOrDefault(name, 0);
     }
 
-    synchronized void energy(SceneKind kind, double found) {
-        energy.merge(kind, found, Math::max);
+    synchronized void energy(String what, double found) {
+        energy.computeIfAbsent(what, w -> new ArrayList<>()).add(found);
     }
 
     /** Something to be said at the end, once. */
@@ -61,8 +62,9 @@ final class Tally {
             names.forEach((name, count) -> out.printf(Locale.ROOT, "  %-24s %6d%n", name, count));
         });
         out.println();
-        out.println("absorbed and escaped flux of emitted, at most");
-        energy.forEach((kind, found) -> out.printf(Locale.ROOT, "  %-24s %9.4f%n", kind, found));
+        out.println("absorbed and escaped flux, of emitted       most   renders   above " + Energy.MOST);
+        energy.forEach((what, found) -> out.printf(Locale.ROOT, "  %-36s %9.4g %9d %9d%n", what,
+                Collections.max(found), found.size(), found.stream().filter(x -> x > Energy.MOST).count()));
         notes.forEach(line -> out.println(line));
     }
 }

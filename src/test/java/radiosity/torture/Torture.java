@@ -66,7 +66,7 @@ public final class Torture {
     private boolean run() throws IOException, InterruptedException {
         Path directory = Files.createTempDirectory("torture");
         System.out.println("seed " + seed + ", files in " + directory);
-        Campaign campaign = new Campaign(subject, directory, System.out, true, keep);
+        Campaign campaign = new Campaign(subject, Menu.all(), directory, System.out, keep);
         long end = System.nanoTime() + (long) (minutes * 60e9);
         AtomicInteger runs = new AtomicInteger();
         campaign.run(seed, only, parallel, n -> {

@@ -1,0 +1,56 @@
+package radiosity.torture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A campaign finds what is wrong with a program that was made wrong on purpose. */
+class PlantedFaultsTest {
+
+    /** A timing fault may miss a run; it does not miss all of these. */
+    private static final int MOST_RUNS = 8;
+
+    @TempDir
+    Path directory;
+
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+
+    private Campaign campaign(PlantedProgram.Plant plant, SceneKind kind, Fault fault, int runs) throws Exception {
+        assumeFalse(System.getProperty("os.name").startsWith("Windows"), "has no signals");
+        Subject planted = Subject.own().with(PlantedProgram.class.getName(), List.of("-Dplanted=" + plant));
+        Campaign campaign = new Campaign(planted, Menu.of(kind, fault), directory,
+                new PrintStream(printed, true, StandardCharsets.UTF_8), false);
+        campaign.run(20, -1, 1, n -> n < runs && campaign.failed() == 0);
+        return campaign;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"EXIT_CODE, BLACK, NONE, exit code 7", "NAN, BLACK, NONE, not a number: ",
+        "LOST_BLOCK, ROOM, WORKER_KILLED, other light than undisturbed: ",
+        "TORN_FILE, ROOM, MASTER_KILLED, torn file: ",
+        "ORDER_OF_ARRIVAL, ROOM, NONE, other light than undisturbed: ",
+        "GAINED_ENERGY, BLACK, NONE, energy gained: "})
+    void plantedFault_isFound(PlantedProgram.Plant plant, SceneKind kind, Fault fault, String expected)
+            throws Exception {
+        Campaign campaign = campaign(plant, kind, fault, MOST_RUNS);
+        assertTrue(campaign.failures().stream().anyMatch(line -> line.contains(expected)), printed::toString);
+        assertTrue(printed.toString(StandardCharsets.UTF_8).contains("again: --seed 20."), printed::toString);
+    }
+
+    /** What finds those faults finds none where none is. */
+    @Test
+    void soundProgram_isFoundSound() throws Exception {
+        Campaign campaign = campaign(PlantedProgram.Plant.NONE, SceneKind.ROOM, Fault.WORKER_KILLED, 2);
+        assertEquals(List.of(), campaign.failures(), printed::toString);
+    }
+}
