@@ -1,6 +1,7 @@
 package radiosity.torture;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -26,13 +27,14 @@ final class Energy {
     final double[] deviation = new double[3];
     private final List<double[]> triangles = new ArrayList<>();
     private final List<double[]> light = new ArrayList<>();
+    /** Sum of |unshot flux| over elements and channels, W. */
+    private final double unshot;
     private double size;
 
     /** @param lightFlux emitted by what is no surface, W per channel */
     Energy(LightFile file, double lightFlux, long seed) {
-        for (int c = 0; c < 3; c++) {
-            emitted[c] = lightFlux;
-        }
+        Arrays.fill(emitted, lightFlux);
+        unshot = file.radiosity.path("unshotFlux").asDouble();
         for (LightFile.Mesh mesh : file.meshes) {
             for (int i = 0; i < mesh.indices().length; i += 3) {
                 add(mesh, i);
@@ -79,7 +81,7 @@ final class Energy {
         int rays = Math.min(MOST_RAYS, MOST_TESTS / Math.max(1, triangles.size()));
         double[] squares = new double[3];
         for (int n = 0; n < rays && total > 0; n++) {
-            int from = java.util.Arrays.binarySearch(upTo, (n + dice.between(0, 1)) / rays * total);
+            int from = Arrays.binarySearch(upTo, (n + dice.between(0, 1)) / rays * total);
             from = Math.min(light.size() - 1, from < 0 ? -from - 2 : from);
             if (!escapes(triangles.get(from), dice)) {
                 continue;
@@ -164,11 +166,14 @@ final class Energy {
         return Math.sqrt(dot(a, a));
     }
 
-    /** The largest share of a channel's emitted flux that was absorbed or certainly (three deviations) escaped. */
+    /**
+     * The largest share of a channel's emitted flux that was certainly absorbed or escaped: less three deviations of what
+     * escaped, and less what is unshot, as light that is foreseen is shot before it is there.
+     */
     double found() {
         double most = 0;
         for (int c = 0; c < 3; c++) {
-            double flux = absorbed[c] + Math.max(0, escaped[c] - 3 * deviation[c]);
+            double flux = absorbed[c] + Math.max(0, escaped[c] - 3 * deviation[c]) - unshot;
             most = Math.max(most, emitted[c] > 0 ? flux / emitted[c] : flux > 0 ? Double.POSITIVE_INFINITY : 0);
         }
         return most;

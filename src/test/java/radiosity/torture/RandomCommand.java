@@ -124,8 +124,8 @@ final class RandomCommand {
         }
         if (timed) {
             light("--time", large ? "2s" : dice.of("200ms", "1s", "2s", "3s"));
-        } else if (large || schedule.equals("predict") && is("--accuracy", .85)) {
-            light("--accuracy", (large ? dice.of(10, 20) : dice.of(50, 30, 20, 10, 5)) + "%");
+        } else if (large || schedule.equals("predict") && is("--accuracy", .97)) {
+            light("--accuracy", (large ? dice.of(10, 20) : dice.of(50, 30, 20, 10, 7)) + "%");
         }
         if (!timed && !large && (!light.containsKey("--accuracy") || is("-pa", .3))) {
             patchArea();
@@ -144,16 +144,28 @@ final class RandomCommand {
         if (scene.kind() != SceneKind.EMISSION && !large && !schedule.equals("matrix") && is("-mt", .12)) {
             light("-mt", text(dice.logarithmic(1, 30)));
         }
-        String factors = dice.of("raycast", "plain", "hemicube", "nusselt");
-        if (!large && is("--form-factors", .2)) {
-            light("--form-factors", factors);
-        }
-        boolean cells = light.containsKey("--form-factors") && factors.matches("hemicube|nusselt");
-        if (!large && (cells || is("-nr", .2))) {
-            light("-nr", "" + (int) dice.logarithmic(1, cells ? 30 : 100));
-        }
+        formFactors();
         if (is("--layers", large ? .5 : .15)) {
             light("--layers");
+        }
+    }
+
+    /** Hemicubes of few cells are so noisy that meshes are refined at length: shots are few there. */
+    private void formFactors() {
+        boolean large = scene.kind() == SceneKind.STUDY;
+        boolean cells = !timed && dice.chance(.5);
+        if (!large && is("--form-factors", .2)) {
+            light("--form-factors", cells ? dice.of("hemicube", "nusselt") : dice.of("raycast", "plain"));
+            if (cells) {
+                light("-it", "" + dice.integer(1, 60));
+                light("--schedule", schedule);
+                light.computeIfPresent("--accuracy", (option, value) -> List.of("50%"));
+            }
+        } else {
+            cells = false;
+        }
+        if (!large && (cells || is("-nr", .2))) {
+            light("-nr", "" + (int) dice.logarithmic(1, cells ? 20 : 60));
         }
     }
 

@@ -613,7 +613,8 @@ final class TortureRun {
                 List.of("--time", "5s", "--accuracy", "5%"), List.of("-h", "2", "localhost:1"), List.of("--statistics"),
                 List.of("-key", "none.key"), List.of("--size", "0x3"), List.of("-it", "3", "-it", "4"),
                 List.of("third.scene"), List.of("--picture", "picture.txt"), List.of("--accuracy", "5%", "-it", "3"));
-        List<String> words = words(wrong, scene.file(), output);
+        List<String> content = scene.library() == null ? List.of() : List.of("--content", scene.library().toString());
+        List<String> words = words(wrong, content, scene.file(), output);
         Running.Ended ended = end("wrong command line", start(words, java()), Set.of(2));
         if (ended != null && ended.printed().lines().count() > 2) {
             checks.fail("wrong command line: more than a line: " + ended.printed());
