@@ -70,7 +70,7 @@ final class Calculation {
         if (options.host.hosts == null) {
             return new LocalWorld(scene, settings, threads);
         }
-        HostKey key = options.host.key == null ? null : PartitionServer.key(options.host.key);
+        HostKey key = options.host.key == null ? null : FileChecks.key(options.host.key);
         return hostNotices.whileOpening(() -> new RemoteWorld(scene, settings, options.host.hosts, key, threads, hostNotices));
     }
 

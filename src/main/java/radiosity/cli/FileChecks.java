@@ -15,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import radiosity.output.LockedFile;
 import radiosity.output.WholeFile;
+import radiosity.world.HostKey;
 
 /**
  * The files of a command line, looked at before any work: that inputs can be read, that outputs can be written, and
@@ -37,7 +38,7 @@ final class FileChecks {
         try (InputStream in = Files.newInputStream(file)) {
             in.read();
         } catch (IOException e) {
-            throw Failure.file(file, "expected a readable file, got " + reason(e), e);
+            throw Failure.file(file, "expected a readable file, got " + Outcome.reason(e), e);
         }
         inputs.add(file);
     }
@@ -111,7 +112,7 @@ final class FileChecks {
                 throw Failure.commandLine(file.toString(), "expected a file to overwrite, got a LightWave file");
             }
         } catch (IOException e) {
-            throw Failure.file(file, "expected a readable file, got " + reason(e), e);
+            throw Failure.file(file, "expected a readable file, got " + Outcome.reason(e), e);
         }
     }
 
@@ -127,7 +128,7 @@ final class FileChecks {
                 tryName(file, probe.folder().resolve(target.getFileName()));
             }
         } catch (IOException e) {
-            throw Failure.file(file, "expected a directory that can be written, got " + reason(e), e);
+            throw Failure.file(file, "expected a directory that can be written, got " + Outcome.reason(e), e);
         }
     }
 
@@ -135,7 +136,7 @@ final class FileChecks {
         try {
             Files.delete(Files.createFile(elsewhere));
         } catch (IOException e) {
-            throw Failure.file(file, "expected a name that can be written, got " + reason(e), e);
+            throw Failure.file(file, "expected a name that can be written, got " + Outcome.reason(e), e);
         }
     }
 
@@ -148,12 +149,9 @@ final class FileChecks {
         }
     }
 
-    /** Why a file cannot be used, without its name. */
-    static String reason(IOException e) {
-        if (e instanceof NoSuchFileException) {
-            return "none";
-        }
-        String reason = e instanceof FileSystemException problem ? problem.getReason() : e.getMessage();
-        return reason == null ? e.getClass().getSimpleName() : reason;
+    /** Reads a key file that is there. */
+    static HostKey key(Path file) throws IOException {
+        new FileChecks().input(file);
+        return HostKey.read(file);
     }
 }

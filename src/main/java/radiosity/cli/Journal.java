@@ -140,7 +140,7 @@ final class Journal {
             try {
                 write(state);
             } catch (IOException e) {
-                warn(FileChecks.reason(e));
+                warn(Outcome.reason(e));
             }
         } catch (OutOfMemoryError e) {
             warn(Outcome.line(e));

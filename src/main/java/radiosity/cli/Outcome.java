@@ -2,6 +2,8 @@ package radiosity.cli;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.TooLargeException;
 import radiosity.world.NoNumberException;
@@ -47,7 +49,7 @@ final class Outcome {
             return error.getMessage();
         }
         if (error instanceof java.nio.file.FileSystemException problem) {
-            return problem.getFile() + ": expected to be read and written, got " + FileChecks.reason(problem);
+            return problem.getFile() + ": expected to be read and written, got " + reason(problem);
         }
         return "expected no error, got " + error.toString().replaceAll("\\s*\\R\\s*", " ") + " (--debug prints where)";
     }
@@ -57,5 +59,14 @@ final class Outcome {
         long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
         return "memory: expected more than " + mebibytes + " MiB; give, say, JAVA_OPTS=-Xmx" + 2 * mebibytes
                 + "m, or a larger -pa";
+    }
+
+    /** Why a file cannot be used, without its name. */
+    static String reason(IOException e) {
+        if (e instanceof NoSuchFileException) {
+            return "none";
+        }
+        String reason = e instanceof FileSystemException problem ? problem.getReason() : e.getMessage();
+        return reason == null ? e.getClass().getSimpleName() : reason;
     }
 }

@@ -130,7 +130,7 @@ final class OutputFiles {
         } catch (OutOfMemoryError e) {
             throw Failure.failed(file + ": expected to be written, got " + Outcome.line(e), e);
         } catch (IOException e) {
-            throw Failure.file(file, "expected to be written, got " + FileChecks.reason(e), e);
+            throw Failure.file(file, "expected to be written, got " + Outcome.reason(e), e);
         }
     }
 }

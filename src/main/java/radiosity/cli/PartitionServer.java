@@ -42,7 +42,7 @@ public final class PartitionServer {
             System.setProperty("java.rmi.server.hostname", options.host);
         }
         InetAddress bind = bind();
-        HostKey key = options.key == null ? null : key(options.key);
+        HostKey key = options.key == null ? null : FileChecks.key(options.key);
         int second = options.secondPort == null ? 0 : options.secondPort;
         PartitionPort port = open(new PartitionPort.Options(options.port, second, bind, key, options.threads));
         print(listening(port.port(), bind, key));
@@ -82,11 +82,6 @@ public final class PartitionServer {
         } catch (UnknownHostException e) {
             throw Failure.commandLine("-bind", "expected an address of this machine, got " + options.bind);
         }
-    }
-
-    static HostKey key(Path file) throws IOException {
-        new FileChecks().input(file);
-        return HostKey.read(file);
     }
 
     private static void print(String line) {

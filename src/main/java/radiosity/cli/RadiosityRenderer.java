@@ -106,7 +106,7 @@ public final class RadiosityRenderer {
     private void calculate(Scene scene, RadiositySettings settings, TimeLimit limit, SaveBeforeExit ending)
             throws IOException {
         ending.begin(Optional.empty());
-        TimeCourse course = new TimeCourse(limit, ProcessTime::seconds);
+        TimeCourse course = new TimeCourse(limit.seconds(), ProcessTime::seconds);
         Calculated result;
         String told;
         try (Conversation user = conversation(course)) {

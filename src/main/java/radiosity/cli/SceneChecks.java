@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import radiosity.output.SceneFile;
 import radiosity.output.Snapshot;
+import radiosity.output.TextureBake;
 import radiosity.scene.ArraySize;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -57,11 +58,11 @@ final class SceneChecks {
             for (int k = 0; k < 3; k++) {
                 longest = Math.max(longest, scene.corner(t, k).minus(scene.corner(t, (k + 1) % 3)).length());
             }
-            if (longest * samples / Math.sqrt(2) > SceneFile.LARGEST_TEXTURE) {
+            if (longest * samples / Math.sqrt(2) > TextureBake.LARGEST_TEXTURE) {
                 throw Failure.commandLine("-ut", String.format(Locale.ROOT,
                         "expected at most %.4g samples per unit for %s, whose texture may have %d texels, got %s",
-                        SceneFile.LARGEST_TEXTURE * Math.sqrt(2) / longest, scene.surface(t).name(),
-                        SceneFile.LARGEST_TEXTURE, samples));
+                        TextureBake.LARGEST_TEXTURE * Math.sqrt(2) / longest, scene.surface(t).name(),
+                        TextureBake.LARGEST_TEXTURE, samples));
             }
         }
     }

@@ -10,9 +10,12 @@ final class TimeCourse implements Course {
     private final DoubleSupplier gone;
     private String label = "";
 
-    /** @param gone seconds since the process began */
-    TimeCourse(TimeLimit limit, DoubleSupplier gone) {
-        seconds = limit.seconds();
+    /**
+     * @param seconds above 0
+     * @param gone    seconds since the process began
+     */
+    TimeCourse(double seconds, DoubleSupplier gone) {
+        this.seconds = seconds;
         this.gone = gone;
     }
 

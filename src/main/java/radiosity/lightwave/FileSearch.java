@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -30,11 +31,20 @@ final class FileSearch {
     private final Path sceneFolder;
     private final List<Path> roots = new ArrayList<>();
     private final Map<String, Path> map = new HashMap<>();
+    private final Predicate<byte[]> isObject;
     private final Notes notes;
     private final Map<String, Optional<Path>> found = new HashMap<>();
     private FileIndex index;
 
-    FileSearch(Path scene, LightWaveOptions options, Notes notes) throws IOException {
+    /**
+     * @param scene    whose folder is searched first
+     * @param content  further directories to search
+     * @param prefixes directories by the beginning of the paths that lie in them
+     * @param isObject tells by the first 12 bytes of a file whether it is an object
+     */
+    FileSearch(Path scene, List<Path> content, Map<String, Path> prefixes, Predicate<byte[]> isObject, Notes notes)
+            throws IOException {
+        this.isObject = isObject;
         this.notes = notes;
         sceneFolder = scene.toAbsolutePath().getParent().toRealPath();
         roots.add(sceneFolder);
@@ -46,10 +56,10 @@ final class FileSearch {
         if (above != null) {
             roots.add(above);
         }
-        for (Path content : options.content()) {
-            addRoot(content);
+        for (Path directory : content) {
+            addRoot(directory);
         }
-        for (Map.Entry<String, Path> entry : options.map().entrySet()) {
+        for (Map.Entry<String, Path> entry : prefixes.entrySet()) {
             addRoot(entry.getValue()).ifPresent(p -> map.put(slashes(entry.getKey()), p));
         }
     }
@@ -84,7 +94,7 @@ final class FileSearch {
 
     /** The object file that a scene names. */
     Optional<Path> object(String written) {
-        return found.computeIfAbsent("object " + written, w -> search(written, FileSearch::isObject));
+        return found.computeIfAbsent("object " + written, w -> search(written, this::isObject));
     }
 
     /** The image file that an object names. */
@@ -236,12 +246,12 @@ final class FileSearch {
     }
 
     /** Looks into a file as far as its type, never at the files of attributes that Macs leave. */
-    private static boolean isObject(Path file) {
+    private boolean isObject(Path file) {
         if (file.getFileName().toString().startsWith("._")) {
             return false;
         }
         try (var in = Files.newInputStream(file)) {
-            return ObjectFile.isObject(in.readNBytes(12));
+            return isObject.test(in.readNBytes(12));
         } catch (IOException e) {
             return false;
         }

@@ -15,8 +15,11 @@ final class InputFile {
     private InputFile() {
     }
 
-    /** @param name the file as the user knows it */
-    static byte[] read(Path file, String name, LightWaveOptions options) throws IOException {
+    /**
+     * @param name     the file as the user knows it
+     * @param maxBytes largest size that is read, bytes
+     */
+    static byte[] read(Path file, String name, long maxBytes) throws IOException {
         if (!Files.exists(file)) {
             throw new SceneFormatException(name, "", "a file", "nothing of that name");
         }
@@ -24,10 +27,10 @@ final class InputFile {
             throw new SceneFormatException(name, "", "a file", "a directory or a device");
         }
         try (InputStream in = Files.newInputStream(file)) {
-            long most = Math.min(options.maxBytes(), Runtime.getRuntime().maxMemory() / GROWTH);
+            long most = Math.min(maxBytes, Runtime.getRuntime().maxMemory() / GROWTH);
             byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, most + 1));
             if (bytes.length > most) {
-                String why = most < options.maxBytes() ? " (a sixteenth of the memory)" : "";
+                String why = most < maxBytes ? " (a sixteenth of the memory)" : "";
                 throw new SceneFormatException(name, "", "at most " + most + " bytes" + why, Files.size(file) + " bytes");
             }
             return bytes;

@@ -44,9 +44,4 @@ final class Layer {
             points.add(data.f4());
         }
     }
-
-    boolean hasFinite(int point) {
-        return Float.isFinite(points.get(3 * point)) && Float.isFinite(points.get(3 * point + 1))
-                && Float.isFinite(points.get(3 * point + 2));
-    }
 }

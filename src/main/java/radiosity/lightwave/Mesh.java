@@ -61,7 +61,8 @@ record Mesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> 
 
         void add(Layer layer) {
             mappings.clear();
-            Triangulation triangulation = new Triangulation(layer, work, notes);
+            Triangulation triangulation = new Triangulation(layer.points, layer.polygons, "layer " + layer.number,
+                    work, notes);
             int[] newPoint = new int[layer.pointCount()];
             Arrays.fill(newPoint, -1);
             Ints triangles = new Ints();

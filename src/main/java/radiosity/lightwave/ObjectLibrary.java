@@ -85,7 +85,7 @@ final class ObjectLibrary {
 
     private Optional<ObjectModel> load(Path file, String name, Notes objectNotes) throws IOException {
         try {
-            ObjectModel object = ObjectFile.read(InputFile.read(file, name, options), name, objectNotes);
+            ObjectModel object = ObjectFile.read(InputFile.read(file, name, options.maxBytes()), name, objectNotes);
             SurfaceImages.find(object, search, objectNotes);
             return Optional.of(object);
         } catch (SceneFormatException e) {

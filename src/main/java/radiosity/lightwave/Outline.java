@@ -25,24 +25,26 @@ final class Outline {
     /** Twice the projected area, above 0. */
     double area;
 
-    private final Layer layer;
+    private final Floats points;
+    private final Polygons polygons;
 
-    Outline(Layer layer) {
-        this.layer = layer;
+    Outline(Floats points, Polygons polygons) {
+        this.points = points;
+        this.polygons = polygons;
     }
 
     int size() {
         return size;
     }
 
-    /** Number of the i-th corner that is left among all corners of the layer. */
+    /** Number of the i-th corner that is left among all corners of all polygons. */
     int corner(int i) {
         return corners[first + i];
     }
 
     /** Takes a polygon; false if it encloses no area. Its points exist and are finite. */
     boolean take(int polygon) {
-        collect(layer.polygons.start(polygon), layer.polygons.end(polygon));
+        collect(polygons.start(polygon), polygons.end(polygon));
         return size >= 3 && project();
     }
 
@@ -86,16 +88,16 @@ final class Outline {
     }
 
     private boolean same(int corner, int other) {
-        int p = 3 * layer.polygons.point(corner);
-        int q = 3 * layer.polygons.point(other);
-        return p == q || layer.points.get(p) == layer.points.get(q) && layer.points.get(p + 1) == layer.points.get(q + 1)
-                && layer.points.get(p + 2) == layer.points.get(q + 2);
+        int p = 3 * polygons.point(corner);
+        int q = 3 * polygons.point(other);
+        return p == q || points.get(p) == points.get(q) && points.get(p + 1) == points.get(q + 1)
+                && points.get(p + 2) == points.get(q + 2);
     }
 
     /** Coordinate k (0, 1 or 2) of a corner, from the first corner. */
     private double coordinate(int i, int k) {
-        return (double) layer.points.get(3 * layer.polygons.point(corner(i)) + k)
-                - layer.points.get(3 * layer.polygons.point(corner(0)) + k);
+        return (double) points.get(3 * polygons.point(corner(i)) + k)
+                - points.get(3 * polygons.point(corner(0)) + k);
     }
 
     /** Projects along the largest component of Newell's normal, so that the corners run counter-clockwise. */

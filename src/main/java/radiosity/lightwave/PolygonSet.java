@@ -8,12 +8,14 @@ import java.util.Arrays;
  */
 final class PolygonSet {
 
-    private final Layer layer;
+    private final Floats points;
+    private final Polygons polygons;
     private long[] table = new long[64];
     private int used;
 
-    PolygonSet(Layer layer) {
-        this.layer = layer;
+    PolygonSet(Floats points, Polygons polygons) {
+        this.points = points;
+        this.polygons = polygons;
     }
 
     /** False if the polygon has been met before. */
@@ -61,10 +63,10 @@ final class PolygonSet {
 
     /** Adding zero makes minus zero plus zero. */
     private long place(int corner) {
-        int p = 3 * layer.polygons.point(corner);
-        long x = Float.floatToIntBits(layer.points.get(p) + 0f);
-        long y = Float.floatToIntBits(layer.points.get(p + 1) + 0f);
-        long z = Float.floatToIntBits(layer.points.get(p + 2) + 0f);
+        int p = 3 * polygons.point(corner);
+        long x = Float.floatToIntBits(points.get(p) + 0f);
+        long y = Float.floatToIntBits(points.get(p + 1) + 0f);
+        long z = Float.floatToIntBits(points.get(p + 2) + 0f);
         return mix(mix(mix(x) + y) + z);
     }
 

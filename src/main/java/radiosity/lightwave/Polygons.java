@@ -1,7 +1,7 @@
 package radiosity.lightwave;
 
 /**
- * The polygons of a layer as a file lists them, in arrays.
+ * Polygons as a file lists them, in arrays.
  *
  * <p>A polygon of a kind that is not taken stays in the list without corners, as others are numbered after it.
  */

@@ -46,9 +46,14 @@ final class SceneAssembly {
 
     static Reading read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
-        byte[] bytes = InputFile.read(file, name, options);
+        byte[] bytes = InputFile.read(file, name, options.maxBytes());
         Notes notes = new Notes(name, warnings, options.strict());
-        return read(bytes, name, new FileSearch(file, options, notes), options, notes);
+        return read(bytes, name, search(file, options, notes), options, notes);
+    }
+
+    /** A search for the objects and images that a scene names. */
+    static FileSearch search(Path scene, LightWaveOptions options, Notes notes) throws IOException {
+        return new FileSearch(scene, options.content(), options.map(), ObjectFile::isObject, notes);
     }
 
     /**

@@ -1,29 +1,38 @@
 package radiosity.lightwave;
 
-/** Cuts the polygons of a layer into triangles: convex ones as a fan from the first corner, others by their ears. */
+/** Cuts polygons into triangles: convex ones as a fan from the first corner, others by their ears. */
 final class Triangulation {
 
     /** Largest share by which the triangles of a sound polygon may have more than its area. */
     private static final double AREA_TOLERANCE = 1e-6;
 
-    private final Layer layer;
+    private final Floats points;
+    private final Polygons polygons;
+    private final String place;
     private final Notes notes;
     private final Outline outline;
     private final EarClipping ears;
     private final PolygonSet seen;
     private final Ints local = new Ints();
 
-    Triangulation(Layer layer, Work work, Notes notes) {
-        this.layer = layer;
+    /**
+     * @param points   x, y, z of each point
+     * @param polygons corners of polygons, which may name points that do not exist
+     * @param place    where the polygons are in their file, for remarks: "layer 2"
+     */
+    Triangulation(Floats points, Polygons polygons, String place, Work work, Notes notes) {
+        this.points = points;
+        this.polygons = polygons;
+        this.place = place;
         this.notes = notes;
-        this.outline = new Outline(layer);
+        this.outline = new Outline(points, polygons);
         this.ears = new EarClipping(outline, work);
-        this.seen = new PolygonSet(layer);
+        this.seen = new PolygonSet(points, polygons);
     }
 
     /** Appends the corners of a polygon's triangles, 3 per triangle; what is wrong with it is noted. */
     void cut(int polygon, Ints triangles) {
-        int corners = layer.polygons.end(polygon) - layer.polygons.start(polygon);
+        int corners = polygons.end(polygon) - polygons.start(polygon);
         if (corners < 3 || !isSound(polygon)) {
             return;
         }
@@ -39,22 +48,27 @@ final class Triangulation {
     }
 
     private void note(int polygon, String remark) {
-        notes.note("layer " + layer.number + ", polygon " + polygon, remark);
+        notes.note(place + ", polygon " + polygon, remark);
     }
 
     private boolean isSound(int polygon) {
-        for (int c = layer.polygons.start(polygon); c < layer.polygons.end(polygon); c++) {
-            int point = layer.polygons.point(c);
-            if (point >= layer.pointCount()) {
+        for (int c = polygons.start(polygon); c < polygons.end(polygon); c++) {
+            int point = polygons.point(c);
+            if (3 * point >= points.size()) {
                 note(polygon, "polygons with points that do not exist are dropped");
                 return false;
             }
-            if (!layer.hasFinite(point)) {
+            if (!isFinite(point)) {
                 note(polygon, "polygons with coordinates that are no finite numbers are dropped");
                 return false;
             }
         }
         return true;
+    }
+
+    private boolean isFinite(int point) {
+        return Float.isFinite(points.get(3 * point)) && Float.isFinite(points.get(3 * point + 1))
+                && Float.isFinite(points.get(3 * point + 2));
     }
 
     private void fan(Ints triangles) {

@@ -36,8 +36,6 @@ public final class SceneFile implements Closeable {
     public static final int BYTES_PER_VERTEX = 56;
     /** Irradiance that is one lamp's, per vertex. */
     public static final int BYTES_PER_LAYER = 12;
-    /** Texels of a texture along an axis: what OpenGL of any age can show. */
-    public static final int LARGEST_TEXTURE = 8192;
     /** Positions count from the middle of the scene where it lies more than this times its size from the origin. */
     private static final double FAR = 4;
     /** Bytes of JSON that say where the state is, at most: a name of 255 bytes, and numbers. */

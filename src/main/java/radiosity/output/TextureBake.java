@@ -13,7 +13,10 @@ import radiosity.scene.Vec3;
 import radiosity.world.Solution;
 
 /** Calculates one texture for each side of a surface from all of its elements (section 4.6 of the paper). */
-final class TextureBake {
+public final class TextureBake {
+
+    /** Texels of a texture along an axis: what OpenGL of any age can show. */
+    public static final int LARGEST_TEXTURE = 8192;
 
     /** Images are kept at their full size where a part does not take more texels along an axis. */
     private static final int LARGEST_FOR_IMAGES = 2048;
@@ -85,8 +88,8 @@ final class TextureBake {
         List<List<Integer>> partElements = List.copyOf(byPart.values());
         List<Chart> charts = charts(partElements);
         Shelves shelves = new Shelves(charts);
-        if (Math.max(shelves.width, shelves.height) > SceneFile.LARGEST_TEXTURE) {
-            throw new IOException("-ut, surface " + surface.name() + ": expected a texture of at most " + SceneFile.LARGEST_TEXTURE
+        if (Math.max(shelves.width, shelves.height) > LARGEST_TEXTURE) {
+            throw new IOException("-ut, surface " + surface.name() + ": expected a texture of at most " + LARGEST_TEXTURE
                     + " texels, got " + shelves.width + "x" + shelves.height + "; give fewer samples");
         }
         Texels texels = new Texels(shelves.width, shelves.height);
@@ -109,7 +112,7 @@ final class TextureBake {
             int texels = most;
             charts = parts.stream().map(part -> chart(part, texels)).toList();
             Shelves shelves = new Shelves(charts);
-            if (Math.max(shelves.width, shelves.height) <= SceneFile.LARGEST_TEXTURE) {
+            if (Math.max(shelves.width, shelves.height) <= LARGEST_TEXTURE) {
                 return charts;
             }
         }

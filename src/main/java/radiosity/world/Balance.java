@@ -57,13 +57,26 @@ final class Balance {
         }
     }
 
+    /**
+     * How a host will be behind the others when the round ends.
+     *
+     * @param seconds  negative where it will be ahead
+     * @param perPoint until the round ends, s
+     */
+    record Delay(double seconds, double perPoint) {
+
+        Delay with(int points) {
+            return new Delay(seconds + points * perPoint, perPoint);
+        }
+    }
+
     /** How hosts will be behind each other after so many more shots, as far as they are now. */
-    Map<Host, HandOver.Delay> delays(List<Host> hosts, int shots) {
+    Map<Host, Delay> delays(List<Host> hosts, int shots) {
         double mean = hosts.stream().mapToDouble(host -> host.load.sinceWait).average().orElse(0);
-        Map<Host, HandOver.Delay> delays = new LinkedHashMap<>();
+        Map<Host, Delay> delays = new LinkedHashMap<>();
         for (Host host : hosts) {
             double rest = mean > 0 ? shots * secondsPerShot * host.load.sinceWait / mean : 0;
-            delays.put(host, new HandOver.Delay(host.load.sinceWait - mean, rest / Math.max(1, host.load.told)));
+            delays.put(host, new Delay(host.load.sinceWait - mean, rest / Math.max(1, host.load.told)));
         }
         return delays;
     }

@@ -24,26 +24,13 @@ final class HandOver {
     /** Per host: what it takes otherwise; not modified. */
     private final Map<Host, List<Source>> sources;
     private final Map<Host, Integer> given;
-    private final Map<Host, Delay> delays;
+    private final Map<Host, Balance.Delay> delays;
     /** Places among what a host gives otherwise, and among what one takes. */
     private final Map<Host, List<Integer>> out = new LinkedHashMap<>();
     private final Map<Host, List<Integer>> in = new LinkedHashMap<>();
     /** Per host that takes over: where it stands among what another one has handed out. */
     private final Map<Host, List<Source>> from = new LinkedHashMap<>();
     private boolean isDone;
-
-    /**
-     * How a host will be behind the others when the round ends.
-     *
-     * @param seconds  negative where it will be ahead
-     * @param perPoint until the round ends, s
-     */
-    record Delay(double seconds, double perPoint) {
-
-        Delay with(int points) {
-            return new Delay(seconds + points * perPoint, perPoint);
-        }
-    }
 
     private record Pair(Host from, Host to) { }
 
@@ -54,7 +41,7 @@ final class HandOver {
      * @param sources per host: where what it takes comes from
      * @param given   per host: how many points it gives
      */
-    HandOver(int agreement, Map<Host, List<Source>> sources, Map<Host, Integer> given, Map<Host, Delay> delays) {
+    HandOver(int agreement, Map<Host, List<Source>> sources, Map<Host, Integer> given, Map<Host, Balance.Delay> delays) {
         this.agreement = agreement;
         this.sources = sources;
         this.given = given;
@@ -111,7 +98,7 @@ final class HandOver {
 
     /** By how much the first host is behind the second when so many points have gone, s. */
     private double apart(Pair hosts, int points) {
-        return delays.get(hosts.from).with(-points).seconds - delays.get(hosts.to).with(points).seconds;
+        return delays.get(hosts.from).with(-points).seconds() - delays.get(hosts.to).with(points).seconds();
     }
 
     private void add(Run run) {

@@ -65,7 +65,7 @@ final class PointExchange {
     }
 
     /** From the next step on some points are gathered at by others of those that have them. */
-    void handOver(Map<Host, HandOver.Delay> delays) {
+    void handOver(Map<Host, Balance.Delay> delays) {
         handOver = new HandOver(agreement, sources, given, delays);
         handOver.tell();
     }

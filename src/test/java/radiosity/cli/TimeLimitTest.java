@@ -53,7 +53,7 @@ class TimeLimitTest {
 
     @Test
     void progress_showsTheTimeThatIsLeft() {
-        TimeCourse course = new TimeCourse(new TimeLimit("60s", 60), () -> 20);
+        TimeCourse course = new TimeCourse(60, () -> 20);
         course.at("3%");
         assertEquals("at 3%: 5 shots, 50 % unsent, 1234 elements, 40 s left",
                 new ProgressText(course).of(new Progress(5, 3, 0.5, 1234, false)));

@@ -83,7 +83,7 @@ class CorpusTest {
         Map<String, Double> areas = new HashMap<>();
         for (Layer layer : object.layers) {
             Notes notes = new Notes("layer", w -> { }, false);
-            Triangulation triangulation = new Triangulation(layer, new Work(), notes);
+            Triangulation triangulation = new Triangulation(layer.points, layer.polygons, "layer " + layer.number, new Work(), notes);
             for (int polygon = 0; polygon < layer.polygons.size(); polygon++) {
                 Vec3 expected = PolygonAreas.ofPolygon(layer, polygon);
                 Ints triangles = new Ints();

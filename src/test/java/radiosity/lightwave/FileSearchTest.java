@@ -50,7 +50,7 @@ class FileSearchTest {
 
     private Optional<String> find(String written, LightWaveOptions options) throws IOException {
         Notes notes = new Notes("a.lws", told::add, false);
-        Optional<Path> found = new FileSearch(scene, options, notes).object(written);
+        Optional<Path> found = SceneAssembly.search(scene, options, notes).object(written);
         notes.flush();
         return found.map(p -> disk.toAbsolutePath().normalize().relativize(p).toString().replace('\\', '/'));
     }

@@ -63,7 +63,7 @@ class FuzzTest {
     /** @param place a file in the folder where objects are searched */
     private void mutate(byte[] sound, Path place, int times, Random random) throws IOException {
         String name = place.getFileName().toString();
-        FileSearch search = new FileSearch(place, options, new Notes(name, w -> { }, false));
+        FileSearch search = SceneAssembly.search(place, options, new Notes(name, w -> { }, false));
         for (int i = 0; i < times; i++) {
             List<String> told = new ArrayList<>();
             try {

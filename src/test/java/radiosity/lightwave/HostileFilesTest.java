@@ -56,7 +56,7 @@ class HostileFilesTest {
     @MethodSource("soundObjects")
     void objectCutAnywhere_endsInASceneOrOneLine(byte[] sound) throws IOException {
         LightWaveOptions options = LightWaveOptions.defaults();
-        FileSearch search = new FileSearch(Files.write(folder.resolve("cut.lwo"), sound), options,
+        FileSearch search = SceneAssembly.search(Files.write(folder.resolve("cut.lwo"), sound), options,
                 new Notes("cut.lwo", w -> { }, false));
         for (int length = 0; length < sound.length; length++) {
             List<String> told = new ArrayList<>();

@@ -48,7 +48,7 @@ class TriangulationTest {
     private static void assertCovered(Layer layer, double area) {
         Ints triangles = new Ints();
         List<String> told = new ArrayList<>();
-        new Triangulation(layer, new Work(), new Notes("", told::add, false)).cut(0, triangles);
+        new Triangulation(layer.points, layer.polygons, "layer " + layer.number, new Work(), new Notes("", told::add, false)).cut(0, triangles);
         double sum = 0;
         for (int i = 0; i < triangles.size(); i += 3) {
             Ints one = new Ints();
@@ -87,7 +87,7 @@ class TriangulationTest {
     void convexQuad_isCutFromItsFirstCorner() {
         Layer layer = layer(new double[] {0, 0, 1, 0, 1, 1, 0, 1}, 2, 1, 0);
         Ints triangles = new Ints();
-        new Triangulation(layer, new Work(), new Notes("", w -> { }, false)).cut(0, triangles);
+        new Triangulation(layer.points, layer.polygons, "layer " + layer.number, new Work(), new Notes("", w -> { }, false)).cut(0, triangles);
         assertEquals(List.of(0, 1, 2, 0, 2, 3), java.util.Arrays.stream(triangles.toArray()).boxed().toList());
     }
 
@@ -97,7 +97,8 @@ class TriangulationTest {
         int cut = 0;
         for (int i = 0; i < 40; i++) {
             Ints triangles = new Ints();
-            new Triangulation(randomPolygon(20_000), work, new Notes("", w -> { }, false)).cut(0, triangles);
+            Layer random = randomPolygon(20_000);
+            new Triangulation(random.points, random.polygons, "", work, new Notes("", w -> { }, false)).cut(0, triangles);
             cut += triangles.size() > 0 ? 1 : 0;
         }
         assertTrue(cut < 40, "40 tangles of 20,000 corners were all cut");

@@ -58,7 +58,7 @@ class WindowsDrivesTest {
 
     private Optional<String> find(String written) throws IOException {
         Notes notes = new Notes("a.lws", warnings::add, false);
-        Optional<Path> found = new FileSearch(scene, options, notes).object(written);
+        Optional<Path> found = SceneAssembly.search(scene, options, notes).object(written);
         notes.flush();
         return found.map(Path::toString);
     }
