@@ -4,19 +4,19 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
-import radiosity.lightwave.LightWaveOptions;
-import radiosity.lightwave.LightWaveReader;
-import radiosity.output.SurfaceMaps;
+import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.lightwave.LightWaveReader;
+import radiosity.master.RemoteWorld;
+import radiosity.output.image.SurfaceMaps;
+import radiosity.rmi.HostAddress;
+import radiosity.rmi.HostKey;
 import radiosity.scene.Scene;
-import radiosity.world.HostAddress;
-import radiosity.world.HostKey;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RadiositySettings;
-import radiosity.world.RemoteWorld;
-import radiosity.world.RoundListener;
-import radiosity.world.StopRule;
-import radiosity.world.World;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.StopRule;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.solver.RoundListener;
+import radiosity.solver.World;
 
 /**
  * The front of the library: reads a scene, calculates its radiosity, and hands the result over.
@@ -81,7 +81,8 @@ public final class Radiosity {
      */
     public Radiosity accuracy(double error) {
         if (!(error > 0 && error < 1)) {
-            throw new IllegalArgumentException("accuracy: expected an error between 0 and 1 (0.02 is 2 %), got " + error);
+            throw new IllegalArgumentException("accuracy: expected an error between 0 and 1 (0.02 is 2 %), got "
+                    + error);
         }
         settings = settings.accurate(error);
         return this;
@@ -152,7 +153,7 @@ public final class Radiosity {
      *
      * @param listener asked after every step whether to go on
      * @throws IOException                          where the hosts cannot be used
-     * @throws radiosity.world.NoNumberException where light is so strong that it overflows
+     * @throws radiosity.util.NoNumberException where light is so strong that it overflows
      */
     public RadiosityResult run(RoundListener listener) throws IOException {
         try (World world = hosts.isEmpty() ? new LocalWorld(scene, settings, threads)

@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
-import radiosity.output.Points;
-import radiosity.output.SceneFile;
-import radiosity.output.Snapshot;
-import radiosity.output.ToneMapping;
-import radiosity.output.Viewpoint;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.DefaultCamera;
+import radiosity.output.image.Snapshot;
+import radiosity.output.image.ToneMapping;
+import radiosity.output.points.Points;
 import radiosity.scene.Camera;
-import radiosity.world.Certificate;
-import radiosity.world.Progress;
-import radiosity.world.Solution;
+import radiosity.solution.Certificate;
+import radiosity.solution.Progress;
+import radiosity.solution.Solution;
 
 /**
  * What a {@link Radiosity} calculation came to.
@@ -24,7 +24,8 @@ import radiosity.world.Solution;
 public record RadiosityResult(Solution solution, Optional<Certificate> certificate, Progress progress) {
 
     /**
-     * Writes the scene file, a glTF binary that any glTF viewer opens; an old file is replaced as a whole or not at all.
+     * Writes the scene file, a glTF binary that any glTF viewer opens; an old file is replaced as a whole or not at
+     * all.
      *
      * @throws IOException where the file cannot be written
      */
@@ -40,7 +41,7 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
      * @throws IOException where the file cannot be written or its format is not known
      */
     public void writePicture(Path file, int width) throws IOException {
-        Camera camera = Viewpoint.of(solution);
+        Camera camera = DefaultCamera.of(solution);
         Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution));
     }
 

@@ -14,10 +14,10 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import radiosity.accuracy.Rooms;
-import radiosity.patch.Faces;
+import radiosity.mesh.face.Faces;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.testkit.RoomScenes;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -44,7 +44,7 @@ public class RayBenchmark {
     /** The same rays every time. */
     @Setup
     public void aim() {
-        Scene scene = Rooms.closedCornell(Rooms.grey("wall", 0, 0.5));
+        Scene scene = RoomScenes.closedCornell(RoomScenes.grey("wall", 0, 0.5));
         Faces faces = new Faces(scene);
         bounds = new RadiosityBounds(faces.occluders());
         Random random = new Random(1);

@@ -8,9 +8,13 @@ import java.rmi.server.ExportException;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
 import java.util.concurrent.CountDownLatch;
-import radiosity.world.HostAddress;
-import radiosity.world.HostKey;
-import radiosity.world.PartitionPort;
+import radiosity.cli.options.CommandRun;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.ServerOptions;
+import radiosity.cli.render.FileChecks;
+import radiosity.rmi.HostAddress;
+import radiosity.rmi.HostKey;
+import radiosity.worker.PartitionPort;
 
 /** Serves a part of a scene to whoever renders it (section 4.5.6 and appendix C.3 of the paper). */
 public final class PartitionServer {
@@ -53,7 +57,8 @@ public final class PartitionServer {
         try {
             return PartitionPort.open(options, PartitionServer::print);
         } catch (ExportException e) {
-            throw Failure.failed("-port", "expected a port that is free or an rmiregistry's, got " + options.registryPort()
+            throw Failure.failed("-port", "expected a port that is free or an rmiregistry's, got "
+                    + options.registryPort()
                     + ", which is taken");
         }
     }

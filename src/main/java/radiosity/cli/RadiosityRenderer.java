@@ -6,11 +6,40 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import radiosity.lightwave.LightWaveReader;
-import radiosity.output.SceneInfo;
-import radiosity.output.SurfaceMaps;
+import radiosity.cli.options.CommandRun;
+import radiosity.cli.options.RendererOptions;
+import radiosity.cli.options.TimeLimit;
+import radiosity.cli.render.ConsoleSession;
+import radiosity.cli.render.Failures;
+import radiosity.cli.render.FileChecks;
+import radiosity.cli.render.Journal;
+import radiosity.cli.render.JournalClaim;
+import radiosity.cli.render.OutputFiles;
+import radiosity.cli.render.RenderJob;
+import radiosity.cli.render.RenderResult;
+import radiosity.cli.render.SaveBeforeExit;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.cli.render.SceneChecks;
+import radiosity.cli.render.StatisticsTable;
+import radiosity.cli.render.Summary;
+import radiosity.cli.render.TimedCalculation;
+import radiosity.cli.render.Warnings;
+import radiosity.cli.terminal.NoProgress;
+import radiosity.cli.terminal.ProcessTime;
+import radiosity.cli.terminal.ProgressBarDisplay;
+import radiosity.cli.terminal.ProgressDisplay;
+import radiosity.cli.terminal.ProgressEstimate;
+import radiosity.cli.terminal.ProgressLines;
+import radiosity.cli.terminal.ProgressText;
+import radiosity.cli.terminal.StopRequest;
+import radiosity.cli.terminal.StopRuleCourse;
+import radiosity.cli.terminal.TerminalStreams;
+import radiosity.cli.terminal.TimeCourse;
+import radiosity.input.lightwave.LightWaveReader;
+import radiosity.output.gltf.SceneInfo;
+import radiosity.output.image.SurfaceMaps;
 import radiosity.scene.Scene;
-import radiosity.world.RadiositySettings;
+import radiosity.settings.RadiositySettings;
 
 /** Renders a LightWave scene and writes a scene file (appendix C.1 of the paper). */
 public final class RadiosityRenderer {
@@ -62,7 +91,7 @@ public final class RadiosityRenderer {
         SceneInfo.lines(scene).forEach(System.out::println);
     }
 
-    /** Figure 7 of the paper, from top to bottom; {@link Calculation} is the middle. */
+    /** Figure 7 of the paper, from top to bottom; {@link RenderJob} is the middle. */
     private void render(SaveBeforeExit ending) throws IOException {
         files.check();
         if (options.calculation.time != null) {
@@ -86,10 +115,10 @@ public final class RadiosityRenderer {
     private void calculate(Scene scene, RadiositySettings settings, SavedCalculation before, JournalClaim claim,
                            SaveBeforeExit ending) throws IOException {
         Journal journal;
-        Calculated result;
-        try (Conversation user = conversation(new StopRuleCourse(Calculation.stopRule(options), System::nanoTime))) {
+        RenderResult result;
+        try (ConsoleSession user = conversation(new StopRuleCourse(RenderJob.stopRule(options), System::nanoTime))) {
             journal = new Journal(claim, settings, user::message, System::nanoTime);
-            result = new Calculation(options, scene, files, warnings, user).run(settings, radiosity -> {
+            result = new RenderJob(options, scene, files, warnings, user).run(settings, radiosity -> {
                 if (!journal.resume(radiosity) && before != null) {
                     radiosity.resume(before.state());
                 }
@@ -107,10 +136,10 @@ public final class RadiosityRenderer {
             throws IOException {
         ending.begin(Optional.empty());
         TimeCourse course = new TimeCourse(limit.seconds(), ProcessTime::seconds);
-        Calculated result;
+        RenderResult result;
         String told;
-        try (Conversation user = conversation(course)) {
-            TimedCalculation timed = new TimedCalculation(new Calculation(options, scene, files, warnings, user),
+        try (ConsoleSession user = conversation(course)) {
+            TimedCalculation timed = new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
                     settings, limit, course, user, stop, files);
             result = timed.run();
             told = timed.told();
@@ -118,8 +147,8 @@ public final class RadiosityRenderer {
         finish(result, Optional.of(told), true, new Failures());
     }
 
-    private Conversation conversation(Course course) {
-        return new Conversation(err, () -> display(course), stop);
+    private ConsoleSession conversation(ProgressEstimate course) {
+        return new ConsoleSession(err, () -> display(course), stop);
     }
 
     /** What {@code -tf} names, or null. */
@@ -169,7 +198,7 @@ public final class RadiosityRenderer {
      *
      * @param saved whether the scene file was saved
      */
-    private void finish(Calculated result, Optional<String> inTime, boolean saved, Failures failures) {
+    private void finish(RenderResult result, Optional<String> inTime, boolean saved, Failures failures) {
         Summary summary = new Summary(result, inTime, ProcessTime.seconds());
         if (saved) {
             summary.print(System.out);
@@ -181,7 +210,7 @@ public final class RadiosityRenderer {
         }
     }
 
-    private ProgressDisplay display(Course course) {
+    private ProgressDisplay display(ProgressEstimate course) {
         if (options.quiet) {
             return new NoProgress(err);
         }

@@ -4,12 +4,17 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.BindException;
-import radiosity.lightwave.LightWaveReader;
-import radiosity.output.LitScene;
-import radiosity.output.SurfaceMaps;
+import radiosity.cli.options.CommandRun;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.ViewOptions;
+import radiosity.cli.render.FileChecks;
+import radiosity.cli.render.Warnings;
+import radiosity.input.lightwave.LightWaveReader;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.image.SurfaceMaps;
 import radiosity.viewer.DisplayException;
 import radiosity.viewer.Walkthrough;
-import radiosity.viewer.WebPage;
+import radiosity.viewer.web.WebPage;
 
 /** Displays a scene file and lets the user walk in it (appendix C.4 of the paper). */
 public final class ViewSceneFile {
@@ -65,7 +70,8 @@ public final class ViewSceneFile {
 
     /** Until the process is ended, as by Ctrl-C. */
     private void serve() throws IOException {
-        try (WebPage page = new WebPage(options.file(), options.window.curve, options.window.exposure, options.window.port)) {
+        try (WebPage page = new WebPage(options.file(), options.window.curve, options.window.exposure,
+                options.window.port)) {
             System.out.println(page.address());
             Thread.sleep(Long.MAX_VALUE);
         } catch (BindException e) {
@@ -77,7 +83,8 @@ public final class ViewSceneFile {
 
     private LitScene scene() throws IOException {
         return options.window.lightWave ? LitScene.unlit(SurfaceMaps.read(
-                LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print), options.scene.srgb, warnings::accept))
+                LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print), options.scene.srgb,
+                        warnings::accept))
                 : LitScene.read(options.file());
     }
 }

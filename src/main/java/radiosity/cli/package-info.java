@@ -1,7 +1,6 @@
 /**
- * The programs of appendix C: their options, checks, progress and exit codes.
+ * The programs: RadiosityRenderer, PartitionServer, ViewSceneFile (appendix C of the paper).
  *
- * <p>May import every other package; no other package imports this one. A program's {@code main} only turns what
- * {@code run} returns into the exit code, so that tests call {@code run}.
+ * <p>A program's {@code main} only turns what {@code run} returns into the exit code, so that tests call {@code run}.
  */
 package radiosity.cli;

@@ -1,13 +1,13 @@
 package radiosity.formfactor;
 
-import radiosity.patch.Hash;
+import radiosity.util.Hash;
 
 /** Rays into clusters of triangles. */
 final class ClusterRays {
 
-    private final Sight sight;
+    private final ShadowTest sight;
 
-    ClusterRays(Sight sight) {
+    ClusterRays(ShadowTest sight) {
         this.sight = sight;
     }
 
@@ -16,7 +16,7 @@ final class ClusterRays {
      * in proportion to how it stands.
      */
     void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, int draws,
-                               Shooter s, int cluster, Gathering gathering) {
+                               ShooterHierarchy s, int cluster, GatherSink gathering) {
         int u = (int) (rotation >>> 32);
         int v = (int) rotation;
         int lot = R2.lot(rotation);
@@ -41,7 +41,7 @@ final class ClusterRays {
             float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - pz;
             double up = nx * dx + ny * dy + nz * dz;
             double down = -(s.normal[3 * node] * dx + s.normal[3 * node + 1] * dy + s.normal[3 * node + 2] * dz);
-            if (up <= 0 || down <= Sight.IN_PLANE) {
+            if (up <= 0 || down <= ShadowTest.IN_PLANE) {
                 continue;
             }
             double d2 = (double) dx * dx + (double) dy * dy + (double) dz * dz;
@@ -66,13 +66,13 @@ final class ClusterRays {
         if (sight.sees(px, py, pz, nx, ny, nz, tx - px, ty - py, tz - pz, normal[3 * found], normal[3 * found + 1],
                 normal[3 * found + 2])) {
             double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
-            Sight.reach(s, found, fa, fb, fc, power * sum, gathering);
+            ShadowTest.reach(s, found, fa, fb, fc, power * sum, gathering);
         }
         gathering.close(1 / (draws * Math.PI));
     }
 
     /** The triangle at a place in [0, 1) of a cluster, where each takes as much room as it shoots. */
-    private static int pick(Shooter s, int cluster, double place) {
+    private static int pick(ShooterHierarchy s, int cluster, double place) {
         double x = place;
         int node = cluster;
         while (s.face[node] < 0) {

@@ -1,5 +1,7 @@
 package radiosity.formfactor;
 
+import radiosity.util.ArcTangent;
+
 /**
  * The exact form factor from a point to a polygon, nothing in between: the part of the polygon's light that a small
  * surface at the point receives, of what it would receive if the polygon filled its sky.

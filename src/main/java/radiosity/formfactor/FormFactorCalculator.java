@@ -17,6 +17,6 @@ public interface FormFactorCalculator {
      * @param key        what the receiving point is, whoever owns it
      * @param gathering  told of every sample point that is visible
      */
-    void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                Gathering gathering);
+    void gather(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
+                GatherSink gathering);
 }

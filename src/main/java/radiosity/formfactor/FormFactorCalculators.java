@@ -1,5 +1,6 @@
 package radiosity.formfactor;
 
+import radiosity.settings.FormFactors;
 import radiosity.visibility.RadiosityBounds;
 
 /** Makes the calculator that belongs to each name in {@link FormFactors}. */

@@ -1,7 +1,8 @@
 package radiosity.formfactor;
 
 /**
- * Cones that hold all normals below each node of a {@link Shooter}: by them is known what faces away (L. Shirman,
+ * Cones that hold all normals below each node of a {@link ShooterHierarchy}: by them is known what faces away (L.
+ * Shirman,
  * S. Abi-Ezzi, The cone of normals technique for fast processing of curved patches, 1993).
  */
 final class NormalCones {

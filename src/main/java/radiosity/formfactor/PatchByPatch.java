@@ -5,10 +5,10 @@ import radiosity.visibility.RadiosityBounds;
 /** A calculator that takes a shooter's patches one by one, without clusters, and looks at each as a whole. */
 abstract class PatchByPatch implements FormFactorCalculator {
 
-    private final Sight sight;
+    private final ShadowTest sight;
 
     PatchByPatch(RadiosityBounds bounds) {
-        sight = new Sight(bounds);
+        sight = new ShadowTest(bounds);
     }
 
     /**
@@ -18,8 +18,8 @@ abstract class PatchByPatch implements FormFactorCalculator {
      * @param nx  its normal, length 1, and so on
      * @param key what it is
      */
-    record Receiver(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                    Gathering gathering) {
+    record Receiver(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
+                    GatherSink gathering) {
 
         /** Height of a node's corner k above the receiver's horizon. */
         float above(int node, int k) {
@@ -38,20 +38,21 @@ abstract class PatchByPatch implements FormFactorCalculator {
     }
 
     @Override
-    public final void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                             Gathering gathering) {
+    public final void gather(float px, float py, float pz, float nx, float ny, float nz, long key,
+            ShooterHierarchy shooter,
+                             GatherSink gathering) {
         enter(new Receiver(px, py, pz, nx, ny, nz, key, shooter, gathering), 0);
     }
 
     private void enter(Receiver to, int node) {
-        Shooter s = to.shooter;
+        ShooterHierarchy s = to.shooter;
         if (s.strength[node] == 0) {
             return;
         }
         if (s.face[node] < 0) {
             enter(to, s.child[node]);
             enter(to, s.child[node] + 1);
-        } else if (to.before(node) > Sight.IN_PLANE
+        } else if (to.before(node) > ShadowTest.IN_PLANE
                 && Math.max(to.above(node, 0), Math.max(to.above(node, 1), to.above(node, 2))) > 0) {
             to.gathering.close(patch(to, node));
         }
@@ -66,7 +67,7 @@ abstract class PatchByPatch implements FormFactorCalculator {
 
     /** A place on a patch, by its weights at the corners: if it is visible, it counts so much. */
     final void look(Receiver to, int node, float a, float b, float c, double weight) {
-        Shooter s = to.shooter;
+        ShooterHierarchy s = to.shooter;
         float[] corner = s.corner;
         float[] normal = s.normal;
         int at = 9 * node;
@@ -75,7 +76,7 @@ abstract class PatchByPatch implements FormFactorCalculator {
         float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - to.pz;
         if (sight.sees(to.px, to.py, to.pz, to.nx, to.ny, to.nz, dx, dy, dz, normal[3 * node], normal[3 * node + 1],
                 normal[3 * node + 2])) {
-            Sight.reach(s, node, a, b, c, weight, to.gathering);
+            ShadowTest.reach(s, node, a, b, c, weight, to.gathering);
         }
     }
 }

@@ -1,6 +1,6 @@
 package radiosity.formfactor;
 
-import radiosity.patch.Hash;
+import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -36,9 +36,11 @@ final class PlainRays extends PatchByPatch {
         return factor > 1 ? 1 / factor : 1;
     }
 
-    /** Equation 3: cos cos / (pi r^2) times the ray's part of the patch's area; returned whether it is visible or not. */
+    /**
+     * Equation 3: cos cos / (pi r^2) times the ray's part of the patch's area; returned whether it is visible or not.
+     */
     private double ray(Receiver to, int node, float a, float b, float c) {
-        Shooter s = to.shooter();
+        ShooterHierarchy s = to.shooter();
         double up = a * to.above(node, 0) + b * to.above(node, 1) + c * to.above(node, 2);
         if (up <= 0) {
             return 0;

@@ -1,6 +1,6 @@
 package radiosity.formfactor;
 
-import radiosity.patch.Hash;
+import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -34,7 +34,8 @@ abstract class Projection extends PatchByPatch {
                 int k = i / 3;
                 int row = 3 * (i % 3);
                 float[] c = to.shooter().corner;
-                corner[i] = axes[row] * (c[9 * node + 3 * k] - to.px()) + axes[row + 1] * (c[9 * node + 3 * k + 1] - to.py())
+                corner[i] = axes[row] * (c[9 * node + 3 * k] - to.px())
+                        + axes[row + 1] * (c[9 * node + 3 * k + 1] - to.py())
                         + axes[row + 2] * (c[9 * node + 3 * k + 2] - to.pz());
             }
             for (int k = 0; k < 3; k++) {

@@ -1,6 +1,6 @@
 package radiosity.formfactor;
 
-import radiosity.patch.Hash;
+import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -35,7 +35,7 @@ public final class RayCaster implements FormFactorCalculator {
     /**
      * @param rays      sample points per shooting node, at least 1
      * @param tolerance what those may carry together before the node is entered, or cast more rays at if it is an
-     *                  element: form factor times {@link Shooter}'s strength; infinite: no node is entered
+     *                  element: form factor times {@link ShooterHierarchy}'s strength; infinite: no node is entered
      */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance) {
         this(bounds, rays, tolerance, Math.max(rays, MOST_RAYS));
@@ -43,7 +43,7 @@ public final class RayCaster implements FormFactorCalculator {
 
     /** @param mostRays no more are cast at one element, whatever it carries */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance, int mostRays) {
-        Sight sight = new Sight(bounds);
+        ShadowTest sight = new ShadowTest(bounds);
         clusters = new ClusterRays(sight);
         triangles = new TriangleRays(sight);
         this.rays = rays;
@@ -52,13 +52,14 @@ public final class RayCaster implements FormFactorCalculator {
     }
 
     @Override
-    public void gather(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter shooter,
-                       Gathering gathering) {
+    public void gather(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
+                       GatherSink gathering) {
         enter(px, py, pz, nx, ny, nz, key, shooter, 0, gathering);
     }
 
-    private void enter(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter s, int node,
-                       Gathering gathering) {
+    private void enter(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy s,
+            int node,
+                       GatherSink gathering) {
         double strength = s.strength[node];
         float[] extent = s.extent;
         float ex = extent[4 * node] - px;
@@ -75,7 +76,7 @@ public final class RayCaster implements FormFactorCalculator {
             return;
         }
         float above = -(s.normal[3 * node] * ex + s.normal[3 * node + 1] * ey + s.normal[3 * node + 2] * ez);
-        if (above <= Sight.IN_PLANE) {
+        if (above <= ShadowTest.IN_PLANE) {
             return;
         }
         double factor = ContourFactor.triangle(px, py, pz, nx, ny, nz, s.corner, 9 * node);
@@ -94,15 +95,17 @@ public final class RayCaster implements FormFactorCalculator {
         }
         int wanted = carried > tolerance ? (int) Math.min(mostRays, rays * Math.ceil(carried / tolerance)) : rays;
         int choices = near > NEAR_8 ? Math.max(1, 8 / wanted) : near > NEAR_4 ? Math.max(1, 4 / wanted) : 1;
-        triangles.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), factor, wanted, choices, s, node, gathering);
+        triangles.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), factor, wanted, choices, s, node,
+                gathering);
     }
 
     /**
      * One ray stands for a cluster that carries no more than a ray may, by the largest cosines at which it and the
      * receiver may stand to each other and the smallest distance.
      */
-    private void cluster(float px, float py, float pz, float nx, float ny, float nz, long key, Shooter s, int node,
-                         float ex, float ey, float ez, float up, float d, Gathering gathering) {
+    private void cluster(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy s,
+            int node,
+                         float ex, float ey, float ez, float up, float d, GatherSink gathering) {
         float r = (float) Math.sqrt(s.extent[4 * node + 3]);
         if (r < d) {
             float sin = r / d;

@@ -6,9 +6,9 @@ final class TriangleRays {
     /** Sample points below the receiver's horizon are drawn again, so often per ray. */
     private static final int DRAWS = 64;
 
-    private final Sight sight;
+    private final ShadowTest sight;
 
-    TriangleRays(Sight sight) {
+    TriangleRays(ShadowTest sight) {
         this.sight = sight;
     }
 
@@ -18,7 +18,7 @@ final class TriangleRays {
      * 2005).
      */
     void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, double factor,
-                        int wanted, int choices, Shooter s, int node, Gathering gathering) {
+                        int wanted, int choices, ShooterHierarchy s, int node, GatherSink gathering) {
         float[] corner = s.corner;
         int at = 9 * node;
         float ox = corner[at] - px;
@@ -70,7 +70,7 @@ final class TriangleRays {
                 float dz = oz + b * bz + c * cz;
                 if (sight.sees(px, py, pz, nx, ny, nz, dx, dy, dz, s.normal[3 * node], s.normal[3 * node + 1],
                         s.normal[3 * node + 2])) {
-                    Sight.reach(s, node, 1 - b - c, b, c, group, gathering);
+                    ShadowTest.reach(s, node, 1 - b - c, b, c, group, gathering);
                 }
                 sum += group;
             }

@@ -24,16 +24,19 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
     /**
      * Checks itself.
      *
-     * @throws IllegalArgumentException where a power is negative or no number, a vector is not finite, a direction that is
+     * @throws IllegalArgumentException where a power is negative or no number, a vector is not finite, a direction that
+     *         is
      *                                  used is zero, a range that is used is not above 0, or an angle is not in [0, pi]
      */
     public Light {
-        check(name, power.isFinite() && Math.min(power.r(), Math.min(power.g(), power.b())) >= 0, "a power of at least 0",
+        check(name, power.isFinite() && Math.min(power.r(), Math.min(power.g(), power.b())) >= 0,
+                "a power of at least 0",
                 power);
         check(name, position.isFinite(), "a finite position", position);
         check(name, right.isFinite(), "a finite half edge", right);
         check(name, up.isFinite(), "a finite half edge", up);
-        check(name, direction.isFinite() && (kind == Kind.POINT || direction.length() > 0), "a direction that is not zero",
+        check(name, direction.isFinite() && (kind == Kind.POINT || direction.length() > 0),
+                "a direction that is not zero",
                 direction);
         check(name, Double.isFinite(range) && (range > 0 || kind != Kind.POINT && kind != Kind.SPOT), "a range above 0",
                 range);

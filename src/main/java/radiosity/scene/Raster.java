@@ -27,7 +27,8 @@ public final class Raster {
     private record Level(int width, int height, float[] rgb) { }
 
     /**
-     * @param rgb     3 per pixel, row by row from the top; reflectance, or exitance in W/m²; not copied, not to be modified
+     * @param rgb     3 per pixel, row by row from the top; reflectance, or exitance in W/m²; not copied, not to be
+     *                modified
      * @param wrapU   what stands outside of u in [0, 1]
      * @param wrapV   what stands outside of v in [0, 1]
      * @param outside what stands there where nothing of the picture does
@@ -57,7 +58,8 @@ public final class Raster {
             int right = Math.min(x + 1, of.width - 1);
             int below = Math.min(y + 1, of.height - 1);
             int c = i % 3;
-            rgb[i] = (value(of, x, y, c) + value(of, right, y, c) + value(of, x, below, c) + value(of, right, below, c)) / 4;
+            rgb[i] = (value(of, x, y, c) + value(of, right, y, c) + value(of, x, below, c)
+                    + value(of, right, below, c)) / 4;
         }
         return new Level(w, h, rgb);
     }

@@ -58,7 +58,8 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
     public List<Lamp> lamps() {
         Stream<Lamp> emitting = Arrays.stream(surfaceOf).distinct().sorted().filter(s -> surfaces.get(s).emits())
                 .mapToObj(s -> new Lamp(surfaces.get(s).name(), true, s));
-        Stream<Lamp> shining = IntStream.range(0, lights.size()).mapToObj(l -> new Lamp(lights.get(l).name(), false, l));
+        Stream<Lamp> shining = IntStream.range(0, lights.size())
+                .mapToObj(l -> new Lamp(lights.get(l).name(), false, l));
         return Stream.concat(emitting, shining).toList();
     }
 
@@ -78,26 +79,27 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
     }
 
     /** What there is to see of a triangle at a point on it. */
-    public Look look(int triangle, Vec3 point) {
+    public MaterialSample look(int triangle, Vec3 point) {
         Surface surface = surface(triangle);
         if (!isMapped(triangle)) {
-            return new Look(surface.exitance(), surface.reflectance());
+            return new MaterialSample(surface.exitance(), surface.reflectance());
         }
         double[] at = textureCoordinates(triangle, point);
-        return new Look(surface.maps().exitance().map(map -> map.at(at[0], at[1])).orElse(surface.exitance()),
+        return new MaterialSample(surface.maps().exitance().map(map -> map.at(at[0], at[1])).orElse(surface.exitance()),
                 surface.maps().reflectance().map(map -> map.at(at[0], at[1])).orElse(surface.reflectance()));
     }
 
     /** The same in the mean under a part of a triangle. */
-    public Look meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
+    public MaterialSample meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
         Surface surface = surface(triangle);
         if (!isMapped(triangle)) {
-            return new Look(surface.exitance(), surface.reflectance());
+            return new MaterialSample(surface.exitance(), surface.reflectance());
         }
-        double[][] at = {textureCoordinates(triangle, a), textureCoordinates(triangle, b), textureCoordinates(triangle, c)};
+        double[][] at = {textureCoordinates(triangle, a), textureCoordinates(triangle, b),
+                textureCoordinates(triangle, c)};
         double[] u = {at[0][0], at[1][0], at[2][0]};
         double[] v = {at[0][1], at[1][1], at[2][1]};
-        return new Look(surface.maps().exitance().map(map -> map.mean(u, v)).orElse(surface.exitance()),
+        return new MaterialSample(surface.maps().exitance().map(map -> map.mean(u, v)).orElse(surface.exitance()),
                 surface.maps().reflectance().map(map -> map.mean(u, v)).orElse(surface.reflectance()));
     }
 

@@ -8,13 +8,15 @@ import java.util.Optional;
  *
  * @param name        unique within its scene
  * @param exitance    E, emitted radiosity in W/m², each channel finite and at least 0; the mean of its map, if any
- * @param reflectance rho, reflected / arriving, each channel in [0, {@value #MAX_REFLECTANCE}]; the mean of its map, if any
+ * @param reflectance rho, reflected / arriving, each channel in [0, {@value #MAX_REFLECTANCE}]; the mean of its map, if
+ *                    any
  * @param twoSided    reflects and emits on both sides
  * @param textures    images that vary exitance and reflectance, all at the triangle's one set of texture coordinates;
  *                    mostly none
  * @param maps        what has become of them, where their images were read
  */
-public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures, Maps maps) {
+public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures,
+        Maps maps) {
 
     /** A reader that finds a reflectance of 1 or more takes this instead and warns: at 1 light would never end. */
     public static final double MAX_REFLECTANCE = 0.9999;
@@ -50,7 +52,8 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
             double e = exitance.channel(c);
             double rho = reflectance.channel(c);
             if (!(e >= 0 && e <= Double.MAX_VALUE)) {
-                throw new IllegalArgumentException("surface " + name + ": expected an exitance of at least 0, got " + e);
+                throw new IllegalArgumentException("surface " + name + ": expected an exitance of at least 0, got "
+                        + e);
             }
             if (!(rho >= 0 && rho <= MAX_REFLECTANCE)) {
                 throw new IllegalArgumentException("surface " + name + ": expected a reflectance in [0, "

@@ -7,13 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import radiosity.output.LitScene;
+import radiosity.output.gltf.LitScene;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 
 /** What the window shows just now, and how; on the event thread. */
-final class Display {
+public final class Display {
 
     private static final int EDGE = 12;
     /** How far a click reaches, of the scene's size and the distance to it. */
@@ -187,7 +187,7 @@ final class Display {
     }
 
     /** Dims or colours a lamp; the light of textures is as it was rendered, so that of vertices is shown. */
-    void lamp(int lamp, Rgb factor) {
+    public void lamp(int lamp, Rgb factor) {
         lighting.lamp(lamp, factor);
         lampsChanged();
     }
@@ -242,7 +242,8 @@ final class Display {
                 1 - (2.0 * y + 1) / stage.canvas().getHeight());
         double far = REACH * (extent.size() + camera.position().minus(extent.centre()).length());
         Optional<Probe> probe = obstacles.join().flatMap(known -> known.hit(camera.position(), direction, far))
-                .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position().plus(direction.times(hit.distance()))));
+                .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position()
+                        .plus(direction.times(hit.distance()))));
         status(probe.map(Probe::lines).orElse(List.of()));
         return probe;
     }

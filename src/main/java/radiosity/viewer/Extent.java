@@ -1,7 +1,7 @@
 package radiosity.viewer;
 
-import radiosity.output.LitScene;
-import radiosity.output.Mesh;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.mesh.Mesh;
 import radiosity.scene.Vec3;
 
 /**

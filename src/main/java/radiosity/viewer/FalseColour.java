@@ -1,6 +1,6 @@
 package radiosity.viewer;
 
-import radiosity.output.ToneMapping;
+import radiosity.output.image.ToneMapping;
 
 /** Luminance in colours, logarithmic: the same map as in light.frag, for the scale beside the picture. */
 final class FalseColour {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
-import radiosity.output.LitScene;
+import radiosity.output.gltf.LitScene;
 
 /**
  * Reads a scene file again whenever a render has replaced it ({@code -si}).

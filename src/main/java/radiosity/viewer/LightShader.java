@@ -14,7 +14,7 @@ import org.jogamp.java3d.ShaderAttributeSet;
 import org.jogamp.java3d.ShaderAttributeValue;
 import org.jogamp.java3d.SourceCodeShader;
 import org.jogamp.java3d.Texture;
-import radiosity.output.ToneMapping;
+import radiosity.output.image.ToneMapping;
 
 /** How light becomes colour on the screen: exposure and curve are numbers that cost nothing. */
 final class LightShader {

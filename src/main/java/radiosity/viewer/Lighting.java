@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import radiosity.output.LitScene;
-import radiosity.output.ToneMapping;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 

@@ -2,8 +2,8 @@ package radiosity.viewer;
 
 import java.util.List;
 import java.util.Optional;
-import radiosity.output.LitScene;
-import radiosity.output.Mesh;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.mesh.Mesh;
 import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 

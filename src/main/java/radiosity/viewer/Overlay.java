@@ -9,7 +9,7 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import radiosity.output.ToneMapping;
+import radiosity.output.image.ToneMapping;
 
 /** Text and scales that lie over the picture. */
 final class Overlay {

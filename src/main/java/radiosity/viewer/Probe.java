@@ -2,7 +2,7 @@ package radiosity.viewer;
 
 import java.util.List;
 import java.util.Locale;
-import radiosity.output.Mesh;
+import radiosity.output.mesh.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;

@@ -15,7 +15,7 @@ import org.jogamp.java3d.Shape3D;
 import org.jogamp.vecmath.Point3f;
 
 /** Where Java 3D draws: puts text over each picture and hands out copies. */
-final class SceneCanvas extends Canvas3D {
+public final class SceneCanvas extends Canvas3D {
 
     /** Draws nothing that can be seen, but without a shader: Java 3D draws the overlay with the last one. */
     private final Shape3D plain = new Shape3D(new PointArray(1, GeometryArray.COORDINATES), new Appearance());
@@ -32,7 +32,7 @@ final class SceneCanvas extends Canvas3D {
     }
 
     /** A copy of the next picture; somebody must see to it that it is drawn. */
-    CompletableFuture<BufferedImage> next() {
+    public CompletableFuture<BufferedImage> next() {
         return wanted.updateAndGet(old -> old == null ? new CompletableFuture<>() : old);
     }
 

@@ -13,8 +13,8 @@ import org.jogamp.java3d.IndexedTriangleArray;
 import org.jogamp.java3d.J3DBuffer;
 import org.jogamp.java3d.Shape3D;
 import org.jogamp.vecmath.Point3d;
-import radiosity.output.LitScene;
-import radiosity.output.Mesh;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.mesh.Mesh;
 import radiosity.scene.Vec3;
 
 /** A scene as Java 3D has it: one shape per side of a surface, by reference to buffers outside the heap. */

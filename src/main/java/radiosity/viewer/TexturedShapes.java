@@ -13,8 +13,8 @@ import org.jogamp.java3d.Shape3D;
 import org.jogamp.java3d.Texture;
 import org.jogamp.java3d.Texture2D;
 import org.jogamp.java3d.TriangleArray;
-import radiosity.output.LitScene;
-import radiosity.output.TexturedMesh;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.gltf.TexturedMesh;
 
 /** A scene with its light in textures as Java 3D has it (section 4.6 of the paper): its original triangles. */
 final class TexturedShapes {

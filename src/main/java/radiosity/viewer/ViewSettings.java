@@ -2,7 +2,7 @@ package radiosity.viewer;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import radiosity.output.ToneMapping;
+import radiosity.output.image.ToneMapping;
 
 /**
  * How a window begins.
@@ -19,7 +19,8 @@ import radiosity.output.ToneMapping;
  * @param screenshot  a picture to write of the first complete view, whereupon the window closes
  */
 public record ViewSettings(String title, boolean wireframe, boolean textures,
-                           Optional<ToneMapping> toneMapping, ToneMapping.Operator curve, double stops, int width, int height,
+                           Optional<ToneMapping> toneMapping, ToneMapping.Operator curve, double stops, int width,
+                                   int height,
                            Optional<Path> followed, Optional<Path> screenshot) {
 
     public ViewSettings {

@@ -27,8 +27,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import javax.imageio.ImageIO;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
-import radiosity.output.LitScene;
-import radiosity.output.WholeFile;
+import radiosity.output.file.AtomicFile;
+import radiosity.output.gltf.LitScene;
 
 /** A window in which one walks through a scene (appendix C.4 of the paper). */
 public final class Walkthrough {
@@ -116,7 +116,7 @@ public final class Walkthrough {
         ByteArrayOutputStream png = new ByteArrayOutputStream();
         ImageIO.write(image, "png", png);
         try {
-            WholeFile.write(file, png.toByteArray());
+            AtomicFile.write(file, png.toByteArray());
         } catch (FileSystemException e) {
             throw e;
         } catch (IOException e) {
@@ -126,7 +126,7 @@ public final class Walkthrough {
         }
     }
 
-    static Walkthrough open(LitScene scene, ViewSettings settings) throws DisplayException, IOException {
+    public static Walkthrough open(LitScene scene, ViewSettings settings) throws DisplayException, IOException {
         try {
             if (GraphicsEnvironment.isHeadless()) {
                 throw new DisplayException(noDisplay("none"), null);
@@ -163,11 +163,11 @@ public final class Walkthrough {
         followed.ifPresent(FollowedFile::start);
     }
 
-    SceneCanvas canvas() {
+    public SceneCanvas canvas() {
         return stage.canvas();
     }
 
-    Display display() {
+    public Display display() {
         return display;
     }
 
@@ -176,7 +176,7 @@ public final class Walkthrough {
     }
 
     /** The next picture in which everything is shown that was asked for. */
-    BufferedImage screenshot() throws DisplayException, InterruptedException {
+    public BufferedImage screenshot() throws DisplayException, InterruptedException {
         frames(2);
         return frames(1);
     }
@@ -200,7 +200,7 @@ public final class Walkthrough {
         return last;
     }
 
-    void close() {
+    public void close() {
         SwingUtilities.invokeLater(() -> {
             if (closed.getCount() > 0) {
                 followed.ifPresent(FollowedFile::stop);

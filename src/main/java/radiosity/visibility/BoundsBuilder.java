@@ -43,7 +43,10 @@ final class BoundsBuilder {
         }
     }
 
-    /** Depth first with a stack of our own, of nodes whose second child is to come: a tree may be as deep as it has boxes. */
+    /**
+     * Depth first with a stack of our own, of nodes whose second child is to come: a tree may be as deep as it has
+     * boxes.
+     */
     private void build(int n) {
         int[] open = new int[n + 1];
         int depth = 0;

@@ -11,7 +11,8 @@ final class BoundsLayout {
     /*
      * A node has 8 numbers: centre and half extent of its box, then as bits NEXT, the place where to go on when the
      * box is missed or done with, and BLOCK, what is in the box. In a block come triangles, then all children's nodes
-     * one after another, so that a ray that looks at one has the others at hand. A block is written as 4 * place + number
+     * one after another, so that a ray that looks at one has the others at hand. A block is written as 4 * place +
+     * number
      * of triangles, negative where children follow them; places are multiples of 4.
      *
      * A box is tested once per visit of the node around it, and saves the test of its content where it is missed. By
@@ -59,7 +60,7 @@ final class BoundsLayout {
         int triangles = tree.order.length;
         measure();
         int boxes = sparing ? weigh() : tree.nodes;
-        long size = ROOT + (long) NODE * boxes + (long) FlatTriangle.SIZE * triangles;
+        long size = ROOT + (long) NODE * boxes + (long) PackedTriangle.SIZE * triangles;
         if (size > MOST_PLACES) {
             throw new IllegalArgumentException("scene: expected fewer triangles, got " + triangles);
         }
@@ -76,7 +77,7 @@ final class BoundsLayout {
 
     /** Where a block's triangles end, and its children begin. */
     static int last(int block) {
-        return first(block) + FlatTriangle.SIZE * (block & MOST_TRIANGLES);
+        return first(block) + PackedTriangle.SIZE * (block & MOST_TRIANGLES);
     }
 
     private void measure() {
@@ -89,7 +90,7 @@ final class BoundsLayout {
                 density[i] = (density[i + 1] * area[i + 1] + density[tree.second[i]] * area[tree.second[i]]) / area[i];
             } else {
                 for (int k = tree.first[i]; k < tree.first[i] + tree.count[i]; k++) {
-                    density[i] += FlatTriangle.area(corners, 9 * tree.order[k]) / area[i];
+                    density[i] += PackedTriangle.area(corners, 9 * tree.order[k]) / area[i];
                 }
             }
         }
@@ -132,7 +133,7 @@ final class BoundsLayout {
             int at = to[depth];
             int begin = end;
             int inside = enter(node, walk, children);
-            int triangles = (end - begin) / FlatTriangle.SIZE;
+            int triangles = (end - begin) / PackedTriangle.SIZE;
             data[at + BLOCK] = Float.intBitsToFloat(begin << 2 | triangles | (inside > 0 ? Integer.MIN_VALUE : 0));
             sort(children, inside);
             int next = Float.floatToRawIntBits(data[at + NEXT]);
@@ -167,8 +168,8 @@ final class BoundsLayout {
 
     private void placeRun(int from, int to) {
         for (int k = from; k < to; k++) {
-            FlatTriangle.put(corners, 9 * tree.order[k], data, end);
-            end += FlatTriangle.SIZE;
+            PackedTriangle.put(corners, 9 * tree.order[k], data, end);
+            end += PackedTriangle.SIZE;
         }
     }
 

@@ -9,7 +9,8 @@ package radiosity.visibility;
 public final class RadiosityBounds {
 
     /*
-     * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless it leaves one of its three
+     * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless it leaves one of its
+     * three
      * slabs before it enters another (T. Kay, J. Kajiya, Ray tracing complex scenes, 1986). Where rays go anywhere, no
      * processor foresees which of them are those: so the last entry and the first exit are found without branches, as
      * whole numbers. As such the bits of floats from 0 on are in order, and those of others are below them.
@@ -40,7 +41,7 @@ public final class RadiosityBounds {
     }
 
     /** @param sparing false: with every box of the tree, to measure what is saved by leaving some out */
-    RadiosityBounds(float[] corners, boolean sparing) {
+    public RadiosityBounds(float[] corners, boolean sparing) {
         this.corners = corners;
         int n = corners.length / 9;
         float[] low = new float[3 * n];
@@ -56,7 +57,7 @@ public final class RadiosityBounds {
     }
 
     /** Memory of boxes and triangles. */
-    long bytes() {
+    public long bytes() {
         return (long) Float.BYTES * data.length;
     }
 
@@ -97,8 +98,8 @@ public final class RadiosityBounds {
             int block = bits(d[at + BoundsLayout.BLOCK]);
             int k = BoundsLayout.first(block);
             int last = BoundsLayout.last(block);
-            for (; k < last; k += FlatTriangle.SIZE) {
-                int meets = FlatTriangle.meets(d, k, mx, my, mz, hx, hy, hz, slack, clear);
+            for (; k < last; k += PackedTriangle.SIZE) {
+                int meets = PackedTriangle.meets(d, k, mx, my, mz, hx, hy, hz, slack, clear);
                 if (meets > 0 || meets == 0 && isBetween(k, ox, oy, oz, tx, ty, tz)) {
                     return true;
                 }
@@ -113,12 +114,12 @@ public final class RadiosityBounds {
         double[] origin = {ox, oy, oz};
         double[] direction = {(double) tx - ox, (double) ty - oy, (double) tz - oz};
         double[] hit = new double[3];
-        int k = 9 * FlatTriangle.number(data, at);
-        if (!FlatTriangle.cuts(corners, k, origin, direction, hit)
-                || !FlatTriangle.parts(corners, k, origin, direction)) {
+        int k = 9 * PackedTriangle.number(data, at);
+        if (!PackedTriangle.cuts(corners, k, origin, direction, hit)
+                || !PackedTriangle.parts(corners, k, origin, direction)) {
             return false;
         }
-        double length = Math.sqrt(FlatTriangle.dot(direction, direction));
+        double length = Math.sqrt(PackedTriangle.dot(direction, direction));
         double end = END_RELATIVE + END_ABSOLUTE / length;
         return hit[0] > end && hit[0] < 1 - end;
     }
@@ -178,9 +179,9 @@ public final class RadiosityBounds {
             }
             int block = bits(d[at + BoundsLayout.BLOCK]);
             int last = BoundsLayout.last(block);
-            for (int k = BoundsLayout.first(block); k < last; k += FlatTriangle.SIZE) {
-                int number = FlatTriangle.number(d, k);
-                if (FlatTriangle.cuts(corners, 9 * number, origin, direction, cut) && cut[0] > 0 && cut[0] < reach) {
+            for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
+                int number = PackedTriangle.number(d, k);
+                if (PackedTriangle.cuts(corners, 9 * number, origin, direction, cut) && cut[0] > 0 && cut[0] < reach) {
                     found = number;
                     reach = (float) cut[0];
                     hit[0] = reach;

@@ -5,7 +5,8 @@ import java.util.stream.IntStream;
 /**
  * Moves the largest boxes of a tree to where those around them grow least.
  *
- * <p>Parting from above finds no good place for large triangles among small ones, such as the walls around a mesh. Boxes
+ * <p>Parting from above finds no good place for large triangles among small ones, such as the walls around a mesh.
+ * Boxes
  * near the root cost every ray, and there are few of them, so this takes next to no time. Sources: J. Bittner, M.
  * Hapala, V. Havran, Fast insertion-based optimization of bounding volume hierarchies, 2013; the search: D. Meister, J.
  * Bittner, Parallel reinsertion for bounding volume hierarchy optimization, 2018.
@@ -17,13 +18,13 @@ final class Reinsertion {
     /** Less than this of the root's area is no gain. */
     private static final float LEAST_GAIN = 1e-6f;
 
-    private final TopTree top;
+    private final TopLevelBvh top;
     private final int spare;
     /** Where the box that is looked at is best, so far, and by how much all areas together are then less. */
     private int place;
     private float gain;
 
-    private Reinsertion(TopTree top) {
+    private Reinsertion(TopLevelBvh top) {
         this.top = top;
         spare = top.boxes;
     }
@@ -33,7 +34,7 @@ final class Reinsertion {
         if (tree.nodes == 0) {
             return tree;
         }
-        Reinsertion reinsertion = new Reinsertion(new TopTree(tree, BOXES));
+        Reinsertion reinsertion = new Reinsertion(new TopLevelBvh(tree, BOXES));
         int moved = 0;
         for (int pass = 0; pass < PASSES; pass++) {
             moved += reinsertion.pass();

@@ -1,6 +1,9 @@
 package radiosity.visibility;
 
-/** Which points of surfaces lie inside a solid, where a floor runs on below a block: whatever they look at turns its back. */
+/**
+ * Which points of surfaces lie inside a solid, where a floor runs on below a block: whatever they look at turns its
+ * back.
+ */
 public final class Solids {
 
     /** Directions about the normal: up, and five that lean by 55 degrees; x, y in the surface and z up. */
@@ -27,7 +30,9 @@ public final class Solids {
         this.front = front;
     }
 
-    /** Whether the point p of a surface with the normal n, of length 1, is inside a solid, where no light reaches it. */
+    /**
+     * Whether the point p of a surface with the normal n, of length 1, is inside a solid, where no light reaches it.
+     */
     public boolean hold(float px, float py, float pz, float nx, float ny, float nz) {
         double[] frame = frame(nx, ny, nz);
         float x = px + LIFT * nx;

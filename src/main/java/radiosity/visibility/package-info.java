@@ -1,7 +1,8 @@
 /**
- * What stands between two points (section 2.4 of the paper): a hierarchy of bounding boxes over triangles.
+ * What stands between two points: a bounding volume hierarchy over the triangles (sections 2.4.1 and 4.5.9 of the
+ * paper).
  *
- * <p>Imports {@code scene}. The hierarchy sees corners in arrays, never a surface. It is made once and then only read,
- * by any number of threads.
+ * <p>The hierarchy sees corners in arrays, never a surface. It is made once and then only read, by any number of
+ * threads.
  */
 package radiosity.visibility;

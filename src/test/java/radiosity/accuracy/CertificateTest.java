@@ -15,7 +15,15 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Certificate;
+import radiosity.solution.Certificate;
+import radiosity.testkit.Box;
+import radiosity.testkit.Evaluate;
+import radiosity.testkit.PointSet;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Score;
+import radiosity.testkit.SharedData;
+import radiosity.testkit.Solve;
+import radiosity.testkit.TruthFile;
 
 /** What a solution says about itself holds: its bound always, its estimates about as well as they say. */
 class CertificateTest {
@@ -30,7 +38,8 @@ class CertificateTest {
     private static Scene room(double exitance, double reflectance) {
         SceneBuilder builder = new SceneBuilder();
         for (int side = 0; side < 6; side++) {
-            builder.polygon(new Surface("wall " + side, Rgb.grey(side == 0 ? exitance : 0), Rgb.grey(reflectance), false),
+            builder.polygon(new Surface("wall " + side, Rgb.grey(side == 0 ? exitance : 0), Rgb.grey(reflectance),
+                    false),
                     ROOM.inside(side));
         }
         return builder.scene("room");
@@ -95,11 +104,13 @@ class CertificateTest {
     /** A lone triangle that a lamp shines on sees nothing but that lamp: what it has can be told all the same. */
     @Test
     void convexObject_isLookedAtToo() {
-        Scene scene = new SceneBuilder().polygon(new Surface("sheet", Rgb.BLACK, Rgb.grey(0.5), false), new Vec3(0, 0, 0),
+        Scene scene = new SceneBuilder()
+                .polygon(new Surface("sheet", Rgb.BLACK, Rgb.grey(0.5), false), new Vec3(0, 0, 0),
                 new Vec3(1, 0, 0), new Vec3(0, 1, 0)).scene("sheet");
         Light light = new Light("lamp", Light.Kind.POINT, Rgb.grey(1), new Vec3(0.3, 0.3, 0.3), new Vec3(0, 0, -1),
                 new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 0, 0);
-        Scene lit = new Scene("lit", scene.points(), scene.corners(), scene.surfaceOf(), scene.surfaces(), List.of(light),
+        Scene lit = new Scene("lit", scene.points(), scene.corners(), scene.surfaceOf(), scene.surfaces(),
+                List.of(light),
                 scene.camera());
         Certificate found = Solve.byDefault().paper().patches(lit, 10).certified(lit, true).certificate();
         assertTrue(found.points() >= 64 && found.meshing() > 0.01, found.toString());
@@ -109,7 +120,7 @@ class CertificateTest {
     @ParameterizedTest
     @ValueSource(strings = {"cornell_empty", "two_room", "thin_wall", "high_albedo"})
     void expectedError_isTheErrorWithinAFactorOfOneAndAHalf(String name) throws IOException {
-        TruthFile truth = TruthFile.read(Shared.truth("truth", name + ".csv"));
+        TruthFile truth = TruthFile.read(SharedData.truth("truth", name + ".csv"));
         Solve.Certified result = Solve.byDefault().certified(TruthTest.read(name + ".lws"), true);
         Score score = Score.rgb(truth, PointSet.REFLECTORS, Evaluate.radiosity(result.solution(), truth.places()));
         double error = Math.sqrt(score.rmse() * score.rmse() - score.noise() * score.noise());
@@ -118,14 +129,16 @@ class CertificateTest {
     }
 
     /**
-     * In a closed room of one reflectance H is Phi / (S (1 - rho)) on average, Phi being what a lamp in it emits: what is
-     * received too much or too little stays for 10,000 reflections, and is counted. What is found at some points errs by
+     * In a closed room of one reflectance H is Phi / (S (1 - rho)) on average, Phi being what a lamp in it emits: what
+     * is
+     * received too much or too little stays for 10,000 reflections, and is counted. What is found at some points errs
+     * by
      * tenths of a percent, of which those would make thousands of percents.
      */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void whiteRoom_isKnownByWhatIsCounted(boolean hasGeometry) throws IOException {
-        Scene dark = Rooms.lShaped(Rooms.grey("wall", hasGeometry ? 1 : 0, 0.9999));
+        Scene dark = RoomScenes.lShaped(RoomScenes.grey("wall", hasGeometry ? 1 : 0, 0.9999));
         Light bulb = new Light("bulb", Light.Kind.POINT, Rgb.grey(1), new Vec3(1, 1.4, 1.2), new Vec3(0, 0, -1),
                 new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 0, 0);
         Scene scene = hasGeometry ? dark : new Scene("lit", dark.points(), dark.corners(), dark.surfaceOf(),
@@ -141,8 +154,8 @@ class CertificateTest {
     /** What few points tell of a room is not taken for known where light may escape. */
     @Test
     void whiteRoomWithAWindow_isLessCertain() {
-        Surface wall = Rooms.grey("wall", 0, 0.9999);
-        Scene closed = Rooms.withBlocks(wall, Rooms.grey("lamp", 1, 0.9999));
+        Surface wall = RoomScenes.grey("wall", 0, 0.9999);
+        Scene closed = RoomScenes.withBlocks(wall, RoomScenes.grey("lamp", 1, 0.9999));
         Scene open = new Scene("open", closed.points(), Arrays.copyOf(closed.corners(), closed.corners().length - 3),
                 Arrays.copyOf(closed.surfaceOf(), closed.surfaceOf().length - 1), closed.surfaces(), List.of(),
                 closed.camera());

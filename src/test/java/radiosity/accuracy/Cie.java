@@ -8,18 +8,22 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.testkit.Box;
+import radiosity.testkit.Cells;
+import radiosity.testkit.RoomScenes;
 
 /**
  * The cases of CIE 171:2006 that a radiosity program can do, with exact references.
  *
- * <p>Only one surface sends light and all that receive are black, so E = M C, with the contour sum C of {@link Lambert}.
+ * <p>Only one surface sends light and all that receive are black, so E = M C, with the contour sum C of {@link
+ * Lambert}.
  * Points A to F stand on the wall y = 0 and G to N on floor or ceiling, all at x = 2. In 5.7 the box hides what is
  * below the line over its nearer or farther upper edge; it is as wide as the reflector and nearer, so nothing is seen
  * past its ends.
  */
 final class Cie {
 
-    private static final Surface BLACK = Rooms.grey("black", 0, 0);
+    private static final Surface BLACK = RoomScenes.grey("black", 0, 0);
     private static final Vec3 UP = new Vec3(0, 0, 1);
     private static final Vec3 DOWN = new Vec3(0, 0, -1);
     private static final Vec3 DEEP = new Vec3(0, 1, 0);
@@ -48,7 +52,7 @@ final class Cie {
         double b = 2 + side / 2;
         double[] planes = side == 4 ? new double[] {0, 4} : new double[] {0, a, b, 4};
         int lamp = side == 4 ? 0 : 1;
-        Surface panel = Rooms.grey("panel", exitance, 0);
+        Surface panel = RoomScenes.grey("panel", exitance, 0);
         Scene scene = new Cells(planes, planes, new double[] {0, 3}).room(name, (i, j, k) -> true,
                 (i, j, k, face) -> face == 5 && i == lamp && j == lamp ? panel : BLACK);
         Vec3[] polygon = square(side, 3);
@@ -73,7 +77,7 @@ final class Cie {
 
     private static CieCase reflector(double side, String to, Vec3[] receiver, List<Measured> points) {
         String name = "5.6 horizontal reflector, side " + side + " m, " + to;
-        Scene scene = new SceneBuilder().polygon(Rooms.grey("reflector", 100, 0.3), square(side, 0))
+        Scene scene = new SceneBuilder().polygon(RoomScenes.grey("reflector", 100, 0.3), square(side, 0))
                 .polygon(BLACK, receiver).scene(name);
         return new CieCase(name, scene, points);
     }
@@ -85,10 +89,13 @@ final class Cie {
         return new Vec3[] {new Vec3(a, a, z), new Vec3(b, a, z), new Vec3(b, b, z), new Vec3(a, b, z)};
     }
 
-    /** 5.7: a vertical reflector at y = 4 lights wall and floor, past a black box or without it; E/(E_v rho) in per cent. */
+    /**
+     * 5.7: a vertical reflector at y = 4 lights wall and floor, past a black box or without it; E/(E_v rho) in per
+     * cent.
+     */
     static CieCase hiddenReflector(boolean box) {
         String name = "5.7 vertical reflector, " + (box ? "with" : "without") + " box";
-        SceneBuilder builder = new SceneBuilder().polygon(Rooms.grey("reflector", 100, 0.6), reflectorAbove(0))
+        SceneBuilder builder = new SceneBuilder().polygon(RoomScenes.grey("reflector", 100, 0.6), reflectorAbove(0))
                 .polygon(BLACK, new Vec3(0, 0, 0), new Vec3(0, 0, 3), new Vec3(4, 0, 3), new Vec3(4, 0, 0))
                 .polygon(BLACK, new Vec3(0, 0, 0), new Vec3(4, 0, 0), new Vec3(4, 2.5, 0), new Vec3(0, 2.5, 0));
         if (box) {
@@ -119,7 +126,8 @@ final class Cie {
         }
     }
 
-    private static List<Measured> wall(double first, double step, int count, char letter, ToDoubleFunction<Vec3> exact) {
+    private static List<Measured> wall(double first, double step, int count, char letter,
+            ToDoubleFunction<Vec3> exact) {
         List<Measured> points = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             Vec3 p = new Vec3(2, 0, first + i * step);
@@ -143,8 +151,8 @@ final class Cie {
      */
     static Scene cube(double reflectance) {
         double[] planes = {0, 1.5, 2.5, 4};
-        Surface lamp = Rooms.grey("lamp", 10_000, reflectance);
-        Surface wall = Rooms.grey("wall", 0, reflectance);
+        Surface lamp = RoomScenes.grey("lamp", 10_000, reflectance);
+        Surface wall = RoomScenes.grey("wall", 0, reflectance);
         return new Cells(planes, planes, new double[] {0, 4}).room("5.8 reflectance " + reflectance,
                 (i, j, k) -> true, (i, j, k, face) -> face == 5 && i == 1 && j == 1 ? lamp : wall);
     }

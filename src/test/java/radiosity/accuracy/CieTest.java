@@ -8,15 +8,19 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.accuracy.CieCase.Measured;
-import radiosity.output.Points;
+import radiosity.output.points.Points;
 import radiosity.scene.Scene;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Solution;
+import radiosity.settings.RadiositySettings;
+import radiosity.solution.Solution;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.Solve;
 
 /**
  * CIE 171:2006 with the exact references of {@link Cie}; errors in per cent of a case's largest value.
  *
- * <p>5.8: with Phi emitted in a closed room of uniform reflectance, mean E = Phi/S + rho mean E, so the indirect part is
+ * <p>5.8: with Phi emitted in a closed room of uniform reflectance, mean E = Phi/S + rho mean E, so the indirect part
+ * is
  * rho Phi / (S (1 - rho)): received flux / area, without what is received where nothing reflects.
  */
 public class CieTest {

@@ -5,17 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
-import radiosity.lightwave.LightWaveOptions;
-import radiosity.lightwave.LightWaveReader;
+import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.SharedData;
+import radiosity.testkit.Solve;
 
 /** The same calculation gives the same bits: sample points belong to receiver and shooter, and sums have no order. */
 class DeterminismTest {
 
     @Test
     void oneThreadAndTwo_giveTheSameBits() throws IOException {
-        Scene scene = LightWaveReader.read(Shared.truth("lightwave", "cornell_blocks.lws"),
+        Scene scene = LightWaveReader.read(SharedData.truth("lightwave", "cornell_blocks.lws"),
                 LightWaveOptions.defaults(), warning -> { });
         Solve solve = Solve.byDefault().patches(scene, 600).unsent(0.02);
         Solution one = solve.threads(1).solution(scene);

@@ -8,14 +8,22 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.output.Points;
+import radiosity.output.points.Points;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.NeedsReference;
+import radiosity.testkit.Prism;
+import radiosity.testkit.SharedData;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /**
  * Closed enclosures whose solution others computed ({@code truth/enclosures.json}). A furnace has one radiosity
- * everywhere; the continuous solution of a box is compared at its points. The mean B of a scene is what errors are quoted
+ * everywhere; the continuous solution of a box is compared at its points. The mean B of a scene is what errors are
+ * quoted
  * in.
  */
 @NeedsReference("truth/enclosures.json")
@@ -41,7 +49,7 @@ public class EnclosuresTest {
     }
 
     static Stream<JsonNode> cases(String kind) {
-        return Shared.cases(FILE).stream().filter(c -> c.get("kind").asText().equals(kind));
+        return SharedData.cases(FILE).stream().filter(c -> c.get("kind").asText().equals(kind));
     }
 
     @ParameterizedTest
@@ -59,7 +67,7 @@ public class EnclosuresTest {
 
     private static List<Figure> furnace(JsonNode c) {
         Solution solution = Solve.byDefault().unsent(1e-5)
-                .solution(Shared.scene(c.get("id").asText(), c.get("surfaces")));
+                .solution(SharedData.scene(c.get("id").asText(), c.get("surfaces")));
         List<Figure> figures = new ArrayList<>();
         for (int channel = 0; channel < 3; channel++) {
             double exact = c.get("exact_B").get(channel).asDouble();
@@ -73,7 +81,7 @@ public class EnclosuresTest {
         List<Prism> blocks = new ArrayList<>();
         for (JsonNode s : c.get("surfaces")) {
             if (s.get("name").asText().equals("block0.top")) {
-                blocks.add(new Prism(0, Arrays.stream(Shared.polygon(s.get("vertices")))
+                blocks.add(new Prism(0, Arrays.stream(SharedData.polygon(s.get("vertices")))
                         .flatMapToDouble(p -> DoubleStream.of(p.x(), p.z())).toArray()));
             }
         }
@@ -84,7 +92,7 @@ public class EnclosuresTest {
     /** In the worst channel: root mean square over all points of a box, and the largest. */
     private static List<Figure> continuous(JsonNode c, double accuracy) {
         Solution solution = Solve.byDefault().accurate(accuracy)
-                .solution(Shared.scene(c.get("id").asText(), c.get("surfaces")));
+                .solution(SharedData.scene(c.get("id").asText(), c.get("surfaces")));
         Points points = new Points(solution);
         JsonNode asked = c.get("continuous").get("points");
         double rmse = 0;
@@ -93,9 +101,9 @@ public class EnclosuresTest {
             double squares = 0;
             double mean = Spread.radiosity(solution, channel).mean();
             for (JsonNode p : asked) {
-                Vec3 normal = FormFactorsTest.normal(Shared.polygon(
+                Vec3 normal = FormFactorsTest.normal(SharedData.polygon(
                         c.get("surfaces").get(p.get("surface").asInt()).get("vertices")));
-                Rgb found = points.at(Shared.vector(p.get("x")), normal).radiosity();
+                Rgb found = points.at(SharedData.vector(p.get("x")), normal).radiosity();
                 double error = Math.abs(found.channel(channel) - p.get("B").get(channel).asDouble()) / mean;
                 squares += error * error;
                 most = Math.max(most, error);

@@ -10,13 +10,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
-import radiosity.world.EnergyLedger;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
+import radiosity.solution.EnergyLedger;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
 
 /**
  * Where the light went. Every element keeps received = absorbed + reflected, and reflected + emitted = shot + unshot;
- * summed, with deficit = shot - received, emitted = absorbed + unshot + deficit, whatever the form factors are worth. In
+ * summed, with deficit = shot - received, emitted = absorbed + unshot + deficit, whatever the form factors are worth.
+ * In
  * a closed room whose surfaces are all visible the deficit is their fault alone.
  */
 class EnergyLedgerTest {
@@ -26,7 +29,7 @@ class EnergyLedgerTest {
 
     @Test
     void energyLedger_closesInEveryRound() throws IOException {
-        Scene room = Rooms.withBlocks(COLOURED);
+        Scene room = RoomScenes.withBlocks(COLOURED);
         Solve solve = Solve.byDefault().patches(room, 200);
         try (LocalWorld world = new LocalWorld(room, solve.settings(), 1)) {
             ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, solve.stop());
@@ -45,7 +48,7 @@ class EnergyLedgerTest {
 
     @Test
     void emittedFlux_isExitanceTimesArea() {
-        Scene room = Rooms.withFloatingCube(COLOURED);
+        Scene room = RoomScenes.withFloatingCube(COLOURED);
         EnergyLedger ledger = Solve.byDefault().patches(room, 1).solution(room).ledger();
         assertEquals(0.5 * room.area(), ledger.emitted()[1], 1e-12 * room.area());
     }
@@ -53,7 +56,7 @@ class EnergyLedgerTest {
     @ParameterizedTest
     @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
     void closedRoom_losesNoMoreThanAThousandth(String name) {
-        Scene room = Rooms.watertight().get(name).apply(Rooms.grey("wall", 1, 0.5));
+        Scene room = RoomScenes.watertight().get(name).apply(RoomScenes.grey("wall", 1, 0.5));
         EnergyLedger ledger = Solve.byDefault().patches(room, 400).solution(room).ledger();
         assertEquals(0, ledger.deficit(0) / ledger.shot()[0], 1e-3);
     }

@@ -6,11 +6,18 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.formfactor.FormFactors;
 import radiosity.scene.Vec3;
+import radiosity.settings.FormFactors;
+import radiosity.testkit.Calculated;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.NeedsReference;
+import radiosity.testkit.Quadrature;
+import radiosity.testkit.SharedData;
 
 /**
- * A box whose faces are not subdivided (equation 2 of the paper): B_i = E_i + rho_i sum over j of F_ij B_j, with the form
+ * A box whose faces are not subdivided (equation 2 of the paper): B_i = E_i + rho_i sum over j of F_ij B_j, with the
+ * form
  * factors of the program's calculator, against the six unknowns that others computed ({@code truth/enclosures.json}).
  *
  * <p>From a convex box's face all of another is visible and the factor is smooth but for the common edge, so it is
@@ -36,7 +43,7 @@ public class FaceSystemTest {
 
     private static List<Figure> figures(JsonNode c) {
         List<Vec3[]> faces = new ArrayList<>();
-        c.get("surfaces").forEach(s -> faces.add(Shared.polygon(s.get("vertices"))));
+        c.get("surfaces").forEach(s -> faces.add(SharedData.polygon(s.get("vertices"))));
         double[][] factors = factors(faces);
         List<Figure> figures = new ArrayList<>();
         for (int channel = 0; channel < 3; channel++) {

@@ -12,8 +12,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
-import radiosity.formfactor.FormFactors;
 import radiosity.scene.Vec3;
+import radiosity.settings.FormFactors;
+import radiosity.testkit.Calculated;
+import radiosity.testkit.SharedData;
 
 /**
  * What every {@link FormFactorCalculator} owes, each within its bounds: the form factors of {@code
@@ -54,10 +56,11 @@ class FormFactorContractTest {
     @ParameterizedTest
     @EnumSource(FormFactors.class)
     void formFactorsFromPoints_areTheReferences(FormFactors kind) {
-        for (JsonNode c : Shared.cases("formfactors.json")) {
+        for (JsonNode c : SharedData.cases("formfactors.json")) {
             if (c.has("point") && isFarEnough(kind, c)) {
                 Calculated to = Calculated.of(c);
-                double found = to.from(calculator(to, kind), Shared.vector(c.get("point")), Shared.vector(c.get("normal")), 7);
+                double found = to.from(calculator(to, kind), SharedData.vector(c.get("point")),
+                        SharedData.vector(c.get("normal")), 7);
                 assertEquals(c.get("F12").asDouble(), found, BOUNDS.get(kind).point(), c.get("id").asText());
             }
         }
@@ -66,10 +69,10 @@ class FormFactorContractTest {
     @ParameterizedTest
     @EnumSource(FormFactors.class)
     void formFactorsFromAreas_areTheReferences(FormFactors kind) {
-        for (JsonNode c : Shared.cases("formfactors.json")) {
+        for (JsonNode c : SharedData.cases("formfactors.json")) {
             if (c.has("polygon1") && isFarEnough(kind, c)) {
                 Calculated to = Calculated.of(c);
-                double found = to.from(calculator(to, kind), Shared.polygon(c.get("polygon1")), POINTS);
+                double found = to.from(calculator(to, kind), SharedData.polygon(c.get("polygon1")), POINTS);
                 assertEquals(c.get("F12").asDouble(), found, BOUNDS.get(kind).area(), c.get("id").asText());
             }
         }
@@ -79,10 +82,14 @@ class FormFactorContractTest {
         return to.calculator(kind, BOUNDS.get(kind).rays());
     }
 
-    /** For the paper's rays: corners and middle of polygon 2 are farther than half its diagonal from the other's corners. */
+    /**
+     * For the paper's rays: corners and middle of polygon 2 are farther than half its diagonal from the other's
+     * corners.
+     */
     private static boolean isFarEnough(FormFactors kind, JsonNode c) {
-        Vec3[] to = Shared.polygon(c.get("polygon2"));
-        Vec3[] from = c.has("point") ? new Vec3[] {Shared.vector(c.get("point"))} : Shared.polygon(c.get("polygon1"));
+        Vec3[] to = SharedData.polygon(c.get("polygon2"));
+        Vec3[] from = c.has("point") ? new Vec3[] {SharedData.vector(c.get("point"))}
+                : SharedData.polygon(c.get("polygon1"));
         double nearest = Double.POSITIVE_INFINITY;
         double diagonal = 0;
         Vec3 middle = Arrays.stream(to).reduce(Vec3.ZERO, Vec3::plus).times(1.0 / to.length);
@@ -99,7 +106,8 @@ class FormFactorContractTest {
     @EnumSource(FormFactors.class)
     void unitSquares_areHowells(FormFactors kind) {
         Calculated ceiling = new Calculated(CEILING, List.<Vec3[]>of(FLOOR));
-        assertEquals(0.199824895698387, ceiling.from(calculator(ceiling, kind), FLOOR, POINTS), BOUNDS.get(kind).area());
+        assertEquals(0.199824895698387, ceiling.from(calculator(ceiling, kind), FLOOR, POINTS), BOUNDS.get(kind)
+                .area());
         Calculated wall = new Calculated(WALL, List.<Vec3[]>of(FLOOR));
         double bound = kind == FormFactors.PLAIN ? 0.05 : BOUNDS.get(kind).area();
         assertEquals(0.200043776075403, wall.from(calculator(wall, kind), FLOOR, POINTS), bound);

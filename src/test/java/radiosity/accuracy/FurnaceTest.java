@@ -9,7 +9,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /**
  * Furnace: where every surface of a closed room emits E and reflects rho, B = E + rho B everywhere, whatever stands in
@@ -18,36 +21,38 @@ import radiosity.world.Solution;
  */
 class FurnaceTest {
 
-    private static final Surface WALL = Rooms.grey("wall", 1, 0.5);
+    private static final Surface WALL = RoomScenes.grey("wall", 1, 0.5);
     private static final double EXACT = 2;
     private static final Solve SOLVE = Solve.byDefault().unsent(1e-5);
 
     @ParameterizedTest
     @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
     void furnace_isExactOnAverage(String name) {
-        assertEquals(EXACT, spread(Rooms.watertight().get(name).apply(WALL), SOLVE, p -> true).mean(), 1e-3 * EXACT);
+        assertEquals(EXACT, spread(RoomScenes.watertight().get(name).apply(WALL), SOLVE, p -> true).mean(),
+                1e-3 * EXACT);
     }
 
     @Test
     void furnace_isExactOnAverageInTheClosedCornellBox() {
-        assertEquals(EXACT, spread(Rooms.closedCornell(WALL), SOLVE, Rooms::isOpenInCornell).mean(), 1e-3 * EXACT);
+        assertEquals(EXACT, spread(RoomScenes.closedCornell(WALL), SOLVE, RoomScenes::isOpenInCornell).mean(),
+                1e-3 * EXACT);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"cube", "L-shaped room", "room with blocks", "room with a floating cube", "corridor"})
     void furnace_isUniformInEveryRoom(String name) {
-        isUniform(spread(Rooms.watertight().get(name).apply(WALL), SOLVE, p -> true));
+        isUniform(spread(RoomScenes.watertight().get(name).apply(WALL), SOLVE, p -> true));
     }
 
     @Test
     void furnace_isUniformInTheClosedCornellBox() {
-        isUniform(spread(Rooms.closedCornell(WALL), SOLVE, Rooms::isOpenInCornell));
+        isUniform(spread(RoomScenes.closedCornell(WALL), SOLVE, RoomScenes::isOpenInCornell));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 48, 192, 768})
     void furnace_isExactForEveryMesh(int patches) {
-        Scene cube = Rooms.cube(WALL);
+        Scene cube = RoomScenes.cube(WALL);
         Spread found = spread(cube, SOLVE.patches(cube, patches), p -> true);
         assertEquals(EXACT, found.mean(), 1e-3 * EXACT);
         isUniform(found);

@@ -14,7 +14,10 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.Box;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
 
 /**
  * A floor whose halves differ by a picture gives the light of a floor of two surfaces: means under elements are what
@@ -26,8 +29,8 @@ class ImageMapTest {
     private static final double DARK = 0.1;
     private static final int PIXELS = 64;
 
-    private static final Surface WALL = Rooms.grey("wall", 0, 0.5);
-    private static final Surface LAMP = Rooms.grey("lamp", 1, 0.2);
+    private static final Surface WALL = RoomScenes.grey("wall", 0, 0.5);
+    private static final Surface LAMP = RoomScenes.grey("lamp", 1, 0.2);
 
     private static Raster halves(double left, double right) {
         float[] rgb = new float[3 * PIXELS * PIXELS];
@@ -51,7 +54,7 @@ class ImageMapTest {
 
     /** The floor is one square with a picture. */
     private static Scene mapped(Surface.Maps maps) {
-        Scene plain = room().polygon(Rooms.grey("floor", 0, 0.3), floor(0, 1)).scene("mapped");
+        Scene plain = room().polygon(RoomScenes.grey("floor", 0, 0.3), floor(0, 1)).scene("mapped");
         List<Surface> surfaces = new ArrayList<>(plain.surfaces());
         int last = surfaces.size() - 1;
         surfaces.set(last, surfaces.get(last).with(maps));
@@ -97,8 +100,8 @@ class ImageMapTest {
 
     @Test
     void halvesOfAPicture_reflectAsTwoSurfaces() {
-        Solution two = Solve.byDefault().solution(room().polygon(Rooms.grey("bright", 0, BRIGHT), floor(0, 0.5))
-                .polygon(Rooms.grey("dark", 0, DARK), floor(0.5, 1)).scene("two"));
+        Solution two = Solve.byDefault().solution(room().polygon(RoomScenes.grey("bright", 0, BRIGHT), floor(0, 0.5))
+                .polygon(RoomScenes.grey("dark", 0, DARK), floor(0.5, 1)).scene("two"));
         Solution one = Solve.byDefault().solution(
                 mapped(new Surface.Maps(Optional.empty(), Optional.of(halves(BRIGHT, DARK)))));
         assertSameLight(two, one);
@@ -107,8 +110,8 @@ class ImageMapTest {
 
     @Test
     void halvesOfAPicture_emitAsTwoSurfaces() {
-        Solution two = Solve.byDefault().solution(room().polygon(Rooms.grey("bright", 2, 0.3), floor(0, 0.5))
-                .polygon(Rooms.grey("dark", 0, 0.3), floor(0.5, 1)).scene("two"));
+        Solution two = Solve.byDefault().solution(room().polygon(RoomScenes.grey("bright", 2, 0.3), floor(0, 0.5))
+                .polygon(RoomScenes.grey("dark", 0, 0.3), floor(0.5, 1)).scene("two"));
         Solution one = Solve.byDefault().solution(
                 mapped(new Surface.Maps(Optional.of(halves(2, 0)), Optional.empty())));
         assertSameLight(two, one);

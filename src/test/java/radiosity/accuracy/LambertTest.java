@@ -11,7 +11,8 @@ import radiosity.scene.Vec3;
  */
 class LambertTest {
 
-    private static final Vec3[] SQUARE = {new Vec3(-1, -1, 0), new Vec3(1, -1, 0), new Vec3(1, 1, 0), new Vec3(-1, 1, 0)};
+    private static final Vec3[] SQUARE = {new Vec3(-1, -1, 0), new Vec3(1, -1, 0), new Vec3(1, 1, 0),
+            new Vec3(-1, 1, 0)};
 
     /** Howell B-4: a point over the corner of an a x b rectangle at distance c, taken four times. */
     @Test

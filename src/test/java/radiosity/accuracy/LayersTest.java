@@ -8,26 +8,30 @@ import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import radiosity.output.Points;
+import radiosity.output.points.Points;
 import radiosity.scene.Lamp;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Certificate;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RadiositySettings;
-import radiosity.world.SavedState;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.solution.Certificate;
+import radiosity.solution.SavedState;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.Cells;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /**
  * The share of each lamp is kept apart: light is linear, so lamps may be dimmed and coloured afterwards. Where to look
  * closer is decided for each layer relative to itself, so neither mesh nor rays depend on how bright a lamp is.
  */
-class LayersTest {
+public class LayersTest {
 
     private static final double DIM = 0.3;
     private static final Rgb WARM = new Rgb(1, 0.7, 0.4);
@@ -43,9 +47,9 @@ class LayersTest {
     }
 
     /** Four lamps, of which the last is a light without geometry; the first is as bright as told. */
-    static Scene room(Rgb first) {
+    public static Scene room(Rgb first) {
         Surface wall = new Surface("wall", Rgb.BLACK, new Rgb(0.7, 0.5, 0.3), false);
-        Surface[] lamp = {new Surface("first", first.times(5), Rgb.grey(0.2), false), Rooms.grey("second", 1, 0.4),
+        Surface[] lamp = {new Surface("first", first.times(5), Rgb.grey(0.2), false), RoomScenes.grey("second", 1, 0.4),
             new Surface("third", new Rgb(0, 0.2, 3), Rgb.BLACK, false)};
         double[] planes = {0, 1, 2, 3};
         Scene room = new Cells(planes, planes, planes).room("four lamps", (i, j, k) -> i != 1 || j != 0 || k != 1,

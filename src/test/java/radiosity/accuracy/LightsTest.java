@@ -11,21 +11,25 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Vec3;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Solution;
+import radiosity.settings.RadiositySettings;
+import radiosity.solution.Solution;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
 
 /**
  * Sources without geometry against closed form, to 0.1 %, on a black square of 4 x 4 in the plane y = 0, seen from
  * above, whose vertices lie at multiples of 0.25.
  *
  * <p>Point: E = I cos / d^2 = I h / d^3. CIE 171:2006, 5.2, has I = 1000 cd at h = 3 m, but a source that is Lambertian
- * itself: E = I h^2 / d^4. LightWave's is the same in all directions, so its E is that times d / h. Distant: E = cos. Area: CIE
+ * itself: E = I h^2 / d^4. LightWave's is the same in all directions, so its E is that times d / h. Distant: E = cos.
+ * Area: CIE
  * 171:2006, 5.3, a Lambertian square of 1 x 1 with M = 1000 pi at h = 3 m; values by the contour sum, as in CieCase.
  */
 class LightsTest {
 
     private static Solution lit(Light light) {
-        Scene square = new SceneBuilder().polygon(Rooms.grey("square", 0, 0), new Vec3(-2, 0, -2), new Vec3(-2, 0, 2),
+        Scene square = new SceneBuilder()
+                .polygon(RoomScenes.grey("square", 0, 0), new Vec3(-2, 0, -2), new Vec3(-2, 0, 2),
                 new Vec3(2, 0, 2), new Vec3(2, 0, -2)).scene("square");
         Scene scene = new Scene("lit square", square.points(), square.corners(), square.surfaceOf(), square.surfaces(),
                 List.of(light), Optional.empty());

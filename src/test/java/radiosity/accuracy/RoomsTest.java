@@ -11,6 +11,9 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.testkit.Moves;
+import radiosity.testkit.Polyhedra;
+import radiosity.testkit.RoomScenes;
 
 /**
  * The rooms of the accuracy tests are what they claim: along every edge of a closed room two triangles run in opposite
@@ -19,11 +22,11 @@ import radiosity.scene.Surface;
  */
 class RoomsTest {
 
-    private static final Surface WALL = Rooms.grey("wall", 1, 0.5);
+    private static final Surface WALL = RoomScenes.grey("wall", 1, 0.5);
 
     static List<Scene> closed() {
         List<Scene> rooms = new ArrayList<>();
-        Rooms.watertight().values().forEach(room -> rooms.add(room.apply(WALL)));
+        RoomScenes.watertight().values().forEach(room -> rooms.add(room.apply(WALL)));
         for (long seed = 0; seed < 50; seed++) {
             rooms.add(Polyhedra.random(seed, WALL));
         }
@@ -64,7 +67,7 @@ class RoomsTest {
         Map<String, Double> volumes = Map.of("cube", 1., "corridor", 50., "L-shaped room", 36.,
                 "room with blocks", 60 - 1.7 * 0.9 - 1.2 * 0.8 * 0.9, "room with a floating cube", 26.);
         volumes.forEach((name, volume) ->
-                assertEquals(-volume, volume(Rooms.watertight().get(name).apply(WALL)), 1e-12, name));
+                assertEquals(-volume, volume(RoomScenes.watertight().get(name).apply(WALL)), 1e-12, name));
     }
 
     private static double volume(Scene room) {

@@ -14,6 +14,10 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.testkit.PointSet;
+import radiosity.testkit.Score;
+import radiosity.testkit.SharedData;
+import radiosity.testkit.TruthFile;
 
 /** {@link Score} against {@code score.py} itself, on the truth with errors of 5 % and one missing value. */
 class ScoreTest {
@@ -24,7 +28,7 @@ class ScoreTest {
     @ParameterizedTest
     @ValueSource(strings = {"cornell_blocks", "thin_wall", "bright_ratio"})
     void score_isThatOfTheScript(String scene) throws Exception {
-        Path file = Shared.truth("truth", scene + ".csv");
+        Path file = SharedData.truth("truth", scene + ".csv");
         TruthFile truth = TruthFile.read(file);
         double[] found = disturbed(truth);
         JsonNode script = script(file, candidate(found));
@@ -74,7 +78,7 @@ class ScoreTest {
         Path answer = folder.resolve("answer.json");
         Process process;
         try {
-            process = new ProcessBuilder("python3", Shared.truth("score.py").toString(), truth.toString(),
+            process = new ProcessBuilder("python3", SharedData.truth("score.py").toString(), truth.toString(),
                     candidate.toString(), "--json").redirectOutput(answer.toFile()).start();
         } catch (IOException e) {
             Assumptions.abort("no python3 to compare with: " + e.getMessage());

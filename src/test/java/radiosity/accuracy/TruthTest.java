@@ -10,15 +10,23 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.lightwave.LightWaveOptions;
-import radiosity.lightwave.LightWaveReader;
+import radiosity.bench.TruthTable;
+import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.solution.Solution;
+import radiosity.testkit.Evaluate;
+import radiosity.testkit.PointSet;
+import radiosity.testkit.Score;
+import radiosity.testkit.SharedData;
+import radiosity.testkit.Solve;
+import radiosity.testkit.TruthFile;
 
 /**
- * Nine scenes whose radiosities at about 2,000 points each are known from path tracing, to 0.25 %. Errors are area-weighted
+ * Nine scenes whose radiosities at about 2,000 points each are known from path tracing, to 0.25 %. Errors are
+ * area-weighted
  * and relative to the mean of what does not emit ({@link Score}).
  */
 class TruthTest {
@@ -31,7 +39,7 @@ class TruthTest {
     }
 
     private static Score score(String name, PointSet set) throws IOException {
-        TruthFile truth = TruthFile.read(Shared.truth("truth", name + ".csv"));
+        TruthFile truth = TruthFile.read(SharedData.truth("truth", name + ".csv"));
         if (!FOUND.containsKey(name)) {
             Solution solution = Solve.byDefault().solution(read(name + ".lws"));
             FOUND.put(name, Evaluate.radiosity(solution, truth.places()));
@@ -85,8 +93,8 @@ class TruthTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void triangles_areThoseOfTheDescription(String name) throws IOException {
-        double[] described = areas(Shared.scene(name,
-                Shared.json(Shared.truth("scenes", name + ".json")).get("surfaces")));
+        double[] described = areas(SharedData.scene(name,
+                SharedData.json(SharedData.truth("scenes", name + ".json")).get("surfaces")));
         double[] found = areas(read(name + ".lws"));
         for (int i = 0; i < found.length; i++) {
             assertEquals(described[i], found[i], 1e-5 * described[i]);
@@ -118,7 +126,7 @@ class TruthTest {
     }
 
     static Scene read(String file) throws IOException {
-        return LightWaveReader.read(Shared.truth("lightwave", file), LightWaveOptions.defaults(), warning -> { });
+        return LightWaveReader.read(SharedData.truth("lightwave", file), LightWaveOptions.defaults(), warning -> { });
     }
 
     private static double[] corners(Scene scene) {

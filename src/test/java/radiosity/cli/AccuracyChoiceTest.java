@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import radiosity.cli.render.AccuracyChoice;
 
 /** What a time limit leads to, on a clock that is calculated: a calculation takes fixed + varying / accuracy^power. */
 class AccuracyChoiceTest {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import radiosity.cli.render.RenderJob;
 
 /** Notices about hosts in a program that calculates several times, as with {@code --time}. */
 class CalculationTest {
@@ -14,7 +15,7 @@ class CalculationTest {
     private static final String JOINED = "host igge joined";
 
     private final List<String> said = new ArrayList<>();
-    private final Calculation.HostNotices notices = new Calculation.HostNotices(said::add);
+    private final RenderJob.HostNotices notices = new RenderJob.HostNotices(said::add);
 
     private void open(String... lines) throws IOException {
         notices.whileOpening(() -> {

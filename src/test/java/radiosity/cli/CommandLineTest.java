@@ -13,8 +13,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Schedule;
+import radiosity.cli.options.CalculationOptions;
+import radiosity.cli.options.CommandLineParser;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.RendererOptions;
+import radiosity.cli.options.ServerOptions;
+import radiosity.cli.options.ViewOptions;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
 
 /** What a command line means, and what is said about a wrong one: one line each, before any work. */
 class CommandLineTest {
@@ -215,7 +222,8 @@ class CommandLineTest {
 
     @ParameterizedTest
     @CsvSource({"--time 1s -it 3, -it, --time", "--accuracy 1% -se .1, -se, --accuracy"})
-    void stopRuleOfThePapersSchedule_isNamedWhereAccuracyOrTimeNeedsPrediction(String commandLine, String culprit, String with) {
+    void stopRuleOfThePapersSchedule_isNamedWhereAccuracyOrTimeNeedsPrediction(String commandLine, String culprit,
+            String with) {
         CalculationOptions calculation = parse(commandLine + " a b").calculation;
         assertEquals(culprit + ": expected --schedule predict with " + with + ", got no --schedule",
                 assertThrows(Failure.class, calculation::defaults).getMessage());

@@ -10,6 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.Failure;
+import radiosity.cli.render.FileChecks;
 
 /** Files are looked at before any work, and nothing that exists is lost by a wrong command line. */
 class FileChecksTest {
@@ -31,7 +34,8 @@ class FileChecksTest {
 
     @Test
     void missingInput_isExitCode3() {
-        fails(ExitCode.FILE, "a.lws: expected a readable file, got none", () -> checks.input(directory.resolve("a.lws")));
+        fails(ExitCode.FILE, "a.lws: expected a readable file, got none",
+                () -> checks.input(directory.resolve("a.lws")));
     }
 
     @Test
@@ -112,7 +116,8 @@ class FileChecksTest {
         Path scene = directory.resolve("b.scene");
         checks.reserve(directory.resolve("b.scene.journal"), "the journal of " + scene);
         checks.reserveSnapshots(scene);
-        fails(ExitCode.COMMAND_LINE, "got the journal of " + scene, () -> checks.output(directory.resolve("b.scene.journal")));
+        fails(ExitCode.COMMAND_LINE, "got the journal of " + scene,
+                () -> checks.output(directory.resolve("b.scene.journal")));
         fails(ExitCode.COMMAND_LINE, "got a snapshot (-sn) of " + scene,
                 () -> checks.output(directory.resolve("./b.scene-20.jpg")));
         assertDoesNotThrow(() -> checks.output(directory.resolve("c.scene-20.jpg")));
@@ -122,7 +127,8 @@ class FileChecksTest {
     void journalInPlaceOfAnInput_isExitCode2() throws IOException {
         Path input = written("b.scene.journal", "LWSC");
         checks.input(input);
-        fails(ExitCode.COMMAND_LINE, "got the same file as " + input, () -> checks.reserve(input, "the journal of b.scene"));
+        fails(ExitCode.COMMAND_LINE, "got the same file as " + input,
+                () -> checks.reserve(input, "the journal of b.scene"));
     }
 
     @Test

@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import radiosity.world.HostStatistics;
-import radiosity.world.Progress;
-import radiosity.world.WorldStatistics;
+import radiosity.cli.render.HostLines;
+import radiosity.cli.terminal.ProgressDisplay;
+import radiosity.solution.HostStatistics;
+import radiosity.solution.Progress;
+import radiosity.solution.WorldStatistics;
 
 /** The lines about hosts that stand between those about progress. */
 class HostLinesTest {

@@ -17,6 +17,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.Failure;
+import radiosity.cli.render.Journal;
+import radiosity.cli.render.JournalClaim;
+import radiosity.testkit.Program;
 
 /** A journal belongs to one live process. */
 @Timeout(value = 2, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)

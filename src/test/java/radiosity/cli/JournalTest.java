@@ -15,15 +15,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import radiosity.accuracy.ColouredRoom;
+import radiosity.cli.render.Journal;
+import radiosity.cli.render.JournalClaim;
 import radiosity.scene.Scene;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RadiositySettings;
-import radiosity.world.SavedState;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
-import radiosity.world.StopRule;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.SavedState;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.ColouredRoom;
 
 /** A journal follows its clock, and changes nothing. */
 class JournalTest {

@@ -14,6 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.testkit.Program;
+import radiosity.testkit.ProgramRun;
 
 /** Options at their limits, by the command line: a result or one line. */
 class LimitsTest {
@@ -21,17 +25,17 @@ class LimitsTest {
     @TempDir
     Path directory;
 
-    private Run render(String options) {
+    private ProgramRun render(String options) {
         List<Object> all = new ArrayList<>(List.of((Object[]) options.split(" ")));
         all.addAll(List.of("-q", "scenes/cornell-box.lws", directory.resolve("box.scene")));
-        return Run.of(all.toArray());
+        return ProgramRun.of(all.toArray());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"-pa 20000 -nr 1 -it 3", "-pa 1e30 -it 3", "-pa 20000 -mt 0 -it 2",
         "-pa 20000 -se 1", "-pa 20000 -it 0", "--accuracy 50%", "--time 1ms"})
     void limit_givesAScene(String options) {
-        Run run = render(options);
+        ProgramRun run = render(options);
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertEquals("", run.err());
         assertTrue(run.out().contains("elements"), run.out());
@@ -41,7 +45,7 @@ class LimitsTest {
     @ValueSource(strings = {"-pa 0", "-pa -1", "-pa nan", "-pa 101%", "-nr 0", "-mt -1", "-se 1.1", "-se -1", "-it -1",
         "--accuracy 0%", "--time 0s", "-pa 1e-30", "-pa 1e-300"})
     void beyondIt_isRefusedInOneLineBeforeAnyWork(String options) {
-        Run run = render(options);
+        ProgramRun run = render(options);
         assertEquals(ExitCode.COMMAND_LINE, run.exitCode(), run.err());
         assertEquals(1, run.err().lines().count(), run.err());
         assertTrue(run.err().contains("expected"), run.err());

@@ -11,9 +11,16 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.output.SceneFile;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Schedule;
+import radiosity.cli.options.CalculationOptions;
+import radiosity.cli.options.CommandLineParser;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.FileOptions;
+import radiosity.cli.options.RendererOptions;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.output.gltf.SceneFile;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.testkit.Program;
 
 /** Appendix C of the paper word for word, with foobar.lws a Cornell box. */
 @Timeout(value = 5, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)

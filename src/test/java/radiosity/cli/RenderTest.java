@@ -17,9 +17,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.output.Mesh;
-import radiosity.output.SceneFile;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.mesh.Mesh;
 import radiosity.scene.Lamp;
+import radiosity.testkit.ProgramRun;
 
 /** What a render does with its options, its files and what goes wrong, on a coarse Cornell box. */
 class RenderTest {
@@ -37,18 +40,18 @@ class RenderTest {
         output = directory.resolve("box.scene");
     }
 
-    private Run render(Object... options) {
+    private ProgramRun render(Object... options) {
         Object[] all = new Object[options.length + 4];
         System.arraycopy(options, 0, all, 0, options.length);
         System.arraycopy(new Object[] {"-pa", COARSE, BOX, output}, 0, all, options.length, 4);
-        return Run.of(all);
+        return ProgramRun.of(all);
     }
 
-    private static void succeeds(Run run) {
+    private static void succeeds(ProgramRun run) {
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
     }
 
-    private static void fails(int exitCode, String line, Run run) {
+    private static void fails(int exitCode, String line, ProgramRun run) {
         assertEquals(line + System.lineSeparator(), run.err());
         assertEquals(exitCode, run.exitCode());
         assertEquals("", run.out());
@@ -81,7 +84,7 @@ class RenderTest {
             }
         }
         Path more = directory.resolve("more.scene");
-        succeeds(Run.of("-q", "-tf", output, 5, "-it", 9, BOX, more));
+        succeeds(ProgramRun.of("-q", "-tf", output, 5, "-it", 9, BOX, more));
         try (SceneFile scene = SceneFile.open(more)) {
             assertEquals(1, scene.lamps().size(), "goes on with layers");
         }
@@ -100,7 +103,7 @@ class RenderTest {
     void resuming_givesTheSameStateAsNoStop() throws IOException {
         succeeds(render("-q", "-it", 30, "-mt", 5));
         Path more = directory.resolve("more.scene");
-        succeeds(Run.of("-q", "-tf", output, 30, "-it", 60, BOX, more));
+        succeeds(ProgramRun.of("-q", "-tf", output, 30, "-it", 60, BOX, more));
         succeeds(render("-q", "-it", 60, "-mt", 5));
         assertEquals(SavedCalculation.read(output).state(), SavedCalculation.read(more).state());
     }
@@ -108,7 +111,7 @@ class RenderTest {
     @Test
     void resuming_mayOverwriteTheFileItComesFrom() throws IOException {
         succeeds(render("-q", "-it", 10));
-        succeeds(Run.of("-q", "-tf", output, 10, "-it", 20, BOX, output));
+        succeeds(ProgramRun.of("-q", "-tf", output, 10, "-it", 20, BOX, output));
         assertEquals(20, SavedCalculation.read(output).shots());
     }
 
@@ -117,15 +120,15 @@ class RenderTest {
         succeeds(render("-q", "-nr", 5, "-it", 10));
         Path more = directory.resolve("more.scene");
         fails(ExitCode.COMMAND_LINE, "-tf: expected 10, with which " + output + " was saved, got 11",
-                Run.of("-tf", output, 11, BOX, more));
+                ProgramRun.of("-tf", output, 11, BOX, more));
         fails(ExitCode.COMMAND_LINE, "-pa: expected 20000.0, with which " + output + " was made, got 1000.0",
-                Run.of("-pa", 1000, "-tf", output, 10, BOX, more));
+                ProgramRun.of("-pa", 1000, "-tf", output, 10, BOX, more));
         fails(ExitCode.COMMAND_LINE, "-nr: expected 5, with which " + output + " was made, got 9",
-                Run.of("-nr", 9, "-tf", output, 10, BOX, more));
+                ProgramRun.of("-nr", 9, "-tf", output, 10, BOX, more));
         fails(ExitCode.COMMAND_LINE, "-mt: expected none, with which " + output + " was made, got 3.0",
-                Run.of("-mt", 3, "-tf", output, 10, BOX, more));
+                ProgramRun.of("-mt", 3, "-tf", output, 10, BOX, more));
         fails(ExitCode.COMMAND_LINE, "--schedule: expected paper, with which " + output + " was made, got gathering",
-                Run.of("--schedule", "gathering", "-tf", output, 10, BOX, more));
+                ProgramRun.of("--schedule", "gathering", "-tf", output, 10, BOX, more));
         assertFalse(Files.exists(more));
     }
 
@@ -133,13 +136,14 @@ class RenderTest {
     void resumingWithAnotherAccuracy_isToldInPerCent() {
         succeeds(render("-q", "--schedule", "predict", "--accuracy", "2%", "-dr"));
         fails(ExitCode.COMMAND_LINE, "--accuracy: expected 2%, with which " + output + " was made, got 10%",
-                Run.of("--accuracy", "10%", "-tf", output, 0, BOX, directory.resolve("more.scene")));
+                ProgramRun.of("--accuracy", "10%", "-tf", output, 0, BOX, directory.resolve("more.scene")));
     }
 
     @Test
     void resumingAnotherScene_isExitCode3() {
         succeeds(render("-q", "-it", 10));
-        Run run = Run.of("-tf", output, 10, "scenes/cornell-box-empty.lws", directory.resolve("more.scene"));
+        ProgramRun run = ProgramRun.of("-tf", output, 10, "scenes/cornell-box-empty.lws",
+                directory.resolve("more.scene"));
         assertEquals(ExitCode.FILE, run.exitCode());
         assertTrue(run.err().startsWith("the saved calculation: expected the same scene and settings"), run.err());
     }
@@ -147,7 +151,7 @@ class RenderTest {
     @Test
     void resumingWhatIsNoSceneFile_isExitCode3() throws IOException {
         Path other = Files.writeString(directory.resolve("other"), "no scene");
-        Run run = Run.of("-tf", other, 10, BOX, output);
+        ProgramRun run = ProgramRun.of("-tf", other, 10, BOX, output);
         assertEquals(ExitCode.FILE, run.exitCode());
         assertEquals(1, run.err().lines().count(), run.err());
     }
@@ -163,7 +167,7 @@ class RenderTest {
 
     @Test
     void snapshotInterval_isKeptWithinRoundsOfManyShots() throws IOException {
-        succeeds(Run.of("-q", "-pa", 2000, "-it", 170, "-sn", 50, "--size", "40x30", BOX, output));
+        succeeds(ProgramRun.of("-q", "-pa", 2000, "-it", 170, "-sn", 50, "--size", "40x30", BOX, output));
         for (int shots = 50; shots < 170; shots += 50) {
             assertTrue(Files.exists(directory.resolve("box.scene-" + shots + ".jpg")), shots + " shots");
         }
@@ -172,7 +176,7 @@ class RenderTest {
     /** One triangle's texture has room, those of the whole surface do not: that is found out at the end. */
     @Test
     void texturesThatAreTooLarge_doNotCostTheSolution() throws IOException {
-        Run run = render("-q", "-it", 10, "-ut", 10);
+        ProgramRun run = render("-q", "-it", 10, "-ut", 10);
         assertEquals(ExitCode.FILE, run.exitCode(), run.err());
         assertTrue(run.err().contains("expected a texture of at most 8192 texels"), run.err());
         assertEquals(10, SavedCalculation.read(output).shots());
@@ -183,7 +187,7 @@ class RenderTest {
         Path longest = directory.resolve("a".repeat(251) + ".png");
         succeeds(render("-q", "-it", 10, "--size", "40x30", "--picture", longest));
         assertTrue(Files.size(longest) > 0);
-        Run longer = render("--picture", directory.resolve("a".repeat(252) + ".png"));
+        ProgramRun longer = render("--picture", directory.resolve("a".repeat(252) + ".png"));
         assertEquals(ExitCode.FILE, longer.exitCode());
         assertEquals(1, longer.err().lines().count(), longer.err());
     }
@@ -212,7 +216,7 @@ class RenderTest {
     @Test
     void wrongPoints_areToldBeforeTheRender() throws IOException {
         Path in = Files.writeString(directory.resolve("in.csv"), "1,2,3\n");
-        Run run = render("--points", in, directory.resolve("out.csv"));
+        ProgramRun run = render("--points", in, directory.resolve("out.csv"));
         assertEquals(ExitCode.FILE, run.exitCode(), run.err());
         assertEquals(1, run.err().lines().count(), run.err());
         assertFalse(Files.exists(output));
@@ -220,7 +224,7 @@ class RenderTest {
 
     @Test
     void quiet_silencesProgressOnly() {
-        Run run = render("-q", "-it", 5);
+        ProgramRun run = render("-q", "-it", 5);
         assertEquals("", run.err());
         assertTrue(run.out().contains("5 shots in 3 rounds"), run.out());
         assertTrue(render("-it", 5).err().startsWith("1 shot, "));
@@ -229,7 +233,7 @@ class RenderTest {
     @Test
     void info_tellsWhatASceneFileHolds() {
         succeeds(render("-q", "-it", 5));
-        Run info = Run.of("--info", output);
+        ProgramRun info = ProgramRun.of("--info", output);
         succeeds(info);
         assertTrue(info.out().contains("5 in 3 rounds"), info.out());
     }
@@ -237,14 +241,14 @@ class RenderTest {
     @Test
     void missingInput_isExitCode3() {
         Path missing = directory.resolve("missing.lws");
-        fails(ExitCode.FILE, missing + ": expected a readable file, got none", Run.of(missing, output));
-        fails(ExitCode.FILE, missing + ": expected a readable file, got none", Run.of("--info", missing));
+        fails(ExitCode.FILE, missing + ": expected a readable file, got none", ProgramRun.of(missing, output));
+        fails(ExitCode.FILE, missing + ": expected a readable file, got none", ProgramRun.of("--info", missing));
     }
 
     @Test
     void inputThatIsNoScene_isExitCode3() throws IOException {
         Path text = Files.writeString(directory.resolve("text.lws"), "not a scene");
-        Run run = Run.of(text, output);
+        ProgramRun run = ProgramRun.of(text, output);
         assertEquals(ExitCode.FILE, run.exitCode());
         assertEquals(1, run.err().lines().count(), run.err());
         assertFalse(Files.exists(output));
@@ -259,7 +263,8 @@ class RenderTest {
         JsonNode json = new ObjectMapper().readTree(report.toFile());
         assertEquals(5, json.get("ledger").size());
         for (JsonNode flux : json.get("ledger")) {
-            flux.forEach(channel -> assertTrue(channel.isNumber() && Double.isFinite(channel.doubleValue()), json.toString()));
+            flux.forEach(channel -> assertTrue(channel.isNumber() && Double.isFinite(channel.doubleValue()),
+                    json.toString()));
         }
         assertEquals(!option.equals("-dr"), json.has("certificate"));
         assertFalse(json.toString().contains("NaN") || json.toString().contains("Infinity"), json.toString());
@@ -268,7 +273,7 @@ class RenderTest {
     @ParameterizedTest
     @ValueSource(strings = {"--help", "--version"})
     void helpAndVersion_needNothingElse(String option) {
-        Run run = Run.of(option);
+        ProgramRun run = ProgramRun.of(option);
         succeeds(run);
         assertFalse(run.out().isBlank());
         assertEquals("", run.err());
@@ -286,7 +291,8 @@ class RenderTest {
     @Test
     void outputsThatWouldOverwriteEachOther_areExitCode2BeforeAnyWork() {
         Path journal = directory.resolve("box.scene.journal");
-        fails(ExitCode.COMMAND_LINE, journal + ": expected a file of its own for each output, got the journal of " + output,
+        fails(ExitCode.COMMAND_LINE, journal + ": expected a file of its own for each output, got the journal of "
+                + output,
                 render("--report", journal));
         Path snapshot = directory.resolve("box.scene-5.jpg");
         fails(ExitCode.COMMAND_LINE, snapshot + ": expected a file of its own for each output, got a snapshot (-sn) of "
@@ -298,6 +304,6 @@ class RenderTest {
     void fileToGoOnFrom_isOverwrittenByTheSceneFileOnly() {
         succeeds(render("-q", "-it", 10));
         fails(ExitCode.COMMAND_LINE, output + ": expected an output that is no input, got the same file as " + output,
-                Run.of("-tf", output, 10, "--report", output, BOX, directory.resolve("more.scene")));
+                ProgramRun.of("-tf", output, 10, "--report", output, BOX, directory.resolve("more.scene")));
     }
 }

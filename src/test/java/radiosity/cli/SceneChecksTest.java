@@ -8,6 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.Failure;
+import radiosity.cli.render.SceneChecks;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -68,7 +71,8 @@ class SceneChecksTest {
         SceneChecks.sizes(2.7e6, 768, 256);
         Failure failure = assertThrows(Failure.class, () -> SceneChecks.sizes(2.8e6, 768, 256));
         assertEquals("-pa: expected patches whose scene file is at most 4,294,967,295 bytes, the limit of glTF, got"
-                + " 2,800,000 patches, which need 4,412,800,000 bytes or more; give a larger -pa", failure.getMessage());
+                + " 2,800,000 patches, which need 4,412,800,000 bytes or more; give a larger -pa",
+                        failure.getMessage());
         assertThrows(Failure.class, () -> SceneChecks.sizes(1.08e8, 3, 0));
     }
 

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.testkit.Program;
 
 /** The start script in a project of its own, with a java and an mvn that only say how they were called. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has the .cmd twins instead")
@@ -87,7 +88,8 @@ class ScriptsTest {
         assertTrue(twin.contains("if not defined JAVA_OPTS"), "the JVM's own words are not shown with them");
         for (String name : new String[] {"RadiosityRenderer", "PartitionServer", "ViewSceneFile"}) {
             boolean ends = name.equals("RadiosityRenderer");
-            assertEquals(ends, Files.readString(Path.of("scripts", name)).contains("directives=$here/compiler.json"), name);
+            assertEquals(ends, Files.readString(Path.of("scripts", name)).contains("directives=$here/compiler.json"),
+                    name);
             assertEquals(ends, Files.readString(Path.of("scripts", name + ".cmd"))
                     .contains("set \"DIRECTIVES=%~dp0compiler.json\""), name);
         }
@@ -270,7 +272,8 @@ class ScriptsTest {
         int tried = 0;
         try (Stream<Path> jdks = Files.list(home.getParent())) {
             for (Path jdk : jdks.filter(Files::isDirectory).filter(d -> Files.exists(d.resolve("bin/java"))).toList()) {
-                List<String> command = Program.command("-q -pa 20000 -it 1 " + Path.of("scenes/cornell-box.lws").toAbsolutePath()
+                List<String> command = Program.command("-q -pa 20000 -it 1 " + Path.of("scenes/cornell-box.lws")
+                        .toAbsolutePath()
                         + " " + directory.resolve("box.scene"));
                 command.set(0, jdk.resolve("bin/java").toString());
                 command.add(1, NATIVES);

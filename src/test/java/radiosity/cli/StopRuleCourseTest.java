@@ -5,8 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
-import radiosity.world.Progress;
-import radiosity.world.StopRule;
+import radiosity.cli.terminal.StopRuleCourse;
+import radiosity.settings.StopRule;
+import radiosity.solution.Progress;
 
 /** What is foretold of the time that a render still takes. */
 class StopRuleCourseTest {

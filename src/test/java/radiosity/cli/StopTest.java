@@ -20,6 +20,10 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.testkit.Program;
+import radiosity.testkit.ProgramRun;
 
 /** Ended from outside in mid-render, the program saves a scene file from which it can go on. */
 @Timeout(value = 2, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -56,7 +60,8 @@ class StopTest {
     void signal_endsInTimeWhereSavingTakesLonger_andTheJournalOfTheLastRoundStands() throws Exception {
         String arguments = "-pa 5000 --schedule paper -it 40000 -se 0 -ut 3.8 foobar.lws foobar.scene";
         List<String> command = Program.command(arguments);
-        command.replaceAll(word -> word.equals(RadiosityRenderer.class.getName()) ? ImpatientRenderer.class.getName() : word);
+        command.replaceAll(word -> word.equals(RadiosityRenderer.class.getName()) ? ImpatientRenderer.class.getName()
+                : word);
         Process render = program.start(command);
         Program.readUntil(render, WORD);
         new ProcessBuilder("kill", "-TERM", Long.toString(render.pid())).start().waitFor();
@@ -140,7 +145,7 @@ class StopTest {
         int shots = SavedCalculation.read(file).shots();
         assertTrue(shots >= leastShots, "stopped after " + shots + " shots");
         Path more = program.file("more.scene");
-        Run run = Run.of("-q", "-tf", file, shots, "-it", shots + 1, program.file("foobar.lws"), more);
+        ProgramRun run = ProgramRun.of("-q", "-tf", file, shots, "-it", shots + 1, program.file("foobar.lws"), more);
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertEquals(shots + 1, SavedCalculation.read(more).shots());
     }

@@ -11,25 +11,28 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.output.SceneFile;
+import radiosity.cli.options.ExitCode;
+import radiosity.output.gltf.SceneFile;
+import radiosity.testkit.ProgramRun;
 
 /** What a scene is warned of is rendered all the same, and is exit code 3 with --strict. */
 class StrictTest {
 
-    private static final String DARK = "dark.lws: expected a light or a surface that emits, got none: all will be black";
+    private static final String DARK =
+            "dark.lws: expected a light or a surface that emits, got none: all will be black";
 
     @TempDir
     Path directory;
 
-    private Run render(Path scene, String... options) {
+    private ProgramRun render(Path scene, String... options) {
         Object[] all = {"-q", "-pa", "20000", "-it", "1", scene, directory.resolve("box.scene")};
         Object[] more = new Object[options.length + all.length];
         System.arraycopy(options, 0, more, 0, options.length);
         System.arraycopy(all, 0, more, options.length, all.length);
-        return Run.of(more);
+        return ProgramRun.of(more);
     }
 
-    private void isRefused(Run run) {
+    private void isRefused(ProgramRun run) {
         assertEquals(ExitCode.FILE, run.exitCode());
         assertEquals(1, run.err().lines().count(), run.err());
         assertFalse(Files.exists(directory.resolve("box.scene")));
@@ -51,7 +54,7 @@ class StrictTest {
 
     @Test
     void sceneWithoutLight_isWarnedOfAndBlack() throws IOException {
-        Run run = render(box("dark.lws", "LUMI", 0));
+        ProgramRun run = render(box("dark.lws", "LUMI", 0));
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertEquals("warning: " + DARK + System.lineSeparator(), run.err());
         try (SceneFile scene = SceneFile.open(directory.resolve("box.scene"))) {
@@ -61,21 +64,22 @@ class StrictTest {
 
     @Test
     void sceneWithoutLight_isRefusedWithStrict() throws IOException {
-        Run run = render(box("dark.lws", "LUMI", 0), "--strict");
+        ProgramRun run = render(box("dark.lws", "LUMI", 0), "--strict");
         isRefused(run);
         assertEquals(DARK + System.lineSeparator(), run.err());
     }
 
     @Test
     void reflectanceOf1AndMore_isWarnedOfAndTakenAsLess() throws IOException {
-        Run run = render(box("white.lws", "DIFF", 3));
+        ProgramRun run = render(box("white.lws", "DIFF", 3));
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
-        assertTrue(run.err().startsWith("warning: white.lws: reflectances of 1 and more are taken as 0.9999: "), run.err());
+        assertTrue(run.err().startsWith("warning: white.lws: reflectances of 1 and more are taken as 0.9999: "),
+                run.err());
     }
 
     @Test
     void reflectanceOf1AndMore_isRefusedWithStrict() throws IOException {
-        Run run = render(box("white.lws", "DIFF", 3), "--strict");
+        ProgramRun run = render(box("white.lws", "DIFF", 3), "--strict");
         isRefused(run);
         assertTrue(run.err().startsWith("white.lws: expected no warning (--strict), got reflectances of 1 and more"
                 + " are taken as 0.9999: "), run.err());

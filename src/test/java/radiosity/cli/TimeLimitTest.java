@@ -20,8 +20,16 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.world.Progress;
-import radiosity.world.SavedState;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.TimeLimit;
+import radiosity.cli.options.Values;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.cli.terminal.ProgressText;
+import radiosity.cli.terminal.TimeCourse;
+import radiosity.solution.Progress;
+import radiosity.solution.SavedState;
+import radiosity.testkit.Program;
+import radiosity.testkit.ProgramRun;
 
 /** {@code --time}: the clock chooses the accuracy and never the bits. */
 class TimeLimitTest {
@@ -66,25 +74,25 @@ class TimeLimitTest {
     void tooShort_isCutOffAsByTheOptionsThatArePrinted(String others) throws IOException {
         Program program = new Program(directory);
         Path output = program.file("foobar.scene");
-        Run run = run(others + " --time 1ms", program);
+        ProgramRun run = run(others + " --time 1ms", program);
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertTrue(run.err().contains("--time 1ms: too short for this scene; going on until"), run.err());
         Matcher same = Pattern.compile("too short for this scene, cut off after .*; the same as with (--.*)")
                 .matcher(run.out());
         assertTrue(same.find(), run.out());
         SavedState timed = SavedCalculation.read(output).state();
-        Run again = run(same.group(1) + (others.equals("--layers") ? " --layers" : ""), program);
+        ProgramRun again = run(same.group(1) + (others.equals("--layers") ? " --layers" : ""), program);
         assertEquals(ExitCode.DONE, again.exitCode(), again.err());
         assertEquals(timed, SavedCalculation.read(output).state());
         Matcher unsent = Pattern.compile("(\\S+) % unsent").matcher(run.out());
         assertTrue(unsent.find() && Double.parseDouble(unsent.group(1)) <= 50, run.out());
     }
 
-    private static Run run(String options, Program program) {
+    private static ProgramRun run(String options, Program program) {
         List<Object> arguments = new ArrayList<>(List.of("-q", "-pa", "5000"));
         arguments.addAll(List.of(options.strip().split(" ")));
         arguments.addAll(List.of(program.file("foobar.lws"), program.file("foobar.scene")));
-        return Run.of(arguments.toArray());
+        return ProgramRun.of(arguments.toArray());
     }
 
     @Test

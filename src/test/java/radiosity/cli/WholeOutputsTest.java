@@ -23,10 +23,15 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.output.LockedFile;
-import radiosity.output.SceneFile;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.render.SavedCalculation;
+import radiosity.output.file.LockedFile;
+import radiosity.output.gltf.SceneFile;
+import radiosity.testkit.Program;
 
-/** Every output of a render is the old file or the new one, whole, whatever ends the render or keeps it from writing. */
+/**
+ * Every output of a render is the old file or the new one, whole, whatever ends the render or keeps it from writing.
+ */
 @Timeout(value = 3, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class WholeOutputsTest {
 
@@ -45,7 +50,8 @@ class WholeOutputsTest {
     private static final Map<String, Reader> READERS = Map.of(
             "foobar.scene", file -> SavedCalculation.read(file).shots(),
             "a.png", file -> assertEquals(40, ImageIO.read(file.toFile()).getWidth()),
-            "out.csv", file -> assertEquals(1 + POINTS, Files.readString(file).lines().filter(l -> l.split(",").length == 12)
+            "out.csv", file -> assertEquals(1 + POINTS, Files.readString(file).lines()
+                    .filter(l -> l.split(",").length == 12)
                     .count()),
             "report.json", file -> assertTrue(new ObjectMapper().readTree(file.toFile()).has("certificate")));
 
@@ -146,7 +152,8 @@ class WholeOutputsTest {
         assertEquals(READERS.keySet(), names(outputs));
         String printed = Files.readString(program.file("printed"));
         for (String name : READERS.keySet()) {
-            assertTrue(printed.contains("full/" + name + ": expected to be written, got No space left on device\n"), printed);
+            assertTrue(printed.contains("full/" + name + ": expected to be written, got No space left on device\n"),
+                    printed);
         }
     }
 
@@ -163,11 +170,13 @@ class WholeOutputsTest {
 
     @Test
     void directoryThatMayNotBeWritten_isRefusedBeforeAnyWork() throws Exception {
-        String script = mounted() + "mount -o remount,ro full; \"$@\" >printed 2>&1; code=$?; cp -a full/. outputs; exit $code";
+        String script = mounted()
+                + "mount -o remount,ro full; \"$@\" >printed 2>&1; code=$?; cp -a full/. outputs; exit $code";
         assertEquals(ExitCode.FILE, inNamespace(script, QUICK + OUTPUTS.formatted("full")));
         assertOld(outputs);
         String printed = Files.readString(program.file("printed"));
-        assertTrue(printed.matches("full/foobar.scene: expected a (file|directory) that can be written, got .*\n"), printed);
+        assertTrue(printed.matches("full/foobar.scene: expected a (file|directory) that can be written, got .*\n"),
+                printed);
     }
 
     /** Shell commands that make a file system of its own in the directory "full", with the old files. */
@@ -180,7 +189,8 @@ class WholeOutputsTest {
     /** Exit code of a script in a mount namespace, which needs Linux and either root or user namespaces. */
     private int inNamespace(String script, String arguments) throws Exception {
         List<String> unshare = new ArrayList<>(List.of("unshare", "-rm", "sh", "-c"));
-        assumeTrue(worksHere(unshare), "needs a mount namespace (unshare -rm): full and read-only disks are not tested");
+        assumeTrue(worksHere(unshare),
+                "needs a mount namespace (unshare -rm): full and read-only disks are not tested");
         unshare.addAll(List.of(script, "sh"));
         unshare.addAll(Program.command(arguments));
         return program.start(unshare).waitFor();

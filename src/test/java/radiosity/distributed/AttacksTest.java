@@ -30,14 +30,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.world.HostAddress;
-import radiosity.world.NoWorkerException;
-import radiosity.world.PartitionPort;
-import radiosity.world.RemotePartition;
-import radiosity.world.RemoteWorld;
-import radiosity.world.Schedule;
+import radiosity.master.RemoteWorld;
+import radiosity.master.host.NoWorkerException;
+import radiosity.rmi.HostAddress;
+import radiosity.rmi.RemotePartition;
+import radiosity.settings.Schedule;
+import radiosity.worker.PartitionPort;
 
-/** What a stranger may send to a host, and a false host to its master: nothing is made of it, and honest calls go on. */
+/**
+ * What a stranger may send to a host, and a false host to its master: nothing is made of it, and honest calls go on.
+ */
 class AttacksTest {
 
     private static PartitionPort host;

@@ -13,12 +13,12 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.accuracy.ColouredRoom;
+import radiosity.master.host.NoWorkerException;
+import radiosity.rmi.HostKey;
 import radiosity.scene.SceneFormatException;
-import radiosity.world.HostKey;
-import radiosity.world.NoWorkerException;
-import radiosity.world.PartitionPort;
-import radiosity.world.Schedule;
+import radiosity.settings.Schedule;
+import radiosity.testkit.ColouredRoom;
+import radiosity.worker.PartitionPort;
 
 /** One key file on both sides, or one clear line. */
 class KeyTest {

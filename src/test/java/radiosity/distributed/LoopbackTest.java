@@ -17,19 +17,19 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import radiosity.accuracy.ColouredRoom;
+import radiosity.master.RemoteWorld;
+import radiosity.master.host.NoWorkerException;
+import radiosity.rmi.HostAddress;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
-import radiosity.world.HostAddress;
-import radiosity.world.LocalWorld;
-import radiosity.world.NoWorkerException;
-import radiosity.world.PartitionPort;
-import radiosity.world.RadiositySettings;
-import radiosity.world.RemoteWorld;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.testkit.ColouredRoom;
+import radiosity.worker.PartitionPort;
 
 /** Remote calls over the loopback interface: the same bits, and one line for whatever is wrong. */
 class LoopbackTest {
@@ -93,7 +93,8 @@ class LoopbackTest {
                 RemoteWorld first = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
                         List.of(new HostAddress("localhost", a.port())), null, 1, notices::add)) {
             assertThrows(NoWorkerException.class, () -> Small.remote(Schedule.PAPER, null, notices::add, a));
-            assertTrue(notices.get(0).matches("host localhost:\\d+: busy for \\S+ since \\d\\d:\\d\\d; starting without it"),
+            assertTrue(notices.get(0)
+                    .matches("host localhost:\\d+: busy for \\S+ since \\d\\d:\\d\\d; starting without it"),
                     notices::toString);
             ColouredRoom.assertSame(Small.local(Schedule.PAPER), Small.solve(first));
         }

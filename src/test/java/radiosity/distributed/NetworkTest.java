@@ -11,12 +11,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import radiosity.accuracy.ColouredRoom;
-import radiosity.world.HostAddress;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RemoteWorld;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
+import radiosity.master.RemoteWorld;
+import radiosity.rmi.HostAddress;
+import radiosity.settings.Schedule;
+import radiosity.solution.Solution;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.ColouredRoom;
 
 /**
  * Hosts in network namespaces of their own, on one switch: a pulled cable and a network that drops silently, which
@@ -82,8 +82,10 @@ class NetworkTest {
     }
 
     private void assertLost(String host) {
-        assertEquals(1, notices.stream().filter(("host " + host + " silent for 3 s")::equals).count(), notices::toString);
-        assertEquals(1, notices.stream().filter(line -> line.startsWith("host " + host + " lost (silent for 10 s); its "))
+        assertEquals(1, notices.stream().filter(("host " + host + " silent for 3 s")::equals).count(),
+                notices::toString);
+        assertEquals(1, notices.stream()
+                .filter(line -> line.startsWith("host " + host + " lost (silent for 10 s); its "))
                 .count(), notices::toString);
     }
 

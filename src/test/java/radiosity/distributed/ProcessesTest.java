@@ -14,14 +14,14 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.accuracy.ColouredRoom;
-import radiosity.output.SceneFile;
-import radiosity.world.HostAddress;
-import radiosity.world.Progress;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RemoteWorld;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
+import radiosity.master.RemoteWorld;
+import radiosity.output.gltf.SceneFile;
+import radiosity.rmi.HostAddress;
+import radiosity.settings.Schedule;
+import radiosity.solution.Progress;
+import radiosity.solution.Solution;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.ColouredRoom;
 
 /** Hosts that are processes of their own, and what may happen to them: always the same bits, never a hang. */
 @Timeout(120)
@@ -39,7 +39,8 @@ class ProcessesTest {
         for (Server server : servers) {
             addresses.add(new HostAddress("localhost", server.port()));
         }
-        try (RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(schedule), addresses, null, 1, notices::add)) {
+        try (RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(schedule), addresses, null, 1,
+                notices::add)) {
             ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, Small.STOP);
             int[] round = {0};
             rounds.run(progress -> happen(event, ++round[0], progress));
@@ -69,7 +70,8 @@ class ProcessesTest {
                 }
             }, a, b, c);
             ColouredRoom.assertSame(Small.local(Schedule.PREDICT), got);
-            assertEquals(1, said("host localhost:" + a.port() + " lost \\(.*\\); its \\d+ blocks move to \\d hosts?, .*"),
+            assertEquals(1, said("host localhost:" + a.port()
+                    + " lost \\(.*\\); its \\d+ blocks move to \\d hosts?, .*"),
                     notices::toString);
             Solution alone = solve(Schedule.PAPER, round -> {
                 if (round == 20) {

@@ -8,7 +8,7 @@ import java.rmi.Remote;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.server.RemoteObjectInvocationHandler;
 import java.security.MessageDigest;
-import radiosity.world.RemotePartition;
+import radiosity.rmi.RemotePartition;
 
 /** A remote call whose arguments need not be what the method takes: a caller with other classes could make it. */
 final class RawCall {

@@ -23,9 +23,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.function.Executable;
-import radiosity.accuracy.ColouredRoom;
-import radiosity.world.PartitionPort;
-import radiosity.world.Schedule;
+import radiosity.settings.Schedule;
+import radiosity.testkit.ColouredRoom;
+import radiosity.worker.PartitionPort;
 
 /** A name that masters look for stays bound, whatever other processes of the machine ask the registry to do. */
 @Timeout(60)

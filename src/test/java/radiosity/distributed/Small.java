@@ -4,19 +4,19 @@ import java.io.IOException;
 import java.net.ServerSocket;
 import java.util.List;
 import java.util.function.Consumer;
-import radiosity.accuracy.ColouredRoom;
+import radiosity.master.RemoteWorld;
+import radiosity.rmi.HostAddress;
+import radiosity.rmi.HostKey;
 import radiosity.scene.Scene;
-import radiosity.world.HostAddress;
-import radiosity.world.HostKey;
-import radiosity.world.LocalWorld;
-import radiosity.world.PartitionPort;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RadiositySettings;
-import radiosity.world.RemoteWorld;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
-import radiosity.world.StopRule;
-import radiosity.world.World;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.solver.World;
+import radiosity.testkit.ColouredRoom;
+import radiosity.worker.PartitionPort;
 
 /** A coloured room that is solved in a second, here and there. */
 final class Small {

@@ -8,26 +8,28 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.accuracy.Cells;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Moves;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.accuracy.Spread;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.Cells;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.Moves;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
-/** Two closed rooms in one scene do not know of each other: each is as it is alone, however much brighter the other is. */
-class DynamicRangeTest {
+/**
+ * Two closed rooms in one scene do not know of each other: each is as it is alone, however much brighter the other is.
+ */
+public class DynamicRangeTest {
 
     private static final double ASKED = 1e-3;
     private static final Vec3 BESIDE = new Vec3(10, 0, 0);
     private static final int PATCHES = 300;
 
-    static Stream<Claim> claims() {
+    public static Stream<Claim> claims() {
         return DoubleStream.of(1e9).mapToObj(bright -> new Claim("two rooms, one brighter", "by 1e9",
                 () -> figures(bright)));
     }
@@ -48,8 +50,8 @@ class DynamicRangeTest {
 
     /** A lamp in a corner of the ceiling, and a block that hangs in the middle. */
     private static Scene room(double exitance, Vec3 at) {
-        Surface wall = Rooms.grey("wall " + at, 0, 0.5);
-        Surface lamp = Rooms.grey("lamp " + at, exitance, 0.5);
+        Surface wall = RoomScenes.grey("wall " + at, 0, 0.5);
+        Surface lamp = RoomScenes.grey("lamp " + at, exitance, 0.5);
         double[] planes = {0, 1, 2, 4};
         return Moves.moved(new Cells(planes, new double[] {0, 1, 2, 3}, planes).room("room",
                 (i, j, k) -> i != 1 || j != 1 || k != 1,

@@ -5,22 +5,23 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.accuracy.Spread;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /** Radiosity is in proportion to emission over 78 powers of ten, as far as floats of a file go. */
-class EmissionTest {
+public class EmissionTest {
 
-    static Stream<Claim> claims() {
+    public static Stream<Claim> claims() {
         return DoubleStream.of(1e-44, 1e-30, 1, 1e30, 1e34).mapToObj(emission -> new Claim("emission 1e-44 to 1e34",
                 "emission " + emission, () -> figures(emission)));
     }
 
     private static List<Figure> figures(double emission) {
-        Spread found = Spread.radiosity(Solve.byDefault().solution(Rooms.lShaped(Rooms.grey("wall", emission, 0.5))), 0);
+        Spread found = Spread.radiosity(Solve.byDefault()
+                .solution(RoomScenes.lShaped(RoomScenes.grey("wall", emission, 0.5))), 0);
         return List.of(Figure.relative("every point", 1e-3, 2 * emission, found.low()),
                 Figure.relative("every point", 1e-3, 2 * emission, found.high()));
     }

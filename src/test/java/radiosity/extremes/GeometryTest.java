@@ -9,23 +9,25 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.accuracy.Box;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.accuracy.Spread;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.Box;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
-/** Broken and odd meshes: every radiosity is a number, none below what is emitted, the mean not above a closed room's. */
-class GeometryTest {
+/**
+ * Broken and odd meshes: every radiosity is a number, none below what is emitted, the mean not above a closed room's.
+ */
+public class GeometryTest {
 
     private static final double REFLECTANCE = 0.5;
-    private static final Surface WALL = Rooms.grey("wall", 1, REFLECTANCE);
+    private static final Surface WALL = RoomScenes.grey("wall", 1, REFLECTANCE);
     private static final Vec3[] SQUARE = {
         new Vec3(0.3, 0.5, 0.3), new Vec3(0.3, 0.5, 0.7), new Vec3(0.7, 0.5, 0.7), new Vec3(0.7, 0.5, 0.3)};
 
@@ -86,7 +88,7 @@ class GeometryTest {
         return scenes;
     }
 
-    static Stream<Claim> claims() {
+    public static Stream<Claim> claims() {
         return scenes().keySet().stream().map(name -> new Claim("broken and odd meshes", name, () -> figures(name)));
     }
 

@@ -11,21 +11,22 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.world.Certificate;
-import radiosity.world.EnergyLedger;
-import radiosity.world.NoNumberException;
-import radiosity.world.Progress;
-import radiosity.world.Solution;
+import radiosity.solution.Certificate;
+import radiosity.solution.EnergyLedger;
+import radiosity.solution.Progress;
+import radiosity.solution.Solution;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.util.NoNumberException;
 
 /** What is no number does not leave the solver. */
 class NumbersTest {
 
-    private static final Solution CUBE = Solve.byDefault().solution(Rooms.cube(Rooms.grey("wall", 1, 0.5)));
+    private static final Solution CUBE = Solve.byDefault().solution(RoomScenes.cube(RoomScenes.grey("wall", 1, 0.5)));
 
     static Stream<Double> noNumbers() {
-        return DoubleStream.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 2 * Solution.LARGEST).boxed();
+        return DoubleStream.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 2 * Solution.LARGEST)
+                .boxed();
     }
 
     /** The cube's solution in which one vertex has another irradiance. */
@@ -89,6 +90,6 @@ class NumbersTest {
     @Test
     void overflowOnTheWay_isCaught() {
         assertThrows(NoNumberException.class,
-                () -> Solve.byDefault().solution(Rooms.lShaped(Rooms.grey("wall", 1e300, 0.5))));
+                () -> Solve.byDefault().solution(RoomScenes.lShaped(RoomScenes.grey("wall", 1e300, 0.5))));
     }
 }

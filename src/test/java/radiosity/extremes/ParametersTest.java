@@ -6,21 +6,21 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.accuracy.Spread;
 import radiosity.scene.Scene;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
-import radiosity.world.StopRule;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.Solution;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /** Settings at their limits: the calculation ends, every number is finite, and the ledger closes. */
-class ParametersTest {
+public class ParametersTest {
 
-    private static final Scene ROOM = Rooms.withBlocks(Rooms.grey("wall", 1, 0.5));
+    private static final Scene ROOM = RoomScenes.withBlocks(RoomScenes.grey("wall", 1, 0.5));
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     private record Limit(RadiositySettings settings, StopRule stop) { }
@@ -30,7 +30,8 @@ class ParametersTest {
         StopRule some = new StopRule(60, 1e-3);
         Map<String, Limit> limits = new TreeMap<>();
         limits.put("-nr 1", new Limit(new RadiositySettings(1, 1, NEVER, Schedule.PAPER), some));
-        limits.put("-pa larger than everything", new Limit(new RadiositySettings(1e30, 0, NEVER, Schedule.PREDICT), some));
+        limits.put("-pa larger than everything",
+                new Limit(new RadiositySettings(1e30, 0, NEVER, Schedule.PREDICT), some));
         limits.put("-mt 0", new Limit(new RadiositySettings(1, 0, 0, Schedule.PAPER), new StopRule(4, 0)));
         limits.put("-se 0", new Limit(usual, new StopRule(200, 0)));
         limits.put("-se 1", new Limit(usual, new StopRule(200, 1)));
@@ -40,7 +41,7 @@ class ParametersTest {
         return limits;
     }
 
-    static Stream<Claim> claims() {
+    public static Stream<Claim> claims() {
         return limits().keySet().stream().map(name -> new Claim("settings at their limits", name, () -> figures(name)));
     }
 

@@ -14,32 +14,32 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.accuracy.Calculated;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Moves;
-import radiosity.accuracy.Polyhedra;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.formfactor.FormFactors;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.settings.FormFactors;
+import radiosity.solution.Solution;
+import radiosity.testkit.Calculated;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.Moves;
+import radiosity.testkit.Polyhedra;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
 
 /**
  * What holds in any scene, in random ones: closed polyhedra whose triangles have one of five surfaces that emit and
  * reflect at random. As furnaces they are in {@link WhiteFurnaceTest}.
  */
-class PropertiesTest {
+public class PropertiesTest {
 
     private static final int SURFACES = 5;
     private static final double ROUNDING = 2e-6;
     /** Means over a surface at default settings, which are meant for 2 % at a point. */
     private static final double SAMPLING = 2e-3;
 
-    static Stream<Claim> claims() {
+    public static Stream<Claim> claims() {
         return LongStream.range(100, 104).boxed().flatMap(seed -> Stream.of(
                 Claim.of("linear in emission", "linear " + seed, () -> linear(seed)),
                 Claim.of("reciprocity", "reciprocal " + seed, () -> reciprocal(seed)),
@@ -56,14 +56,15 @@ class PropertiesTest {
     @ParameterizedTest
     @ValueSource(longs = {100, 101})
     void renamedSurfaces_giveTheSameBits(long seed) {
-        Scene renamed = Moves.painted(room(seed, 0), s -> new Surface("other " + s.name(), s.exitance(), s.reflectance(),
+        Scene renamed = Moves.painted(room(seed, 0),
+                s -> new Surface("other " + s.name(), s.exitance(), s.reflectance(),
                 s.twoSided()));
         assertArrayEquals(solution(room(seed, 0)).irradiance(), solution(renamed).irradiance());
     }
 
     /** @param lamps which of the two sets of lamps are lit, as bits; 0: both */
     private static Scene room(long seed, int lamps) {
-        Scene one = Polyhedra.random(seed, Rooms.grey("all", 1, 0.5));
+        Scene one = Polyhedra.random(seed, RoomScenes.grey("all", 1, 0.5));
         Random random = new Random(seed);
         List<Surface> surfaces = new ArrayList<>();
         for (int i = 0; i < SURFACES; i++) {
@@ -99,7 +100,10 @@ class PropertiesTest {
         return new Figure("every vertex", ROUNDING, worst / Arrays.stream(both).max().orElseThrow());
     }
 
-    /** A1 F12 = A2 F21 of two random triangles with a third between; F from 10,000 points with the rays of the paper's schedule. */
+    /**
+     * A1 F12 = A2 F21 of two random triangles with a third between; F from 10,000 points with the rays of the paper's
+     * schedule.
+     */
     private static Figure reciprocal(long seed) {
         Random random = new Random(seed);
         Vec3[] low = triangle(random, 0, 1, false);

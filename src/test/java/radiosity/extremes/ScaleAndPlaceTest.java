@@ -8,34 +8,35 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Moves;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.accuracy.Spread;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.Solution;
+import radiosity.solution.Solution;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.Moves;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /**
  * Radiosity does not depend on the unit of length, on where the origin is, or on how the room is turned. A scene is
- * brought to size 1 around the origin in double, so only rounding of its coordinates is left: 1e-10 of its size where it
+ * brought to size 1 around the origin in double, so only rounding of its coordinates is left: 1e-10 of its size where
+ * it
  * is moved by a million times that.
  */
-class ScaleAndPlaceTest {
+public class ScaleAndPlaceTest {
 
     private static final Surface WALL = new Surface("wall", new Rgb(1, 0.1, 0), new Rgb(0.7, 0.5, 0.3), false);
-    private static final Scene ROOM = Rooms.withBlocks(WALL);
+    private static final Scene ROOM = RoomScenes.withBlocks(WALL);
     private static final double[] EXPECTED = irradiance(ROOM);
 
     private static double[] irradiance(Scene scene) {
         return Solve.byDefault().patches(scene, 100).solution(scene).irradiance();
     }
 
-    static Stream<Claim> claims() {
+    public static Stream<Claim> claims() {
         Stream<Claim> scaled = DoubleStream.of(1e-6, 1e-3, 1e3, 1e6).mapToObj(factor -> Claim.of("scale and place",
                 "times " + factor, () -> worst(Moves.scaled(ROOM, factor))));
         return Stream.concat(scaled, Stream.of(Claim.of("scale and place", "moved by a million times its size",

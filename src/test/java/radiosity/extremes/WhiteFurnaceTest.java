@@ -7,19 +7,19 @@ import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import radiosity.accuracy.Claim;
-import radiosity.accuracy.Figure;
-import radiosity.accuracy.Polyhedra;
-import radiosity.accuracy.Rooms;
-import radiosity.accuracy.Solve;
-import radiosity.accuracy.Spread;
 import radiosity.scene.Scene;
+import radiosity.testkit.Claim;
+import radiosity.testkit.Figure;
+import radiosity.testkit.Polyhedra;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+import radiosity.testkit.Spread;
 
 /**
  * Furnaces up to reflectance .9999: B = E / (1 - rho) everywhere. What the form factors of a closed room lose or find
  * twice, d, is in B as d / (1 - rho): a part in 10,000 of deficit is nothing at rho = .5 and all of it at .9999.
  */
-class WhiteFurnaceTest {
+public class WhiteFurnaceTest {
 
     /** The command has five times as many. */
     private static final int POLYHEDRA = 10;
@@ -29,19 +29,19 @@ class WhiteFurnaceTest {
     }
 
     /** Rooms, then polyhedra. */
-    static Stream<Claim> claims(int polyhedra) {
+    public static Stream<Claim> claims(int polyhedra) {
         return DoubleStream.of(.5, .9, .99, .999, .9999).boxed()
                 .flatMap(rho -> Stream.concat(rooms(rho), polyhedra(rho, polyhedra)));
     }
 
     private static Stream<Claim> rooms(double rho) {
-        return Rooms.watertight().keySet().stream().map(name -> claim("furnace: " + name, name + " " + rho, rho,
-                () -> Rooms.watertight().get(name).apply(Rooms.grey("wall", 1, rho))));
+        return RoomScenes.watertight().keySet().stream().map(name -> claim("furnace: " + name, name + " " + rho, rho,
+                () -> RoomScenes.watertight().get(name).apply(RoomScenes.grey("wall", 1, rho))));
     }
 
     private static Stream<Claim> polyhedra(double rho, int count) {
         return LongStream.range(0, count).mapToObj(seed -> claim("furnace: random polyhedra",
-                "polyhedron " + seed + " " + rho, rho, () -> Polyhedra.random(seed, Rooms.grey("wall", 1, rho))));
+                "polyhedron " + seed + " " + rho, rho, () -> Polyhedra.random(seed, RoomScenes.grey("wall", 1, rho))));
     }
 
     private static Claim claim(String group, String name, double rho, Supplier<Scene> room) {

@@ -14,12 +14,14 @@ class LightTest {
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
 
     private static Light spot(double power, double x, Vec3 direction, double range, double cone, double edge) {
-        return new Light("spot", Light.Kind.SPOT, new Rgb(1, power, 1), new Vec3(x, 0, 0), direction, Vec3.ZERO, Vec3.ZERO,
+        return new Light("spot", Light.Kind.SPOT, new Rgb(1, power, 1), new Vec3(x, 0, 0), direction, Vec3.ZERO,
+                Vec3.ZERO,
                 range, cone, edge);
     }
 
     private static void assertRefused(double power, double x, Vec3 direction, double range, double cone, double edge) {
-        String message = assertThrows(IllegalArgumentException.class, () -> spot(power, x, direction, range, cone, edge))
+        String message = assertThrows(IllegalArgumentException.class,
+                () -> spot(power, x, direction, range, cone, edge))
                 .getMessage();
         assertTrue(message.startsWith("light spot: expected "), message);
         assertTrue(message.contains(", got "), message);
@@ -45,9 +47,11 @@ class LightTest {
 
     @Test
     void whatAKindDoesNotUse_mayBeZero() {
-        assertDoesNotThrow(() -> new Light("p", Light.Kind.POINT, Rgb.grey(1), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1,
+        assertDoesNotThrow(() -> new Light("p", Light.Kind.POINT, Rgb.grey(1), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO,
+                Vec3.ZERO, 1,
                 0, 0));
-        assertDoesNotThrow(() -> new Light("d", Light.Kind.DISTANT, Rgb.grey(1), Vec3.ZERO, DOWN, Vec3.ZERO, Vec3.ZERO, 0, 0,
+        assertDoesNotThrow(() -> new Light("d", Light.Kind.DISTANT, Rgb.grey(1), Vec3.ZERO, DOWN, Vec3.ZERO, Vec3.ZERO,
+                0, 0,
                 0));
     }
 }

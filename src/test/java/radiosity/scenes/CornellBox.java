@@ -20,7 +20,8 @@ final class CornellBox {
     private static final double WIDTH = 556;
 
     private static final double[][] FLOOR = {{552.8, 0, 0}, {0, 0, 0}, {0, 0, 559.2}, {549.6, 0, 559.2}};
-    private static final double[][] LIGHT = {{343, 548.8, 227}, {343, 548.8, 332}, {213, 548.8, 332}, {213, 548.8, 227}};
+    private static final double[][] LIGHT = {{343, 548.8, 227}, {343, 548.8, 332}, {213, 548.8, 332},
+            {213, 548.8, 227}};
     private static final double[][] CEILING = {{556, 548.8, 0}, {556, 548.8, 559.2}, {0, 548.8, 559.2}, {0, 548.8, 0}};
     private static final double[][] BACK = {{549.6, 0, 559.2}, {0, 0, 559.2}, {0, 548.8, 559.2}, {556, 548.8, 559.2}};
     private static final double[][] RIGHT = {{0, 0, 559.2}, {0, 0, 0}, {0, 548.8, 0}, {0, 548.8, 559.2}};

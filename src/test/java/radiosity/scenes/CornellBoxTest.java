@@ -72,7 +72,8 @@ class CornellBoxTest {
         Scene scene = ShippedScenes.read(EMPTY);
         Vec3 middle = new Vec3(278, 274, -280);
         for (int t = 0; t < scene.triangles(); t++) {
-            assertTrue(ShippedScenes.normal(scene, t).dot(middle.minus(scene.corner(t, 0))) > 200, scene.surface(t).name());
+            assertTrue(ShippedScenes.normal(scene, t).dot(middle.minus(scene.corner(t, 0))) > 200, scene.surface(t)
+                    .name());
         }
     }
 

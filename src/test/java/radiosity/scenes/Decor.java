@@ -21,7 +21,8 @@ final class Decor {
     private static final double[] SQUARES = {0.26, 0.26};
     private static final double[] HILLS = {0.48, 0.30};
 
-    static final List<Hung> BACK_WALL = List.of(new Hung(1, -1.25, 1.55), new Hung(2, -0.40, 1.55), new Hung(3, 0.45, 1.55));
+    static final List<Hung> BACK_WALL = List.of(new Hung(1, -1.25, 1.55), new Hung(2, -0.40, 1.55),
+            new Hung(3, 0.45, 1.55));
     static final List<Hung> RIGHT_WALL = List.of(new Hung(1, 3.55, 1.55));
 
     private Decor() {
@@ -72,7 +73,8 @@ final class Decor {
         frame(picture, HILLS);
         Material[] colours = {Palette.MIDNIGHT, Palette.TEAL, Palette.SKY_BLUE, Palette.ROSE, Palette.CREAM};
         double[][] lines = {{-h, -h, -h, -h, -h, -h, -h}, {-.12, -.15, -.14, -.10, -.05, -.07, -.10},
-            {-.02, -.06, -.10, -.08, -.01, .00, -.04}, {.00, .06, .05, .00, .03, .02, .05}, {.10, .10, .10, .10, .10, .10, .10},
+            {-.02, -.06, -.10, -.08, -.01, .00, -.04}, {.00, .06, .05, .00, .03, .02, .05},
+                    {.10, .10, .10, .10, .10, .10, .10},
             {h, h, h, h, h, h, h}};
         for (int row = 0; row < colours.length; row++) {
             for (int k = 1; k < 7; k++) {

@@ -113,7 +113,8 @@ final class SceneFaces {
             for (int u = 0; u < scene.triangles(); u++) {
                 for (int k = 0; k < 3 && near(t, u); k++) {
                     if (crosses(scene.corner(u, k), scene.corner(u, (k + 1) % 3), t)) {
-                        pairs.add(scene.surface(u).name() + " through " + scene.surface(t).name() + " at " + scene.corner(u, k));
+                        pairs.add(scene.surface(u).name() + " through " + scene.surface(t).name() + " at "
+                                + scene.corner(u, k));
                     }
                 }
             }
@@ -128,7 +129,8 @@ final class SceneFaces {
             return false;
         }
         Vec3 p = a.plus(b.minus(a).times(before / (before - after)));
-        return beyond(t, 0, p) < -10 * tolerance && beyond(t, 1, p) < -10 * tolerance && beyond(t, 2, p) < -10 * tolerance;
+        return beyond(t, 0, p) < -10 * tolerance && beyond(t, 1, p) < -10 * tolerance
+                && beyond(t, 2, p) < -10 * tolerance;
     }
 
     private boolean inOnePlane(int t, int u) {

@@ -17,7 +17,8 @@ final class Seats {
         Layer body = new Layer("body");
         Solids soft = new Solids(body, cloth);
         double x = width / 2;
-        soft.loft(Open.NEITHER, Rings.rounded(-x, -0.46, x, 0.45, 0.12, 0.03), Rings.rounded(-x, -0.46, x, 0.45, 0.30, 0.03));
+        soft.loft(Open.NEITHER, Rings.rounded(-x, -0.46, x, 0.45, 0.12, 0.03),
+                Rings.rounded(-x, -0.46, x, 0.45, 0.30, 0.03));
         soft.cushion(-x + 0.025, 0.30, -0.43, -x + 0.195, 0.60, 0.42, false, 0.045, 0.01);
         soft.cushion(x - 0.195, 0.30, -0.43, x - 0.025, 0.60, 0.42, false, 0.045, 0.01);
         soft.cushion(-x + 0.205, 0.30, 0.26, x - 0.205, 0.80, 0.42, false, 0.045, 0.005);
@@ -63,7 +64,8 @@ final class Seats {
         Layer chair = new Layer("chair");
         Solids wood = new Solids(chair, Palette.BEECH);
         wood.loft(Open.NEITHER, Rings.rounded(-0.20, -0.20, 0.20, 0.20, 0.435, 0.05),
-                Rings.rounded(-0.215, -0.215, 0.215, 0.215, 0.45, 0.06), Rings.rounded(-0.21, -0.21, 0.21, 0.21, 0.465, 0.06));
+                Rings.rounded(-0.215, -0.215, 0.215, 0.215, 0.45, 0.06),
+                        Rings.rounded(-0.21, -0.21, 0.21, 0.21, 0.465, 0.06));
         for (int side = -1; side <= 1; side += 2) {
             wood.leg(point(side * 0.20, 0, -0.20), point(side * 0.15, 0.435, -0.15), 0.035);
             wood.leg(point(side * 0.20, 0, 0.22), point(side * 0.15, 0.435, 0.15), 0.035);

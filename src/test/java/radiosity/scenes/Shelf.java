@@ -66,7 +66,8 @@ final class Shelf {
             double near = -direction * (HALF - BOARD - used);
             double far = near + direction * thickness;
             Material binding = BINDINGS[chance.nextInt(BINDINGS.length)];
-            new Solids(layer, binding).box(Math.min(near, far), y, front, Math.max(near, far), y + height, -0.04, Face.BELOW);
+            new Solids(layer, binding)
+                    .box(Math.min(near, far), y, front, Math.max(near, far), y + height, -0.04, Face.BELOW);
             used += thickness + 0.003;
         }
     }

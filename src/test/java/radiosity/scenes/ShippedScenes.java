@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import radiosity.lightwave.LightWaveOptions;
-import radiosity.lightwave.LightWaveReader;
+import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 

@@ -114,7 +114,8 @@ final class Solids {
     /** A square leg, half as thick at its foot, open where it meets what it carries and what it stands on. */
     Solids leg(double[] foot, double[] top, double thickness) {
         double h = thickness / 2;
-        return loft(Open.BOTH, Rings.rectangle(foot[0] - h / 2, foot[2] - h / 2, foot[0] + h / 2, foot[2] + h / 2, foot[1]),
+        return loft(Open.BOTH,
+                Rings.rectangle(foot[0] - h / 2, foot[2] - h / 2, foot[0] + h / 2, foot[2] + h / 2, foot[1]),
                 Rings.rectangle(top[0] - h, top[2] - h, top[0] + h, top[2] + h, top[1]));
     }
 
@@ -125,7 +126,8 @@ final class Solids {
      * @param radius of the edges
      * @param crown  by how much the middle of the top is higher than y1
      */
-    Solids cushion(double x0, double y0, double z0, double x1, double y1, double z1, boolean below, double radius, double crown) {
+    Solids cushion(double x0, double y0, double z0, double x1, double y1, double z1, boolean below, double radius,
+            double crown) {
         List<double[][]> rings = new ArrayList<>();
         for (int k = below ? 0 : 2; k <= 4; k++) {
             double angle = Math.PI / 4 * (k - 2);

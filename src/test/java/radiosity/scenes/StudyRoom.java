@@ -102,9 +102,12 @@ final class StudyRoom {
     }
 
     /** A wall with holes, as the rectangles into which their edges cut it. */
-    private static void wall(Layer shell, Material material, double[] facing, Plane plane, Area wall, List<Area> holes) {
-        double[] u = sorted(wall.u0(), wall.u1(), holes.stream().flatMapToDouble(hole -> DoubleStream.of(hole.u0(), hole.u1())));
-        double[] v = sorted(wall.v0(), wall.v1(), holes.stream().flatMapToDouble(hole -> DoubleStream.of(hole.v0(), hole.v1())));
+    private static void wall(Layer shell, Material material, double[] facing, Plane plane, Area wall,
+            List<Area> holes) {
+        double[] u = sorted(wall.u0(), wall.u1(), holes.stream()
+                .flatMapToDouble(hole -> DoubleStream.of(hole.u0(), hole.u1())));
+        double[] v = sorted(wall.v0(), wall.v1(), holes.stream()
+                .flatMapToDouble(hole -> DoubleStream.of(hole.v0(), hole.v1())));
         for (int i = 1; i < u.length; i++) {
             for (int j = 1; j < v.length; j++) {
                 double middle = (u[i - 1] + u[i]) / 2;

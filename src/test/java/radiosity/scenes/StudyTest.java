@@ -60,7 +60,8 @@ class StudyTest {
         RadiosityBounds bounds = new RadiosityBounds(corners);
         Random random = new Random(1);
         for (int ray = 0; ray < 20_000; ray++) {
-            Vec3 from = new Vec3(-0.1 + 0.2 * random.nextDouble(), 0.11 + 0.03 * random.nextDouble(), -0.2 * random.nextDouble());
+            Vec3 from = new Vec3(-0.1 + 0.2 * random.nextDouble(), 0.11 + 0.03 * random.nextDouble(),
+                    -0.2 * random.nextDouble());
             Vec3 d = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
             float[] hit = new float[3];
             int t = bounds.nearest((float) from.x(), (float) from.y(), (float) from.z(),

@@ -35,7 +35,8 @@ final class Tables {
             wood.leg(point(side * 0.66, 0, 0.29), point(side * 0.64, 0.72, 0.27), 0.05);
         }
         wood.box(0.14, 0.56, -0.27, 0.58, 0.72, 0.27, Face.ABOVE);
-        wood.box(0.15, 0.565, -0.285, 0.357, 0.71, -0.27, Face.FAR).box(0.363, 0.565, -0.285, 0.57, 0.71, -0.27, Face.FAR);
+        wood.box(0.15, 0.565, -0.285, 0.357, 0.71, -0.27, Face.FAR)
+                .box(0.363, 0.565, -0.285, 0.57, 0.71, -0.27, Face.FAR);
         return ObjectFile.bytes(List.of(desk));
     }
 
@@ -63,7 +64,8 @@ final class Tables {
 
     private static Layer mug() {
         Layer mug = new Layer("mug");
-        new Solids(mug, Palette.CHINA).lathe(Open.FIRST, 0, 0, 10, 0.04, 0, 0.042, 0.09, 0.038, 0.09, 0.036, 0.01, 0, 0.01);
+        new Solids(mug, Palette.CHINA)
+                .lathe(Open.FIRST, 0, 0, 10, 0.04, 0, 0.042, 0.09, 0.038, 0.09, 0.036, 0.01, 0, 0.01);
         return mug;
     }
 
@@ -113,7 +115,8 @@ final class Tables {
         Layer rug = new Layer("rug");
         double[][] inner = rectangle(0.20, 0.012);
         double[][] outer = rectangle(0.12, 0.012);
-        new Solids(rug, Palette.CREAM).loft(Open.BOTH, rectangle(0, 0), rectangle(0, 0.012), outer).loft(Open.FIRST, inner);
+        new Solids(rug, Palette.CREAM).loft(Open.BOTH, rectangle(0, 0), rectangle(0, 0.012), outer)
+                .loft(Open.FIRST, inner);
         new Solids(rug, Palette.BRICK).loft(Open.BOTH, outer, inner);
         return ObjectFile.bytes(List.of(rug));
     }

@@ -64,7 +64,8 @@ class CampaignTest {
             for (String name : List.of("a", "b")) {
                 Dice dice = new Dice(5);
                 MadeScene scene = kind.make(dice, directory, Path.of("scenes"), false);
-                RandomCommand command = new RandomCommand(dice, scene, "-nr", Set.copyOf(RandomCommand.OPTIONS), directory);
+                RandomCommand command = new RandomCommand(dice, scene, "-nr", Set.copyOf(RandomCommand.OPTIONS),
+                        directory);
                 commands.add(command.lightWithout(Set.of()));
                 scenes.add(Files.readAllBytes(scene.file()));
                 assertTrue(command.has("-nr"), name);

@@ -76,7 +76,8 @@ final class Running implements AutoCloseable {
 
     /** @param name TERM, STOP, CONT, ... */
     void signal(String name) throws IOException, InterruptedException {
-        new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).redirectErrorStream(true).start().waitFor();
+        new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).redirectErrorStream(true).start()
+                .waitFor();
     }
 
     /** CPU seconds so far, with the processes that it started; 0 where the system does not say. */

@@ -148,7 +148,8 @@ final class SceneMaker {
                 .append(String.format(Locale.ROOT, "LgtIntensity %s\nLightType %d\nLightRange %s\n", intensity, type,
                         range)).append("ConeAngle 30\nEdgeAngle 5\n");
         double diagonal = Math.hypot(high[0], Math.hypot(high[1], high[2]));
-        lightFlux += type == 0 ? intensity * Math.PI * diagonal * diagonal / 4 : 4 * Math.PI * intensity * range * range;
+        lightFlux += type == 0 ? intensity * Math.PI * diagonal * diagonal / 4
+                : 4 * Math.PI * intensity * range * range;
     }
 
     private static String motion(String keyword, double... values) {

@@ -11,7 +11,8 @@ import java.util.regex.Pattern;
 public final class Torture {
 
     private static final Pattern SEED = Pattern.compile("(\\d+)(?:\\.(\\d+))?");
-    private static final String EXPECTED = "expected MINUTES [--seed N[.RUN]] [--program DIR] [--parallel N] [--keep], got ";
+    private static final String EXPECTED =
+            "expected MINUTES [--seed N[.RUN]] [--program DIR] [--parallel N] [--keep], got ";
 
     private double minutes = -1;
     private long seed = System.currentTimeMillis() % 1_000_000;
@@ -42,7 +43,8 @@ public final class Torture {
             if (arguments[i].equals("--seed") && more) {
                 Matcher parts = SEED.matcher(arguments[++i]);
                 if (!parts.matches()) {
-                    throw new IllegalArgumentException("--seed: expected a number, or one and a run's, got " + arguments[i]);
+                    throw new IllegalArgumentException("--seed: expected a number, or one and a run's, got "
+                            + arguments[i]);
                 }
                 seed = Long.parseLong(parts.group(1));
                 only = parts.group(2) == null ? -1 : Integer.parseInt(parts.group(2));
@@ -59,7 +61,8 @@ public final class Torture {
             }
         }
         if (minutes < 0) {
-            throw new IllegalArgumentException(EXPECTED + (arguments.length == 0 ? "nothing" : String.join(" ", arguments)));
+            throw new IllegalArgumentException(EXPECTED
+                    + (arguments.length == 0 ? "nothing" : String.join(" ", arguments)));
         }
     }
 

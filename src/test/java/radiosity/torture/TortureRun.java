@@ -11,7 +11,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * One run of a campaign: a scene is rendered undisturbed, then otherwise and with a fault, and what came out is compared.
+ * One run of a campaign: a scene is rendered undisturbed, then otherwise and with a fault, and what came out is
+ * compared.
  *
  * <p>All of it follows from its seed but the moments at which faults strike: they are parts of the time that the
  * undisturbed render took.
@@ -23,7 +24,8 @@ final class TortureRun {
     /** What the undisturbed render does without: it must not matter. */
     private static final Set<String> NO_MATTER = Set.of("-q", "--debug", "-si", "-sn", "-dr");
     private static final Pattern REPRODUCED = Pattern.compile("the same as with ((?:--?[a-z][\\w-]* [^\\s,;]+ ?)+)");
-    private static final Pattern CUT_OFF = Pattern.compile("in the first calculation, the one of (--accuracy [^\\s,;]+)");
+    private static final Pattern CUT_OFF =
+            Pattern.compile("in the first calculation, the one of (--accuracy [^\\s,;]+)");
     /** Seconds from SIGTERM to the end; the program promises 10 on a machine of its own. */
     private static final double LONGEST_END = 60;
 

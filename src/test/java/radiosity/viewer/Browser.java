@@ -66,7 +66,8 @@ final class Browser implements AutoCloseable, WebSocket.Listener {
             Thread.sleep(100);
         }
         String list = http.send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:"
-                + Files.readAllLines(port).get(0) + "/json/list")).build(), HttpResponse.BodyHandlers.ofString()).body();
+                + Files.readAllLines(port).get(0) + "/json/list")).build(), HttpResponse.BodyHandlers.ofString())
+                        .body();
         for (JsonNode target : JSON.readTree(list)) {
             if (target.get("type").asText().equals("page")) {
                 return URI.create(target.get("webSocketDebuggerUrl").asText());

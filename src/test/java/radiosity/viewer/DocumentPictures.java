@@ -7,7 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
-import radiosity.output.ToneMapping;
+import radiosity.output.image.ToneMapping;
+import radiosity.viewer.web.WebPage;
 
 /** Takes the pictures of docs/VIEWER.md, which has the command. */
 final class DocumentPictures {

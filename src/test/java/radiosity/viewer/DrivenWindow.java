@@ -10,6 +10,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import radiosity.testkit.Xvfb;
 
 /** A window on a display in memory, in a process of its own, that does what it is told: see {@link Session}. */
 final class DrivenWindow implements AutoCloseable {

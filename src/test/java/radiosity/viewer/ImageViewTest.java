@@ -15,8 +15,8 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.output.SceneFile;
-import radiosity.output.ToneMapping;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
@@ -25,12 +25,13 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
-import radiosity.world.StopRule;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.viewer.web.WebPage;
 
 /** Stripes of red and blue on a wall of two elements: seen at full size in the window and on the web page. */
 class ImageViewTest {
@@ -60,7 +61,8 @@ class ImageViewTest {
         Raster stripes = new Raster(STRIPES, 1, rgb, ImageMap.Wrap.EDGE, ImageMap.Wrap.EDGE, Rgb.BLACK);
         Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(.4), false)
                 .with(new Surface.Maps(Optional.empty(), Optional.of(stripes)));
-        Light sun = new Light("sun", Light.Kind.DISTANT, Rgb.grey(1), Vec3.ZERO, new Vec3(0, 0, -1), Vec3.ZERO, Vec3.ZERO, 1, 0, 0);
+        Light sun = new Light("sun", Light.Kind.DISTANT, Rgb.grey(1), Vec3.ZERO, new Vec3(0, 0, -1), Vec3.ZERO,
+                Vec3.ZERO, 1, 0, 0);
         Camera camera = new Camera(new Vec3(5, 5, 10), new Vec3(0, 0, -1), new Vec3(0, 1, 0), Math.atan(.5), 1);
         Scene scene = new Scene("stripes", new double[] {0, 0, 0, 10, 0, 0, 10, 10, 0, 0, 10, 0},
                 new int[] {0, 1, 2, 0, 2, 3}, new int[] {0, 0}, List.of(wall), List.of(sun), Optional.of(camera),

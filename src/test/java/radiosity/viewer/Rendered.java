@@ -20,7 +20,8 @@ final class Rendered {
     static Path cornellBox(Path folder, String... arguments) {
         Path scene = folder.resolve("box.scene");
         // with -se, patch by patch as in the paper: the fewest elements
-        String[] usual = {"-q", "-pa", "20000", "-se", "0.01", "--tone-mapping", "reinhard", "--picture", folder.resolve("box.png").toString(), "--size",
+        String[] usual = {"-q", "-pa", "20000", "-se", "0.01", "--tone-mapping", "reinhard", "--picture",
+                folder.resolve("box.png").toString(), "--size",
             SIZE + "x" + SIZE};
         String[] all = new String[arguments.length + usual.length + 2];
         System.arraycopy(usual, 0, all, 0, usual.length);

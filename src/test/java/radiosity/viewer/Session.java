@@ -22,8 +22,8 @@ import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
-import radiosity.output.LitScene;
-import radiosity.output.ToneMapping;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
 
 /**
@@ -67,7 +67,8 @@ final class Session {
 
     private static void run(String[] arguments) throws Exception {
         Path file = Path.of(arguments[0]);
-        Walkthrough window = Walkthrough.open(LitScene.read(file), new ViewSettings("test", false, false, Optional.empty(),
+        Walkthrough window = Walkthrough.open(LitScene.read(file),
+                new ViewSettings("test", false, false, Optional.empty(),
                 ToneMapping.Operator.REINHARD, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
                 Optional.of(file), Optional.empty()));
         window.screenshot();

@@ -5,20 +5,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import radiosity.lightwave.LightWaveOptions;
-import radiosity.lightwave.LightWaveReader;
-import radiosity.output.SceneFile;
-import radiosity.output.ToneMapping;
+import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.lightwave.LightWaveReader;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
-import radiosity.world.LocalWorld;
-import radiosity.world.ProgressiveRadiosity;
-import radiosity.world.RadiositySettings;
-import radiosity.world.Schedule;
-import radiosity.world.Solution;
-import radiosity.world.StopRule;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
 
 /** The Cornell box with a second, blue light where the camera is: its lamps kept apart, its light in textures too. */
 final class TwoLamps {

@@ -14,9 +14,10 @@ import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.bench.LargeSceneFile;
 import radiosity.cli.RadiosityRenderer;
 import radiosity.cli.ViewSceneFile;
-import radiosity.output.LargeSceneFile;
+import radiosity.testkit.Xvfb;
 
 /** ViewSceneFile as a program of its own. */
 class ViewSceneFileTest {
@@ -169,7 +170,8 @@ class ViewSceneFileTest {
         program.command().add(1, "-Xlog:class+load");
         Ended ended = run(program);
         assertEquals(0, ended.exitCode());
-        assertTrue(ended.text().contains("radiosity.world.LocalWorld"), "classes are listed");
-        assertFalse(ended.text().lines().anyMatch(line -> line.matches(".*(org\\.jogamp|com\\.jogamp|radiosity\\.viewer).*")));
+        assertTrue(ended.text().contains("radiosity.solver.LocalWorld"), "classes are listed");
+        assertFalse(ended.text().lines()
+                .anyMatch(line -> line.matches(".*(org\\.jogamp|com\\.jogamp|radiosity\\.viewer).*")));
     }
 }

@@ -18,8 +18,9 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.output.ToneMapping;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.SceneFormatException;
+import radiosity.viewer.web.WebPage;
 
 /** The web page, asked by HTTP and seen in Chromium. */
 class WebPageTest {
@@ -46,7 +47,8 @@ class WebPageTest {
 
     @Test
     void everythingThePageNames_isServed() throws Exception {
-        for (String path : List.of("/", "/walk.js", "/keys.js", "/panel.js", "/lamps.js", "/obstacles.js", "/light.frag", "/settings.json", "/scene.glb",
+        for (String path : List.of("/", "/walk.js", "/keys.js", "/panel.js", "/lamps.js", "/obstacles.js",
+                "/light.frag", "/settings.json", "/scene.glb",
                 "/three/build/three.module.min.js", "/three/build/three.core.min.js",
                 "/three/examples/jsm/loaders/GLTFLoader.js", "/three/examples/jsm/utils/BufferGeometryUtils.js")) {
             HttpResponse<String> answer = get(path);
@@ -91,7 +93,8 @@ class WebPageTest {
 
     private static double[] probe(Browser browser, String name) throws Exception {
         browser.click(Rendered.SIZE / 10, Rendered.SIZE / 2);
-        return DrivenWindow.numbers(browser.value("document.getElementById('text').textContent").asText().replace("\n", "; "),
+        return DrivenWindow.numbers(browser.value("document.getElementById('text').textContent").asText()
+                .replace("\n", "; "),
                 name);
     }
 

@@ -27,7 +27,7 @@ class CompiledRaysTest {
 
     @Test
     void triangleTest_isPutIntoTheLoop() {
-        int bytes = bytes(FlatTriangle.class, "meets");
+        int bytes = bytes(PackedTriangle.class, "meets");
         assertTrue(bytes <= MOST, "" + bytes);
     }
 

@@ -105,7 +105,9 @@ class RadiosityBoundsTest {
         return corners;
     }
 
-    /** Away from the origin, where floats round, with rays long and short, steep and flat, but steeper than the bumps. */
+    /**
+     * Away from the origin, where floats round, with rays long and short, steep and flat, but steeper than the bumps.
+     */
     @ParameterizedTest
     @CsvSource({"1, 1, 0.5", "0.01, 0.01, 0.5", "0.01, 1, 0.5", "0.001, 1, 0.5", "0.01, 1, 0.05"})
     void noRay_passesBetweenNeighbours(float scale, float length, float steepness) {

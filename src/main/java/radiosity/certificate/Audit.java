@@ -1,0 +1,230 @@
+package radiosity.certificate;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
+import radiosity.formfactor.GatherSink;
+import radiosity.formfactor.LightSources;
+import radiosity.formfactor.RayCaster;
+import radiosity.formfactor.ShooterHierarchy;
+import radiosity.mesh.Block;
+import radiosity.mesh.ElementLight;
+import radiosity.mesh.PatchTree;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.UniformRadiosity;
+import radiosity.mesh.Weights;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.protocol.BlockState;
+import radiosity.protocol.Shot;
+import radiosity.settings.Accuracy;
+import radiosity.setup.InitialMesh;
+import radiosity.solution.Certificate;
+import radiosity.solution.EnergyLedger;
+import radiosity.util.ParallelFor;
+
+/** Looks at a solution anew, at some points of every surface, and writes its {@link Certificate}. */
+public final class Audit {
+
+    /** Points: one for so many elements, but no less and no more than that. */
+    private static final int ELEMENTS_PER_POINT = 100;
+    private static final int LEAST_POINTS = 192;
+    private static final int MOST_POINTS = 400;
+    /**
+     * Where in its step each batch of points begins: one after another, until the mean square error is known so well.
+     */
+    private static final double[] START = {0.5, 0, 0.25, 0.75};
+    private static final double ENOUGH = 0.3;
+    /** What a ray may carry where light is found anew, relative to what it may in the solution; and at most. */
+    private static final double FINER = 0.25;
+    private static final double MOST_TOLERANCE = 0.01;
+    /** The same for sums of form factors. */
+    private static final double FACTOR_TOLERANCE = 0.05;
+    /** With how many others a point's patch is compared. */
+    private static final int PARTNERS = 2;
+    /** What emitters count for where there is anything else. */
+    private static final double NOTHING = 1e-9;
+
+    private final InitialMesh mesh;
+    private final Faces faces;
+    private final List<byte[]> states;
+    private final EnergyLedger ledger;
+    private final ParallelFor crew;
+    private final AuditPlaces places;
+    private final int wanted;
+    private final List<AuditPoint> points = new ArrayList<>();
+    private int batches;
+
+    /**
+     * @param states of all blocks, by id
+     * @param ledger of the same moment
+     */
+    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, int threads) {
+        this.mesh = mesh;
+        this.states = states;
+        this.ledger = ledger;
+        faces = mesh.faces;
+        crew = new ParallelFor(threads);
+        places = new AuditPlaces(mesh, this::nodes, reflected(), shining(), crew);
+        wanted = Math.max(LEAST_POINTS, Math.min(MOST_POINTS, elements / ELEMENTS_PER_POINT));
+    }
+
+    private RadiosityNodes nodes(int block) {
+        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(block)));
+        BlockState.restore(nodes, nodes.tops(), states.get(block));
+        return nodes;
+    }
+
+    /** Per channel: mean radiosity that is reflected, W/m². */
+    private double[] reflected() {
+        double[] mean = new double[faces.channels()];
+        Arrays.setAll(mean, c -> Math.max(Faces.LEAST_IMPORTANCE * ledger.received()[c],
+                ledger.received()[c] - ledger.absorbed()[c]) / (faces.area() * faces.size() * faces.size()));
+        return mean;
+    }
+
+    /** The same of all that leaves surfaces. */
+    private double[] shining() {
+        double[] mean = new double[faces.channels()];
+        Arrays.setAll(mean, c -> ledger.shot()[c] / (faces.area() * faces.size() * faces.size()));
+        return mean;
+    }
+
+    /*---- Looking ----*/
+
+    /** As long as a few points make up most of the error, more are looked at. */
+    public Certificate certificate(double unshotFlux) throws IOException {
+        List<AuditPoint> first = places.pick(wanted, START[0], 0);
+        UniformRadiosity ambient = ambient(first);
+        look(first, ambient);
+        AuditResult result = result();
+        while (batches < START.length && result.uncertainty() > ENOUGH) {
+            look(places.pick(wanted, START[batches], points.size()), ambient);
+            result = result();
+        }
+        return result.certificate(unshotFlux, reciprocity());
+    }
+
+    private AuditResult result() {
+        return new AuditResult(mesh, points, batches, ledger);
+    }
+
+    private void look(List<AuditPoint> batch, UniformRadiosity ambient) {
+        LightSources lights = new LightSources(faces, mesh.bounds());
+        Escape escape = new Escape(faces, mesh.bounds());
+        crew.run(batch.size(), i -> {
+            AuditPoint point = batch.get(i);
+            point.light(lights, ambient);
+            point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
+                    : escape.from(point.place, point.face, point.number);
+        });
+        mesh.blocks.forEach(block -> gather(batch, block, ambient));
+        points.addAll(batch);
+        batches++;
+    }
+
+    /** What all surfaces of a closed room have in common: about the mean of what does not emit, if there is any. */
+    private UniformRadiosity ambient(List<AuditPoint> some) {
+        int channels = faces.channels();
+        double[] sum = new double[channels * mesh.rooms.count()];
+        double[] area = new double[mesh.rooms.count()];
+        for (AuditPoint point : some) {
+            int room = mesh.rooms.room(point.face);
+            if (room >= 0) {
+                double its = point.emits() ? NOTHING * point.area : point.area;
+                area[room] += its;
+                for (int c = 0; c < channels; c++) {
+                    sum[channels * room + c] += its * point.had(c);
+                }
+            }
+        }
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] = area[i / channels] > 0 ? sum[i] / area[i / channels] : 0;
+        }
+        return new UniformRadiosity(mesh.rooms, channels, sum);
+    }
+
+    /** What a block's elements shine with, and then as if all shone with 1. */
+    private void gather(List<AuditPoint> batch, Block block, UniformRadiosity ambient) {
+        RadiosityNodes nodes = nodes(block.id());
+        int corners = 3 * nodes.channels();
+        ElementLight all = nodes.light();
+        ShooterHierarchy light = Shot.of(nodes, nodes.tops(), 0, all::shining)
+                .shooter(faces, Weights.of(weight()), ambient);
+        ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
+                (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
+                .shooter(faces, Weights.of(ones()));
+        FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, tolerance());
+        FormFactorCalculator few = few();
+        crew.run(batch.size(), i -> {
+            if (!batch.get(i).isBuried) {
+                batch.get(i).gather(many, light);
+                batch.get(i).addFactors(few, ones);
+            }
+        });
+    }
+
+    private double tolerance() {
+        double asked = mesh.settings.tolerance();
+        double tolerated = asked > 0 ? asked : Accuracy.tolerance(Accuracy.DEFAULT);
+        return Math.min(MOST_TOLERANCE, FINER * tolerated);
+    }
+
+    private FormFactorCalculator few() {
+        return FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), FACTOR_TOLERANCE);
+    }
+
+    private double[] ones() {
+        double[] ones = new double[faces.channels()];
+        Arrays.fill(ones, 1);
+        return ones;
+    }
+
+    /** One per channel: 1 / mean reflected radiosity, m²/W. */
+    private double[] weight() {
+        return Arrays.stream(reflected()).map(mean -> mean > 0 ? 1 / mean : 0).toArray();
+    }
+
+    /*---- Reciprocity: A F from one block's top to another's, and back ----*/
+
+    private double reciprocity() {
+        List<AuditPoint> seen = points.stream().filter(p -> !p.isBuried).toList();
+        double[] difference = new double[PARTNERS * seen.size()];
+        double[] sum = new double[difference.length];
+        crew.run(difference.length, i -> {
+            AuditPoint p = seen.get(i / PARTNERS);
+            AuditPoint q = seen.get((i / PARTNERS + seen.size() / (2 + i % PARTNERS)) % seen.size());
+            double there = exchange(p, q);
+            double back = exchange(q, p);
+            difference[i] = p.area * q.area * Math.abs(there - back);
+            sum[i] = p.area * q.area * (there + back) / 2;
+        });
+        double all = Arrays.stream(sum).sum();
+        return all == 0 ? 0 : Arrays.stream(difference).sum() / all;
+    }
+
+    /** Area of a patch times its form factor to another, as a mean over three points within. */
+    private double exchange(AuditPoint from, AuditPoint to) {
+        PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, threeOnes());
+        ShooterHierarchy shooter = new ShooterHierarchy(faces, List.of(tree), Weights.of(ones()));
+        float[] corner = AuditPlaces.corners(faces, from.face, from.top);
+        GatherSink.Irradiance sum = new GatherSink.Irradiance(faces.channels());
+        for (int k = 0; k < 3; k++) {
+            double[] weight = {1 / 6.0, 1 / 6.0, 1 / 6.0};
+            weight[k] = 2 / 3.0;
+            float[] x = AuditPlaces.within(corner, weight);
+            few().gather(x[0], x[1], x[2], faces.normal(from.face, 0), faces.normal(from.face, 1),
+                    faces.normal(from.face, 2), k, shooter, sum);
+        }
+        return sum.value[0] / 3 * faces.area(from.face) / (1L << 2 * NodePath.level(from.top));
+    }
+
+    private double[] threeOnes() {
+        double[] ones = new double[3 * faces.channels()];
+        Arrays.fill(ones, 1);
+        return ones;
+    }
+}

@@ -1,0 +1,187 @@
+package radiosity.certificate;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import radiosity.formfactor.PointSequence;
+import radiosity.mesh.Block;
+import radiosity.mesh.InteriorTest;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.mesh.face.Subdivision;
+import radiosity.setup.InitialMesh;
+import radiosity.solution.Certificate;
+import radiosity.util.ParallelFor;
+
+/** At which points a solution is looked at: most where errors are to be expected. */
+final class AuditPlaces {
+
+    /*
+     * Errors have a heavy tail: a few small elements at the edge of a shadow, or around a lamp, may make up most of the
+     * mean
+     * square. Points are best dealt in proportion to area times expected error (J. Neyman, On the two different aspects
+     * of
+     * the representative method, 1934); what is expected here grows with what is there and by how much it differs over
+     * the element. Some of it is the same everywhere, so that nothing counts for much more than its area where that is
+     * wrong (T. Hesterberg, Weighted average importance sampling and defensive mixture distributions, 1995). Each
+     * surface
+     * has its own points, at equal steps of this through its elements.
+     */
+    /** What differences within an element count for. */
+    private static final double DIFFERENCE = 10;
+    private static final int LEAST_PER_SURFACE = 2;
+
+    private final InitialMesh mesh;
+    private final Faces faces;
+    private final IntFunction<RadiosityNodes> nodes;
+    /** 1 per colour, W/m². */
+    private final double[] reflected;
+    private final double[] shining;
+    private final InteriorTest burial;
+    private final Weighed[] weighed;
+
+    /** The elements of a block: 1 of each per element. */
+    private record Weighed(int[] node, int[] surface, double[] weight) { }
+
+    /**
+     * @param nodes     of a block with their light
+     * @param reflected 1 per channel: mean radiosity that is reflected, W/m²
+     * @param shining   the same of all that leaves
+     */
+    AuditPlaces(InitialMesh mesh, IntFunction<RadiosityNodes> nodes, double[] reflected, double[] shining,
+            ParallelFor crew) {
+        this.mesh = mesh;
+        this.nodes = nodes;
+        faces = mesh.faces;
+        this.reflected = ofAllLayers(reflected);
+        this.shining = ofAllLayers(shining);
+        burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
+        weighed = new Weighed[mesh.blocks.size()];
+        crew.run(weighed.length, b -> weighed[b] = weigh(nodes.apply(b)));
+    }
+
+    private double[] ofAllLayers(double[] channels) {
+        double[] sum = new double[faces.colours()];
+        for (int c = 0; c < channels.length; c++) {
+            sum[c % sum.length] += channels[c];
+        }
+        return sum;
+    }
+
+    private Weighed weigh(RadiosityNodes of) {
+        int[] node = IntStream.range(0, of.nodes()).filter(of::isElement).filter(i -> !mesh.rooms.isHidden(of.face(i)))
+                .toArray();
+        return new Weighed(node, IntStream.of(node).map(i -> surface(of.face(i))).toArray(),
+                IntStream.of(node).mapToDouble(i -> weight(of, i)).toArray());
+    }
+
+    private int surface(int face) {
+        return mesh.scene.surfaceOf()[faces.triangle(face)];
+    }
+
+    private double weight(RadiosityNodes of, int node) {
+        double most = 0;
+        for (int colour = 0; colour < faces.colours(); colour++) {
+            most = Math.max(most, expected(of, node, colour));
+        }
+        return of.area(node) * (1 + most);
+    }
+
+    /** An element that is a point may differ over its area by as much as is there. */
+    private double expected(RadiosityNodes of, int node, int colour) {
+        double[] corner = new double[3];
+        double emitted = 0;
+        for (int c = colour; c < faces.channels(); c += faces.colours()) {
+            for (int k = 0; k < 3; k++) {
+                corner[k] += of.reflectance(node, c) * of.light().irradiance(node, k, c);
+            }
+            emitted += of.exitance(node, c);
+        }
+        Arrays.sort(corner);
+        double mean = (corner[0] + corner[1] + corner[2]) / 3;
+        double differs = DIFFERENCE * (of.isPoint(node) ? mean : corner[2] - corner[0]);
+        double unit = Math.max(reflected[colour], mean / Certificate.BRIGHT);
+        return ratio(mean + differs, unit) + ratio(emitted, shining[colour]);
+    }
+
+    private static double ratio(double a, double b) {
+        return b > 0 ? a / b : 0;
+    }
+
+    /*---- Picking ----*/
+
+    /**
+     * @param wanted about how many
+     * @param start  where in its step it begins, from 0 to 1
+     * @param known  how many there are already
+     */
+    List<AuditPoint> pick(int wanted, double start, int known) {
+        int surfaces = mesh.scene.surfaces().size();
+        double[] whole = new double[surfaces];
+        for (Weighed of : weighed) {
+            for (int i = 0; i < of.node.length; i++) {
+                whole[of.surface[i]] += of.weight[i];
+            }
+        }
+        double all = Arrays.stream(whole).sum();
+        double[] step = new double[surfaces];
+        Arrays.setAll(step, s -> whole[s] / Math.max(LEAST_PER_SURFACE, Math.round(wanted * whole[s] / all)));
+        List<AuditPoint> points = new ArrayList<>();
+        double[] next = Arrays.stream(step).map(s -> s * start).toArray();
+        for (Block block : mesh.blocks) {
+            pick(block.id(), step, next, known, points);
+        }
+        return points;
+    }
+
+    /**
+     * @param step 1 per surface: weight from one point to the next
+     * @param next modified: 1 per surface: weight up to the next point
+     */
+    private void pick(int block, double[] step, double[] next, int known, List<AuditPoint> points) {
+        Weighed of = weighed[block];
+        RadiosityNodes its = null;
+        for (int i = 0; i < of.node.length; i++) {
+            int s = of.surface[i];
+            next[s] -= of.weight[i];
+            for (; next[s] < 0; next[s] += step[s]) {
+                its = its == null ? nodes.apply(block) : its;
+                double area = step[s] * its.area(of.node[i]) / of.weight[i];
+                points.add(point(its, of.node[i], area, known + points.size() + 1));
+            }
+        }
+    }
+
+    private AuditPoint point(RadiosityNodes of, int node, double area, int number) {
+        double u = PointSequence.u(number);
+        double v = PointSequence.v(number);
+        boolean fold = u + v > 1;
+        double b = fold ? 1 - u : u;
+        double c = fold ? 1 - v : v;
+        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, burial);
+    }
+
+    /** Corners of a node, x, y, z each, of the scene brought to size 1. */
+    static float[] corners(Faces faces, int face, long path) {
+        float[] corner = new float[9];
+        for (int i = 0; i < 9; i++) {
+            corner[i] = faces.corner(face, i / 3, i % 3);
+        }
+        for (int level = 1; level <= NodePath.level(path); level++) {
+            Subdivision.descend(corner, NodePath.step(path, level));
+        }
+        return corner;
+    }
+
+    /** A place in a triangle. */
+    static float[] within(float[] corner, double... weight) {
+        float[] x = new float[3];
+        for (int i = 0; i < 9; i++) {
+            x[i % 3] += (float) (weight[i / 3] * corner[i]);
+        }
+        return x;
+    }
+}

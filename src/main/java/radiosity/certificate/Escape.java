@@ -1,0 +1,84 @@
+package radiosity.certificate;
+
+import java.util.Arrays;
+import radiosity.formfactor.PointSequence;
+import radiosity.mesh.face.Faces;
+import radiosity.visibility.RadiosityBounds;
+
+/**
+ * What part of the light that leaves a point arrives nowhere: it leaves the scene, or falls on a back side.
+ *
+ * <p>Rays as light leaves: uniform in the circle below the hemisphere (W. Nusselt, Graphische Bestimmung des
+ * Winkelverhältnisses bei der Wärmestrahlung, 1928).
+ */
+final class Escape {
+
+    /** Tries, of which pi/4 are in the circle. */
+    private static final int TRIES = 32;
+    /** Of the scene's size: where a ray begins, above the surface; and how far it goes. */
+    private static final float LIFT = 1e-5f;
+    private static final float FAR = 4;
+
+    /** About how many rays a point has. */
+    static final int RAYS = 25;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final float[] front;
+
+    Escape(Faces faces, RadiosityBounds bounds) {
+        this.faces = faces;
+        this.bounds = bounds;
+        front = faces.fronts();
+    }
+
+    /**
+     * @param place  x, y, z of the scene brought to size 1
+     * @param number of the point: each has its own rays
+     */
+    double from(float[] place, int face, int number) {
+        double[] n = {faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2)};
+        float[] x = new float[3];
+        for (int a = 0; a < 3; a++) {
+            x[a] = (float) (place[a] + LIFT * n[a]);
+        }
+        double[] frame = frame(n);
+        int all = 0;
+        int lost = 0;
+        for (int i = 1; i <= TRIES; i++) {
+            double p = 2 * PointSequence.u(i + (double) number * TRIES) - 1;
+            double q = 2 * PointSequence.v(i + (double) number * TRIES) - 1;
+            if (p * p + q * q < 1) {
+                all++;
+                lost += isLost(x, frame, n, p, q) ? 1 : 0;
+            }
+        }
+        return (double) lost / all;
+    }
+
+    private boolean isLost(float[] x, double[] frame, double[] n, double p, double q) {
+        double up = Math.sqrt(1 - p * p - q * q);
+        float[] d = new float[3];
+        for (int a = 0; a < 3; a++) {
+            d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n[a]);
+        }
+        int t = bounds.nearest(x[0], x[1], x[2], d[0], d[1], d[2], FAR, new float[3]);
+        return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
+    }
+
+    /** Two directions in a plane, at right angles to each other and to its normal. */
+    private static double[] frame(double[] n) {
+        double[] a = Math.abs(n[0]) < 0.6 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
+        double[] u = cross(n, a);
+        double length = Math.sqrt(Arrays.stream(u).map(v -> v * v).sum());
+        for (int i = 0; i < 3; i++) {
+            u[i] /= length;
+        }
+        double[] v = cross(n, u);
+        return new double[] {u[0], u[1], u[2], v[0], v[1], v[2]};
+    }
+
+    private static double[] cross(double[] a, double[] b) {
+        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
+}

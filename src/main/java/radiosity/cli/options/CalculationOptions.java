@@ -1,0 +1,109 @@
+package radiosity.cli.options;
+
+import java.util.Locale;
+import picocli.CommandLine.Option;
+import radiosity.scene.Scene;
+import radiosity.settings.FormFactors;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+
+/** How finely to calculate, and when to stop. */
+public final class CalculationOptions {
+
+    @Option(names = {"-pa", "--patch-area"}, paramLabel = "<n>", converter = PatchArea.Parser.class,
+            description = "Maximal patch area: larger triangles are subdivided. In square scene units, or n%% of the"
+                    + " area of the scene. Chosen from the scene without it.")
+    PatchArea patchArea;
+
+    @Option(names = {"-nr", "--rays"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Number of rays that the ray caster uses. Chosen by the schedule without it.")
+    public Integer rays;
+
+    @Option(names = {"-mt", "--meshing-threshold"}, paramLabel = "<n>", converter = Values.NotNegative.class,
+            description = "Adaptive meshing: a triangle whose vertices differ by more than this in radiosity (W/m2) is"
+                    + " subdivided. Never without it.")
+    Double meshing;
+
+    @Option(names = {"-it", "--iterations"}, paramLabel = "<n>", converter = Values.Count.class,
+            description = "Stop after n iterations (shots).")
+    Integer iterations;
+
+    @Option(names = {"-se", "--stop-error"}, paramLabel = "<n>", converter = Values.Part.class,
+            description = "Stop when n [0:1] of the total flux is unsent. Default: " + StopRule.DEFAULT_UNSENT + ".")
+    Double unsent;
+
+    @Option(names = "--schedule", paramLabel = "<order>", converter = ScheduleParser.class,
+            description = "Which patches shoot when: paper (most unsent flux first) or predict; for small scenes also"
+                    + " shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
+    Schedule schedule;
+
+    @Option(names = "--accuracy", paramLabel = "<n>%", converter = Values.PerCent.class,
+            description = "Expected error of the radiosity, of its mean. Default: 2%%. With --schedule predict.")
+    Double accuracy;
+
+    @Option(names = TimeLimit.OPTION, paramLabel = "<n>s", converter = TimeLimit.Parser.class,
+            description = "Wall time of the whole render, like 60s, 500ms or 2m: the best accuracy "
+                    + "that can be had in it,"
+                    + " and at the end the --accuracy that gives the same. With --schedule predict.")
+    public TimeLimit time;
+
+    @Option(names = "--form-factors", paramLabel = "<kind>", converter = FormFactorsParser.class,
+            description = "How form factors are found: raycast, plain (the paper's rays), hemicube or nusselt. With the"
+                    + " last two -nr is the number of cells along an edge.")
+    FormFactors factors;
+
+    @Option(names = "--layers",
+            description = "Keep the light of each lamp (a surface that emits, a light) apart, so "
+                    + "that lamps can be dimmed"
+                    + " and coloured in the viewer.")
+    boolean layers;
+
+    @Option(names = {"-t", "--threads"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Number of threads. Default: one per processor.")
+    public int threads = Runtime.getRuntime().availableProcessors();
+
+    /** Reads the name of a way to find form factors. */
+    public static final class FormFactorsParser extends Values.Choice<FormFactors> {
+        public FormFactorsParser() {
+            super(FormFactors.class);
+        }
+    }
+
+    /** Reads the name of a schedule. */
+    public static final class ScheduleParser extends Values.Choice<Schedule> {
+        public ScheduleParser() {
+            super(Schedule.class);
+        }
+    }
+
+    /** @param otherwise for what is not given */
+    public RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
+        RadiositySettings asked = new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
+                rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
+                schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError(),
+                layers || otherwise.layers(), factors == null ? otherwise.factors() : factors);
+        if ((accuracy != null || time != null) && asked.schedule() != Schedule.PREDICT) {
+            throw Failure.commandLine(accuracy != null ? "--accuracy" : TimeLimit.OPTION,
+                    "expected --schedule predict, got " + asked.schedule().name().toLowerCase(Locale.ROOT));
+        }
+        return accuracy == null ? asked : asked.accurate(accuracy);
+    }
+
+    /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */
+    public RadiositySettings defaults() {
+        RadiositySettings defaults = RadiositySettings.defaults();
+        boolean papers = iterations != null || unsent != null;
+        if (papers && schedule == null && (accuracy != null || time != null)) {
+            throw Failure.commandLine(iterations != null ? "-it" : "-se", "expected --schedule predict with "
+                    + (accuracy != null ? "--accuracy" : TimeLimit.OPTION) + ", got no --schedule");
+        }
+        return new RadiositySettings(defaults.patchArea(), defaults.rays(), defaults.meshing(),
+                papers ? Schedule.PAPER : defaults.schedule());
+    }
+
+    public StopRule stopRule() {
+        return new StopRule(iterations == null ? Integer.MAX_VALUE : iterations,
+                unsent != null ? unsent : StopRule.DEFAULT_UNSENT);
+    }
+}

@@ -1,0 +1,51 @@
+package radiosity.cli.options;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Ends a program with one line, <i>where: expected X, got Y</i>, and an {@link ExitCode}. */
+public final class Failure extends RuntimeException {
+
+    private final int exitCode;
+
+    private Failure(int exitCode, String message, Throwable cause) {
+        super(message, cause);
+        this.exitCode = exitCode;
+    }
+
+    public static Failure commandLine(String where, String what) {
+        return new Failure(ExitCode.COMMAND_LINE, where + ": " + what, null);
+    }
+
+    public static Failure failed(String where, String what) {
+        return new Failure(ExitCode.FAILED, where + ": " + what, null);
+    }
+
+    public static Failure file(Object where, String what, Throwable cause) {
+        return new Failure(ExitCode.FILE, where + ": " + what, cause);
+    }
+
+    /** For a reason that is neither the command line's nor a file's. */
+    public static Failure failed(String line, Throwable cause) {
+        return new Failure(ExitCode.FAILED, line, cause);
+    }
+
+    /** A warning that counts as an error ({@code --strict}). */
+    public static Failure strict(String warning) {
+        return new Failure(ExitCode.FILE, warning, null);
+    }
+
+    /**
+     * Several failures, each with a line of its own.
+     *
+     * @param failures at least one; the exit code is the first one's
+     */
+    public static Failure several(List<Exception> failures) {
+        String lines = failures.stream().map(ErrorReport::line).collect(Collectors.joining(System.lineSeparator()));
+        return new Failure(ErrorReport.exitCode(failures.get(0)), lines, failures.get(0));
+    }
+
+    public int exitCode() {
+        return exitCode;
+    }
+}

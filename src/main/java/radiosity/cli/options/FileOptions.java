@@ -1,0 +1,76 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.Stack;
+import picocli.CommandLine.IParameterConsumer;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+
+/** What else to read and write, and when. */
+public final class FileOptions {
+
+    @Option(names = {"-dr", "--disable-rendering"},
+            description = "Disable rendering: save the scene file as it is before the first iteration.")
+    public boolean disableRendering;
+
+    @Option(names = {"-si", "--save-interval"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Save the scene file at every n:th iteration.")
+    public Integer saveInterval;
+
+    @Option(names = {"-tf", "--from"}, paramLabel = "<f> <n>", arity = "2", hideParamSyntax = true,
+            parameterConsumer = ResumeConsumer.class,
+            description = "Go on from the radiosity values of scene file f, counting iterations from n: the number"
+                    + " that the file was saved with.")
+    public Resume resume;
+
+    @Option(names = "--points", paramLabel = "<in.csv> <out.csv>", arity = "2", hideParamSyntax = true,
+            parameterConsumer = PointsConsumer.class,
+            description = "Write radiosity and irradiance at points: in.csv has x, y, z, nx, ny, nz per line.")
+    public PointFiles points;
+
+    @Option(names = "--info", paramLabel = "<file>", description = "Print what a scene file holds, and exit.")
+    public Path info;
+
+    @Option(names = "--report", paramLabel = "<file>", description = "Write figures about the solution as JSON.")
+    public Path report;
+
+    /**
+     * From where to go on ({@code -tf}).
+     *
+     * @param file  a scene file
+     * @param shots with how many shots it was saved
+     */
+    public record Resume(Path file, int shots) { }
+
+    /**
+     * Points at which the solution is wanted ({@code --points}).
+     *
+     * @param in  x, y, z, nx, ny, nz per line
+     * @param out to be written
+     */
+    public record PointFiles(Path in, Path out) { }
+
+    /** Takes {@code f n}. */
+    static final class ResumeConsumer implements IParameterConsumer {
+        @Override
+        public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
+            Arguments.once(option);
+            String file = Arguments.next(arguments, option, "a scene file and its number of iterations");
+            String shots = Arguments.next(arguments, option, "a scene file and its number of iterations");
+            option.setValue(new Resume(Arguments.path(file, option),
+                    Arguments.convert(new Values.Count(), shots, option)));
+        }
+    }
+
+    /** Takes {@code in.csv out.csv}. */
+    static final class PointsConsumer implements IParameterConsumer {
+        @Override
+        public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
+            Arguments.once(option);
+            String in = Arguments.next(arguments, option, "a file to read and one to write");
+            String out = Arguments.next(arguments, option, "a file to read and one to write");
+            option.setValue(new PointFiles(Arguments.path(in, option), Arguments.path(out, option)));
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Stack;
+import picocli.CommandLine.IParameterConsumer;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import radiosity.rmi.HostAddress;
+
+/** Distributed mode. */
+public final class HostOptions {
+
+    @Option(names = {"-h", "--hosts"}, paramLabel = "<n> <h1> .. <hn>", arity = "1..*", hideParamSyntax = true,
+            parameterConsumer = HostsConsumer.class,
+            description = "Hosts to use in distributed mode: their number, then host or host:port of each.")
+    public List<HostAddress> hosts;
+
+    @Option(names = {"-key", "--key"}, paramLabel = "<file>",
+            description = "The key file that the hosts were started with.")
+    public Path key;
+
+    /** Takes {@code n h1 ... hn}. */
+    static final class HostsConsumer implements IParameterConsumer {
+        @Override
+        public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
+            Arguments.once(option);
+            String expected = "the number of hosts and their names";
+            int count = Arguments.convert(new Values.AtLeastOne(),
+                    Arguments.next(arguments, option, expected), option);
+            List<HostAddress> hosts = new ArrayList<>();
+            while (hosts.size() < count) {
+                if (arguments.isEmpty() || arguments.peek().startsWith("-")) {
+                    throw Arguments.wrong(option, "expected " + count + " hosts, got " + hosts.size());
+                }
+                add(hosts, arguments.pop(), option);
+            }
+            option.setValue(hosts);
+        }
+
+        private static void add(List<HostAddress> hosts, String text, ArgSpec option) {
+            try {
+                HostAddress host = HostAddress.parse(text);
+                if (hosts.contains(host)) {
+                    throw Arguments.wrong(option, "expected every host once, got " + text + " twice");
+                }
+                hosts.add(host);
+            } catch (IllegalArgumentException e) {
+                throw Arguments.wrong(option, e.getMessage());
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Option;
+import radiosity.output.image.DefaultCamera;
+import radiosity.output.image.ToneMapping;
+import radiosity.scene.Camera;
+import radiosity.solution.Solution;
+
+/** Pictures without a display. */
+public final class PictureOptions {
+
+    private static final int USUAL_WIDTH = 800;
+
+    @Option(names = {"-sn", "--snapshot-interval"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Snapshot: a JPEG picture <output>-<iteration>.jpg every n:th iteration.")
+    public Integer snapshotInterval;
+
+    @Option(names = "--picture", paramLabel = "<file>",
+            description = "Picture of the solution, .png, .jpg or (unclamped radiosities) .hdr. Repeatable.")
+    public List<Path> pictures = new ArrayList<>();
+
+    @Option(names = "--size", paramLabel = "<WxH>", converter = PictureSize.Parser.class,
+            description = "Size of pictures in pixels. Default: " + USUAL_WIDTH + " wide, as high as the scene's"
+                    + " camera has it.")
+    public PictureSize size;
+
+    @Option(names = "--exposure", paramLabel = "<stops>", converter = Stops.class,
+            description = "How much brighter than chosen from the solution, in stops; each doubles. Default: 0.")
+    double exposure;
+
+    @Option(names = "--tone-mapping", paramLabel = "<curve>", converter = CurveParser.class,
+            description = "From radiosity to screen: linear, reinhard (default) or filmic.")
+    ToneMapping.Operator curve = ToneMapping.Operator.REINHARD;
+
+    /** Reads {@code linear}, {@code reinhard} and {@code filmic}. */
+    static final class CurveParser extends Values.Choice<ToneMapping.Operator> {
+        CurveParser() {
+            super(ToneMapping.Operator.class);
+        }
+    }
+
+    /** Reads stops. */
+    static final class Stops extends Values.Decimal {
+        Stops() {
+            super("a number from -100 to 100", x -> Math.abs(x) <= 100);
+        }
+    }
+
+    /** The scene's, or one chosen; where a size is given, as wide as that. */
+    public Camera camera(Solution solution) {
+        Camera camera = DefaultCamera.of(solution);
+        return size == null ? camera : new Camera(camera.position(), camera.forward(), camera.up(),
+                camera.verticalHalfAngle(), (double) size.width() / size.height());
+    }
+
+    /** Whether any picture is to be made. */
+    public boolean isWanted() {
+        return !pictures.isEmpty() || snapshotInterval != null;
+    }
+
+    /** Pixels. */
+    public int width() {
+        return size == null ? USUAL_WIDTH : size.width();
+    }
+
+    public ToneMapping toneMapping(Solution solution) {
+        return ToneMapping.automatic(curve, solution, exposure);
+    }
+
+    /** Fails where a picture's name says no kind of picture. */
+    void check() {
+        for (Path picture : pictures) {
+            if (!picture.toString().toLowerCase(Locale.ROOT).matches(".*\\.(png|jpg|jpeg|hdr)")) {
+                throw Failure.commandLine("--picture", "expected a name that ends in .png, .jpg or .hdr, got "
+                        + picture);
+            }
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import radiosity.cli.RadiosityRenderer;
+
+/** The command line of {@link RadiosityRenderer} (appendix C.1 of the paper). */
+@Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
+        customSynopsis = "RadiosityRenderer [parameters] <LightWave Scene> <output Scene file>",
+        description = "%nRenders a LightWave scene by progressive radiosity and writes a scene file, a glTF 2.0 binary"
+                + " that ViewSceneFile and every glTF viewer open.%n",
+        footer = {"",
+            "Press any key to stop after the current iteration and save.",
+            "",
+            "Exit codes: 0 done, also when stopped by a key; 1 failed; 2 wrong command line; 3 a file cannot be read"
+                + " or written; 4 no host could be used; 130, 143 saved after Ctrl-C, SIGTERM, or left"
+                + " to the journal after 10 s."})
+public final class RendererOptions {
+
+    @Parameters(arity = "0..*", paramLabel = "<files>", hidden = true)
+    public List<Path> files = List.of();
+
+    @Mixin(name = "How finely to calculate, and when to stop")
+    public final CalculationOptions calculation = new CalculationOptions();
+
+    @Mixin(name = "What to save, and from where to go on")
+    public final FileOptions file = new FileOptions();
+
+    @Mixin(name = "Pictures")
+    public final PictureOptions picture = new PictureOptions();
+
+    @Mixin(name = "How to read the LightWave scene")
+    public final SceneOptions scene = new SceneOptions();
+
+    @Mixin(name = "Distributed mode")
+    public final HostOptions host = new HostOptions();
+
+    @Option(names = {"-ut", "--use-textures"}, paramLabel = "<n>", converter = Values.Positive.class,
+            description = "Use textures with n samples per world coordinate.")
+    public Double textures;
+
+    @Option(names = {"-q", "--quiet"}, description = "Quiet mode: no iteration numbers and per cent left.")
+    public boolean quiet;
+
+    @Option(names = "--statistics", description = "With -h: print what is calculated where, a line per host now and "
+            + "then and a table at the end.")
+    public boolean statistics;
+
+    @Mixin(name = CommonOptions.GROUP)
+    public final CommonOptions common = new CommonOptions();
+
+    /** Fails where the command line asks for what cannot be meant, or is not there. */
+    public void check() {
+        if (host.key != null && host.hosts == null) {
+            throw Failure.commandLine("-key", "expected with -h, got it without");
+        }
+        if (statistics && host.hosts == null) {
+            throw Failure.commandLine("--statistics", "expected with -h, got it without");
+        }
+        if (calculation.time != null) {
+            checkTime();
+        }
+        picture.check();
+        if (files.size() != 2 || files.stream().anyMatch(file -> file.toString().isEmpty())) {
+            String got = files.stream().map(file -> file.toString().isEmpty() ? "\"\"" : file.toString())
+                    .collect(Collectors.joining(" "));
+            throw Failure.commandLine("files", "expected a LightWave scene and a scene file to write, got "
+                    + (got.isEmpty() ? "none" : got));
+        }
+    }
+
+    /** A time limit chooses the accuracy, and for that it calculates several times. */
+    private void checkTime() {
+        Map<String, Boolean> others = new LinkedHashMap<>();
+        others.put("--accuracy", calculation.accuracy != null);
+        others.put("-dr", file.disableRendering);
+        others.put("-si", file.saveInterval != null);
+        others.put("-sn", picture.snapshotInterval != null);
+        others.put("-tf", file.resume != null);
+        others.forEach((option, given) -> {
+            if (given) {
+                throw Failure.commandLine(TimeLimit.OPTION, "expected without " + option + ", got both");
+            }
+        });
+    }
+
+    /** The LightWave scene. */
+    public Path input() {
+        return files.get(0);
+    }
+
+    /** The scene file to be written. */
+    public Path output() {
+        return files.get(1);
+    }
+}

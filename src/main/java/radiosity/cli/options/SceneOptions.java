@@ -1,0 +1,59 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Option;
+import radiosity.input.lightwave.LightWaveOptions;
+
+/** How to read the LightWave scene. */
+public final class SceneOptions {
+
+    @Option(names = "--frame", paramLabel = "<n>", converter = Values.AnyNumber.class,
+            description = "Frame at which motions are taken. Default: the scene's first.")
+    Double frame;
+
+    @Option(names = "--content", paramLabel = "<dir>",
+            description = "Directory in which objects are searched besides the scene's own. Repeatable.")
+    public List<Path> content = new ArrayList<>();
+
+    @Option(names = "--map", paramLabel = "<prefix=dir>",
+            description = "Directory in which paths that begin with the prefix lie. Repeatable.")
+    public Map<String, Path> map = new LinkedHashMap<>();
+
+    @Option(names = "--emission", paramLabel = "<property>", converter = EmissionParser.class,
+            description = "What makes a surface emit: luminosity (default), or specular as in the paper.")
+    LightWaveOptions.Emission emission = LightWaveOptions.Emission.LUMINOSITY;
+
+    @Option(names = "--lights", paramLabel = "<use>", converter = LightsParser.class,
+            description = "The scene's lights: auto (where no surface emits; default), ignore or emitters (always).")
+    LightWaveOptions.Lights lights = LightWaveOptions.Lights.AUTO;
+
+    @Option(names = "--srgb", description = "Colours of the scene are sRGB and made linear. Default: as written.")
+    public boolean srgb;
+
+    @Option(names = "--strict", description = "Every warning about the scene is an error (exit code 3).")
+    public boolean strict;
+
+    /** Reads {@code luminosity} and {@code specular}. */
+    static final class EmissionParser extends Values.Choice<LightWaveOptions.Emission> {
+        EmissionParser() {
+            super(LightWaveOptions.Emission.class);
+        }
+    }
+
+    /** Reads {@code auto}, {@code ignore} and {@code emitters}. */
+    static final class LightsParser extends Values.Choice<LightWaveOptions.Lights> {
+        LightsParser() {
+            super(LightWaveOptions.Lights.class);
+        }
+    }
+
+    public LightWaveOptions lightWave() {
+        LightWaveOptions options = LightWaveOptions.defaults().withEmission(emission).withContent(content).withMap(map)
+                .withLights(lights).withSrgb(srgb).withStrict(strict);
+        return frame == null ? options : options.withFrame(frame);
+    }
+}

@@ -1,0 +1,68 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+import radiosity.cli.ViewSceneFile;
+import radiosity.output.image.ToneMapping;
+import radiosity.viewer.ViewSettings;
+
+/** The command line of {@link ViewSceneFile} (appendix C.5 of the paper). */
+@Command(name = "ViewSceneFile", sortOptions = false, versionProvider = Version.class,
+        customSynopsis = "ViewSceneFile [parameters] <Scene file>",
+        description = "%nShows a scene file in a window in which the user walks with the arrow and Page Up/Down keys;"
+                + " H shows all keys. The picture follows the file when a render replaces it.%n",
+        footer = {"", "Exit codes: 0 closed; 1 no display; 2 wrong command line; 3 a file cannot be read or written."})
+public final class ViewOptions {
+
+    @Parameters(arity = "0..*", paramLabel = "<file>", hidden = true)
+    List<Path> files = List.of();
+
+    @Mixin(name = "What to show, and where")
+    public final WindowOptions window = new WindowOptions();
+
+    @Mixin(name = "How to read the LightWave scene (-lw)")
+    public final SceneOptions scene = new SceneOptions();
+
+    @Mixin(name = CommonOptions.GROUP)
+    public final CommonOptions common = new CommonOptions();
+
+    /** Fails where the command line asks for what cannot be meant, or is not there. */
+    public void check() {
+        if (files.size() != 1) {
+            String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
+            throw Failure.commandLine("file", "expected one " + (window.lightWave ? "LightWave" : "scene")
+                    + " file, got "
+                    + (got.isEmpty() ? "none" : got));
+        }
+        if (window.web && (window.lightWave || window.wireframe || window.textures || window.screenshot != null)) {
+            throw Failure.commandLine("--web", "expected without -lw, -wf, -ut and --screenshot, got one of them");
+        }
+        if (window.textures && window.lightWave) {
+            throw Failure.commandLine("-ut", "expected without -lw, got both");
+        }
+        if (window.screenshot != null && !window.screenshot.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
+            throw Failure.commandLine("--screenshot", "expected a name that ends in .png, got " + window.screenshot);
+        }
+    }
+
+    public Path file() {
+        return files.get(0);
+    }
+
+    public ViewSettings settings() {
+        WindowOptions w = window;
+        Optional<ToneMapping> unlit = w.lightWave
+                ? Optional.of(new ToneMapping(ToneMapping.Operator.LINEAR, StrictMath.pow(2, w.exposure)))
+                : Optional.empty();
+        return new ViewSettings(file().getFileName() + " (H: keys, P: panel)", w.wireframe, w.textures, unlit, w.curve,
+                w.exposure, w.size == null ? WindowOptions.USUAL_WIDTH : w.size.width(),
+                w.size == null ? 0 : w.size.height(), w.lightWave ? Optional.empty() : Optional.of(file()),
+                Optional.ofNullable(w.screenshot));
+    }
+}

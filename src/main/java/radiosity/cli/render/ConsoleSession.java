@@ -1,0 +1,54 @@
+package radiosity.cli.render;
+
+import java.io.PrintStream;
+import java.util.function.Supplier;
+import radiosity.cli.terminal.KeyListener;
+import radiosity.cli.terminal.NoProgress;
+import radiosity.cli.terminal.ProgressDisplay;
+import radiosity.cli.terminal.StopRequest;
+import radiosity.solution.Progress;
+
+/** What a render tells its user, and hears from them: progress, messages, any key. */
+public final class ConsoleSession implements ProgressDisplay {
+
+    private final PrintStream err;
+    private final Supplier<ProgressDisplay> opening;
+    private final KeyListener keys;
+    private volatile ProgressDisplay display;
+    private boolean begun;
+
+    /** @param opening of a display, when the first round begins */
+    public ConsoleSession(PrintStream err, Supplier<ProgressDisplay> opening, StopRequest stop) {
+        this.err = err;
+        this.opening = opening;
+        keys = new KeyListener(stop::make);
+        display = new NoProgress(err);
+        stop.tell(this::message);
+    }
+
+    /** Before the first round of a calculation; there may be several. */
+    void begin() {
+        if (!begun) {
+            begun = true;
+            display = opening.get();
+            keys.listen();
+        }
+    }
+
+    @Override
+    public void show(Progress progress) {
+        display.show(progress);
+    }
+
+    @Override
+    public void message(String line) {
+        display.message(line);
+    }
+
+    @Override
+    public void close() {
+        keys.close();
+        display.close();
+        display = new NoProgress(err);
+    }
+}

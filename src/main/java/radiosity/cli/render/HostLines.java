@@ -1,0 +1,48 @@
+package radiosity.cli.render;
+
+import java.util.Locale;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import radiosity.cli.terminal.ProgressDisplay;
+import radiosity.solution.HostStatistics;
+import radiosity.solution.Progress;
+import radiosity.solution.WorldStatistics;
+import radiosity.solver.RoundListener;
+
+/** While hosts calculate: now and then a line for each ({@code --statistics}). */
+public final class HostLines implements RoundListener {
+
+    private static final long NANOSECONDS_BETWEEN = 5_000_000_000L;
+
+    private final Supplier<WorldStatistics> world;
+    private final ProgressDisplay display;
+    private final RoundListener next;
+    private final LongSupplier clock;
+    private long printed;
+
+    /**
+     * @param next  told of every round after this one
+     * @param clock nanoseconds, as {@link System#nanoTime}
+     */
+    public HostLines(Supplier<WorldStatistics> world, ProgressDisplay display, RoundListener next, LongSupplier clock) {
+        this.world = world;
+        this.display = display;
+        this.next = next;
+        this.clock = clock;
+        printed = clock.getAsLong();
+    }
+
+    @Override
+    public boolean afterRound(Progress progress) {
+        if (clock.getAsLong() - printed >= NANOSECONDS_BETWEEN) {
+            printed = clock.getAsLong();
+            world.get().hosts().forEach(host -> display.message(line(host)));
+        }
+        return next.afterRound(progress);
+    }
+
+    private static String line(HostStatistics host) {
+        return String.format(Locale.ROOT, "host %s %s: %d blocks, %d elements, CPU %.1f s, idle %.0f %%", host.name(),
+                host.state(), host.blocks(), host.elements(), host.cpu(), 100 * host.idle());
+    }
+}

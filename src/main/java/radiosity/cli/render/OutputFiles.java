@@ -1,0 +1,140 @@
+package radiosity.cli.render;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import radiosity.cli.options.ErrorReport;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.RendererOptions;
+import radiosity.cli.options.TimeLimit;
+import radiosity.output.file.AtomicFile;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.Snapshot;
+import radiosity.output.points.Points;
+import radiosity.scene.Camera;
+import radiosity.scene.SceneFormatException;
+import radiosity.settings.RadiositySettings;
+import radiosity.solution.Certificate;
+import radiosity.solution.Solution;
+
+/** What a render reads and writes, as the command line names it. */
+public final class OutputFiles {
+
+    private final RendererOptions options;
+    private final List<String> arguments;
+    /** The same for all pictures of a render; null before the first. */
+    private Camera camera;
+
+    /** @param arguments of the command line, for the scene file */
+    public OutputFiles(RendererOptions options, List<String> arguments) {
+        this.options = options;
+        this.arguments = arguments;
+    }
+
+    /** The same for what a time limit led to: the scene file tells how it is made again. */
+    OutputFiles accurate(String perCent) {
+        return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent));
+    }
+
+    /** The same for what a time limit has cut off after a number of shots. */
+    OutputFiles cutOff(String perCent, int shots) {
+        return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent, shots));
+    }
+
+    /** Fails where something cannot be read or written, before any work. */
+    public void check() throws IOException {
+        FileChecks checks = new FileChecks();
+        checks.input(options.input());
+        if (options.file.points != null) {
+            checks.input(options.file.points.in());
+            Points.check(options.file.points.in());
+        }
+        if (options.host.key != null) {
+            checks.input(options.host.key);
+        }
+        checks.output(options.output());
+        if (options.file.resume != null) {
+            checks.input(options.file.resume.file()); // only the scene file may take its place
+        }
+        checks.reserve(Journal.of(options.output()), "the journal of " + options.output());
+        if (options.picture.snapshotInterval != null) {
+            checks.reserveSnapshots(options.output());
+        }
+        options.picture.pictures.forEach(checks::output);
+        if (options.file.points != null) {
+            checks.output(options.file.points.out());
+        }
+        if (options.file.report != null) {
+            checks.output(options.file.report);
+        }
+    }
+
+    /** The scene file: the old one stays until the new one is whole, and one without textures until they are. */
+    public void saveScene(Solution solution, RadiositySettings settings, Optional<Certificate> certificate)
+            throws IOException {
+        Map<String, Object> extras = new TreeMap<>();
+        extras.put("commandLine", arguments);
+        extras.put("settings", SavedCalculation.asJson(settings));
+        certificate.ifPresent(c -> extras.put("certificate", c));
+        saveScene(solution, extras, OptionalDouble.empty());
+        if (options.textures != null) {
+            saveScene(solution, extras, OptionalDouble.of(options.textures)); // whatever ends this leaves the first
+        }
+    }
+
+    private void saveScene(Solution solution, Map<String, Object> extras, OptionalDouble textures) throws IOException {
+        write(options.output(), file -> SceneFile.write(file, solution, extras, solution.scene().camera(),
+                options.picture.toneMapping(solution), textures));
+    }
+
+    /** The picture of {@code -sn}. */
+    void saveSnapshot(Solution solution) throws IOException {
+        savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"));
+    }
+
+    /** Everything that is written at the end beside the scene file, each whatever becomes of the others. */
+    public void saveRest(Solution solution, Summary summary, Failures failures) {
+        for (Path picture : options.picture.pictures) {
+            failures.tried(() -> savePicture(solution, picture));
+        }
+        if (options.file.points != null) {
+            failures.tried(() -> write(options.file.points.out(),
+                    out -> new Points(solution).write(options.file.points.in(), out)));
+        }
+        if (options.file.report != null) {
+            failures.tried(() -> write(options.file.report, file -> AtomicFile.write(file,
+                    new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(summary.asJson()))));
+        }
+    }
+
+    private void savePicture(Solution solution, Path file) throws IOException {
+        if (camera == null) {
+            camera = options.picture.camera(solution);
+        }
+        write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
+                options.picture.toneMapping(solution)));
+    }
+
+    /** What writes one file. */
+    private interface Content {
+        void writeTo(Path file) throws IOException;
+    }
+
+    /** Names the file where writing it fails: a full disk's message does not, nor does a full memory's. */
+    private static void write(Path file, Content content) throws IOException {
+        try {
+            content.writeTo(file);
+        } catch (SceneFormatException e) {
+            throw e;
+        } catch (OutOfMemoryError e) {
+            throw Failure.failed(file + ": expected to be written, got " + ErrorReport.line(e), e);
+        } catch (IOException e) {
+            throw Failure.file(file, "expected to be written, got " + ErrorReport.reason(e), e);
+        }
+    }
+}

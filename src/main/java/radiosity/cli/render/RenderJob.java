@@ -1,0 +1,147 @@
+package radiosity.cli.render;
+
+import java.io.IOException;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.RendererOptions;
+import radiosity.master.RemoteWorld;
+import radiosity.rmi.HostKey;
+import radiosity.scene.Scene;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.solver.RoundListener;
+import radiosity.solver.World;
+
+/** The middle of figure 7 of the paper: a world is set up, light is distributed, and the result merged. */
+public final class RenderJob {
+
+    private final RendererOptions options;
+    private final Scene scene;
+    private final OutputFiles files;
+    private final Warnings warnings;
+    private final ConsoleSession user;
+    private final HostNotices hostNotices;
+    private boolean warned;
+
+    public RenderJob(RendererOptions options, Scene scene, OutputFiles files, Warnings warnings, ConsoleSession user) {
+        this.options = options;
+        this.scene = scene;
+        this.files = files;
+        this.warnings = warnings;
+        this.user = user;
+        hostNotices = new HostNotices(user::message);
+    }
+
+    /** What to go on from, before the first round. */
+    public interface Beginning {
+        void of(ProgressiveRadiosity radiosity) throws IOException;
+    }
+
+    /**
+     * Calculates until it is done, or is not to go on.
+     *
+     * @param journal kept meanwhile, where there is one
+     */
+    public RenderResult run(RadiositySettings settings, Beginning beginning, Optional<Journal> journal,
+            BooleanSupplier goOn)
+            throws IOException {
+        try (World world = world(settings)) {
+            check(world);
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule(options));
+            beginning.of(radiosity);
+            user.begin();
+            AutosaveListener rounds = new AutosaveListener(radiosity, settings, options, files, journal, user, goOn);
+            radiosity.run(told(world, rounds));
+            return new RenderResult(radiosity.solution(), settings, radiosity.progress(), world.patchArea(),
+                    rounds.isCut() ? Optional.empty() : radiosity.certificate(options.calculation.threads),
+                    world instanceof RemoteWorld remote ? Optional.of(remote.statistics()) : Optional.empty(),
+                    radiosity.isOnlyRoundingLeft(),
+                    rounds.isCut());
+        }
+    }
+
+    private World world(RadiositySettings settings) throws IOException {
+        int threads = options.calculation.threads;
+        if (options.host.hosts == null) {
+            return new LocalWorld(scene, settings, threads);
+        }
+        HostKey key = options.host.key == null ? null : FileChecks.key(options.host.key);
+        return hostNotices.whileOpening(() -> new RemoteWorld(scene, settings, options.host.hosts, key, threads,
+                hostNotices));
+    }
+
+    /** Passes notices about hosts on; that a host cannot be used is a notice once, not in every calculation anew. */
+    public static final class HostNotices implements Consumer<String> {
+
+        private final Consumer<String> user;
+        private final Set<String> ofOpening = new HashSet<>();
+        private boolean opening;
+
+        public HostNotices(Consumer<String> user) {
+            this.user = user;
+        }
+
+        public <T> T whileOpening(Opening<T> world) throws IOException {
+            setOpening(true);
+            try {
+                return world.open();
+            } finally {
+                setOpening(false);
+            }
+        }
+
+        private synchronized void setOpening(boolean now) {
+            opening = now;
+        }
+
+        @Override
+        public synchronized void accept(String line) {
+            if (!opening) {
+                ofOpening.clear();
+            } else if (!ofOpening.add(line)) {
+                return;
+            }
+            user.accept(line);
+        }
+    }
+
+    /** Opens sessions with hosts. */
+    public interface Opening<T> {
+        T open() throws IOException;
+    }
+
+    private RoundListener told(World world, AutosaveListener rounds) {
+        return options.statistics && world instanceof RemoteWorld remote
+                ? new HostLines(remote::statistics, user, rounds, System::nanoTime) : rounds;
+    }
+
+    public static StopRule stopRule(RendererOptions options) {
+        return options.file.disableRendering ? new StopRule(0, 1) : options.calculation.stopRule();
+    }
+
+    private void check(World world) {
+        if (world.droppedTriangles() > 0 && !warned) {
+            warned = true;
+            warnings.accept(scene.name() + ": expected triangles large enough to radiate, got "
+                    + world.droppedTriangles()
+                    + " that are not; they only block light");
+        }
+        SceneChecks.sizes(world.patches(), world.channels(), world.settings().layers() ? scene.lamps().size() : 0);
+        Schedule schedule = world.settings().schedule();
+        if (schedule.isForSmallScenes() && world.patches() > Schedule.MOST_PATCHES) {
+            throw Failure.commandLine("--schedule " + schedule.name().toLowerCase(Locale.ROOT), "expected at most "
+                    + Schedule.MOST_PATCHES + " patches, got " + world.patches() + "; give a larger -pa");
+        }
+        if (schedule == Schedule.MATRIX && Double.isFinite(world.settings().meshing())) {
+            throw Failure.commandLine("-mt", "expected without --schedule matrix, got it with");
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package radiosity.cli.render;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.PictureSize;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.Snapshot;
+import radiosity.output.lightmap.TextureBake;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.settings.RadiositySettings;
+import radiosity.solution.Solution;
+import radiosity.util.ArraySize;
+
+/** What makes a render pointless or very long, told before it starts. */
+public final class SceneChecks {
+
+    /** From so many elements on, memory and time are worth a word. */
+    static final long MANY = 10_000_000;
+    /** An element takes more than this, bytes. */
+    private static final double LEAST_BYTES = 128;
+    /** Numbers per vertex in the longest array of pictures and points: 6 per element. */
+    private static final int LARGEST_PER_VERTEX = 12;
+
+    private final Scene scene;
+    private final Consumer<String> warnings;
+
+    public SceneChecks(Scene scene, Consumer<String> warnings) {
+        this.scene = scene;
+        this.warnings = warnings;
+    }
+
+    public void light() {
+        if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
+            warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
+        }
+    }
+
+    /** Fails where light could become too much for the floats of a scene file: where all is white it does so most. */
+    public void emission() {
+        double most = Solution.LARGEST * (1 - Surface.MAX_REFLECTANCE);
+        for (Surface surface : scene.surfaces()) {
+            if (surface.exitance().max() > most) {
+                throw Failure.file(scene.name(), String.format(Locale.ROOT,
+                        "expected surfaces that emit at most %.4g W/m2, got %.4g of %s", most, surface.exitance().max(),
+                        surface.name()), null);
+            }
+        }
+    }
+
+    /**
+     * Fails where the texture of a single triangle would be too large.
+     *
+     * @param samples per scene unit
+     */
+    public void textures(double samples) {
+        for (int t = 0; t < scene.triangles(); t++) {
+            double longest = 0;
+            for (int k = 0; k < 3; k++) {
+                longest = Math.max(longest, scene.corner(t, k).minus(scene.corner(t, (k + 1) % 3)).length());
+            }
+            if (longest * samples / Math.sqrt(2) > TextureBake.LARGEST_TEXTURE) {
+                throw Failure.commandLine("-ut", String.format(Locale.ROOT,
+                        "expected at most %.4g samples per unit for %s, whose texture may have %d texels, got %s",
+                        TextureBake.LARGEST_TEXTURE * Math.sqrt(2) / longest, scene.surface(t).name(),
+                        TextureBake.LARGEST_TEXTURE, samples));
+            }
+        }
+    }
+
+    /** Fails where more lamps have layers than can have. */
+    public void layers(boolean kept) {
+        int lamps = scene.lamps().size();
+        if (kept && lamps > RadiositySettings.MOST_LAMPS) {
+            throw Failure.commandLine("--layers", "expected a scene of at most " + RadiositySettings.MOST_LAMPS
+                    + " lamps, got " + lamps);
+        }
+    }
+
+    /**
+     * Warns of many elements, and fails where they cannot fit.
+     *
+     * @param patchArea square scene units; 0: chosen from the scene, and then sensibly
+     * @param memory    bytes
+     */
+    public void elements(double patchArea, long memory) {
+        double count = patches(patchArea);
+        if (count * LEAST_BYTES > memory) {
+            throw Failure.commandLine("-pa", String.format(Locale.ROOT,
+                    "expected elements that fit %,d MiB of memory, got %,.0f or more, which need "
+                            + "%,.0f MiB (JAVA_OPTS=-Xmx...)",
+                    memory >> 20, count, count * LEAST_BYTES / (1 << 20)));
+        }
+        if (count > MANY) {
+            warnings.accept(String.format(Locale.ROOT,
+                    "-pa: expected a patch area that gives at most %,d elements, got %,.0f or more", MANY, count));
+        }
+    }
+
+    /**
+     * Fails where the initial mesh alone has more light than an array holds, or more than a scene file does.
+     *
+     * @param patches  of the initial mesh; a plane mesh of n elements has more than n / 2 vertices
+     * @param channels in which light is computed
+     * @param layers   lamps whose light is kept apart, or 0
+     */
+    public static void sizes(double patches, int channels, int layers) {
+        double vertices = patches / 2;
+        double most = 2.0 * ArraySize.MOST / Math.max(LARGEST_PER_VERTEX, channels);
+        if (patches > most) {
+            throw Failure.commandLine("-pa", String.format(Locale.ROOT,
+                    "expected at most %,.0f patches in %d channels, whose light fits an array, got "
+                            + "%,.0f; give a larger -pa",
+                    most, channels, patches));
+        }
+        double bytes = SceneFile.BYTES_PER_ELEMENT * patches
+                + (SceneFile.BYTES_PER_VERTEX + (double) SceneFile.BYTES_PER_LAYER * layers) * vertices;
+        if (bytes > SceneFile.MOST_BYTES) {
+            throw Failure.commandLine("-pa", String.format(Locale.ROOT,
+                    "expected patches whose scene file is at most %,d bytes, the limit of glTF, got "
+                            + "%,.0f patches, which need"
+                            + " %,.0f bytes or more; give a larger -pa", SceneFile.MOST_BYTES, patches, bytes));
+        }
+    }
+
+    /**
+     * Fails where pictures would be too high for the width that they have.
+     *
+     * @param width of pictures in pixels
+     */
+    public void pictures(int width) {
+        long height = scene.camera().map(camera -> Snapshot.height(camera, width)).orElse(1L);
+        if (height > PictureSize.MOST) {
+            throw Failure.commandLine("--size", "expected pictures of at most " + PictureSize.MOST
+                    + " pixels along an edge, got " + width + "x" + height + " by the camera of " + scene.name()
+                    + "; give a size");
+        }
+    }
+
+    /** Least number of elements that a patch area gives; 0 where it is chosen from the scene. */
+    public double patches(double patchArea) {
+        return patchArea > 0 ? leastElements(patchArea) : 0;
+    }
+
+    /** A triangle of k times the patch area gives k elements or more. */
+    private double leastElements(double patchArea) {
+        double count = 0;
+        for (int t = 0; t < scene.triangles(); t++) {
+            count += Math.max(1, scene.area(t) / patchArea) * (scene.surface(t).twoSided() ? 2 : 1);
+        }
+        return count;
+    }
+}

@@ -1,0 +1,90 @@
+package radiosity.cli.render;
+
+import java.io.PrintStream;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import radiosity.cli.terminal.ProgressText;
+import radiosity.solution.Certificate;
+import radiosity.solution.EnergyLedger;
+import radiosity.solution.Progress;
+
+/** What a render came to: for the user in lines, for programs as JSON. */
+public final class Summary {
+
+    /** From here on the estimates of errors are mostly about what is unsent. */
+    private static final double MUCH_UNSENT = 0.01;
+
+    private final RenderResult result;
+    private final Progress progress;
+    private final EnergyLedger ledger;
+    private final Optional<String> inTime;
+    private final double seconds;
+
+    /**
+     * @param inTime  what a time limit led to, where there was one
+     * @param seconds of wall time, of the whole program so far
+     */
+    public Summary(RenderResult result, Optional<String> inTime, double seconds) {
+        this.result = result;
+        this.inTime = inTime;
+        this.seconds = seconds;
+        progress = result.progress();
+        ledger = result.solution().ledger();
+    }
+
+    public void print(PrintStream out) {
+        out.printf(Locale.ROOT, "%,d elements of patches up to %.4g, %s in %s, %s unsent, %s%n",
+                progress.elements(), result.patchArea(), ProgressText.count(progress.shots(), "shot"),
+                ProgressText.count(progress.rounds(), "round"),
+                ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
+        out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + unshot %.6g + not received %.6g%n",
+                sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());
+        if (progress.gathers()) {
+            out.println("stopped while new elements gathered what was shot before: they show, and these figures count,"
+                    + " the light of before they were made");
+        }
+        if (result.isRounding()) {
+            out.println("-se: what is unsent is only rounding; no calculation leaves less");
+        }
+        result.certificate().ifPresent(c -> print(c, out));
+        inTime.ifPresent(out::println);
+    }
+
+    private void print(Certificate c, PrintStream out) {
+        String missing = c.missingFlux() == null ? "without a bound on what is still missing"
+                : String.format(Locale.ROOT, "about %.4g W at most still missing", c.missingFlux());
+        String parts = progress.unsent() > MUCH_UNSENT ? "what is still unsent among it" : String.format(Locale.ROOT,
+                "rays %s, mesh %s", ProgressText.perCent(c.sampling()), ProgressText.perCent(c.meshing()));
+        out.printf(Locale.ROOT, "radiosity +- %s (%s), estimated at %d points; %s%n",
+                ProgressText.perCent(c.expected()), parts, c.points(), missing);
+        out.printf(Locale.ROOT, "form factors add up to %.4f on average, %.4f at most; two ways they differ by %s%n",
+                c.factors(), c.mostFactors(), ProgressText.perCent(c.reciprocity()));
+    }
+
+    /** Of JSON's types. */
+    Map<String, Object> asJson() {
+        Map<String, Object> json = new TreeMap<>();
+        json.put("elements", progress.elements());
+        json.put("shots", progress.shots());
+        json.put("rounds", progress.rounds());
+        json.put("unsent", progress.unsent());
+        json.put("patchArea", result.patchArea());
+        json.put("settings", SavedCalculation.asJson(result.settings()));
+        json.put("seconds", seconds);
+        json.put("ledger", ledger);
+        result.certificate().ifPresent(c -> json.put("certificate", c));
+        inTime.ifPresent(line -> json.put("inTime", line));
+        return json;
+    }
+
+    private double deficit() {
+        return sum(ledger.shot()) - sum(ledger.received());
+    }
+
+    private static double sum(double[] channels) {
+        return Arrays.stream(channels).sum();
+    }
+}

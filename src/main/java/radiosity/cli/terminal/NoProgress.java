@@ -1,0 +1,25 @@
+package radiosity.cli.terminal;
+
+import java.io.PrintStream;
+import radiosity.solution.Progress;
+
+/** Quiet mode ({@code -q}): messages only. */
+public final class NoProgress implements ProgressDisplay {
+
+    private final PrintStream err;
+
+    public NoProgress(PrintStream err) {
+        this.err = err;
+    }
+
+    @Override
+    public void show(Progress progress) { }
+
+    @Override
+    public void message(String line) {
+        err.println(line);
+    }
+
+    @Override
+    public void close() { }
+}

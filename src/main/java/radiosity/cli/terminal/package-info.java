@@ -1,0 +1,4 @@
+/**
+ * Progress, keys and streams of a terminal.
+ */
+package radiosity.cli.terminal;

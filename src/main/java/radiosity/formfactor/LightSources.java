@@ -1,0 +1,132 @@
+package radiosity.formfactor;
+
+import java.util.List;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.Faces;
+import radiosity.scene.Light;
+import radiosity.scene.Vec3;
+import radiosity.visibility.RadiosityBounds;
+
+/**
+ * Sources without geometry. They shoot before any patch: a vertex has their light from the moment it is made.
+ *
+ * <p>Sources of the formulas: J. H. Lambert, Photometria, 1760 (inverse square, cosine).
+ */
+public final class LightSources {
+
+    /** Sample points of an area light for its visible share, by a plastic-number sequence as in the ray caster. */
+    private static final int SAMPLES = 32;
+    /** How far away a distant light is, of the scene's size. */
+    private static final double FAR = 4;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final List<Light> lights;
+
+    public LightSources(Faces faces, RadiosityBounds bounds) {
+        this.faces = faces;
+        this.bounds = bounds;
+        lights = faces.scene().lights();
+    }
+
+    public boolean isEmpty() {
+        return lights.isEmpty();
+    }
+
+    /** Adds what a vertex receives from all lights to its irradiance. */
+    public void light(RadiosityNodes nodes, int v) {
+        add(nodes.receivers(), 3 * v, nodes.vertexFace(v), nodes.light().irradiance(), nodes.channels() * v);
+    }
+
+    /**
+     * Adds what a point receives from all lights.
+     *
+     * @param place x, y, z of the scene brought to size 1, 3 from {@code at}
+     * @param to    modified: irradiance, one per channel from {@code first}, W/m²
+     */
+    public void add(float[] place, int at, int face, double[] to, int first) {
+        Vec3 x = new Vec3(place[at], place[at + 1], place[at + 2]);
+        Vec3 n = new Vec3(faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
+        for (int i = 0; i < lights.size(); i++) {
+            double share = irradiance(lights.get(i), x, n);
+            for (int c = 0; c < faces.channels(); c++) {
+                to[first + c] += share * faces.power(i, c);
+            }
+        }
+    }
+
+    /** Irradiance at x where the light's power is 1. */
+    private double irradiance(Light light, Vec3 x, Vec3 n) {
+        return switch (light.kind()) {
+            case DISTANT -> distant(light, x, n);
+            case POINT, SPOT -> point(light, x, n);
+            case AREA -> area(light, x, n);
+        };
+    }
+
+    private double distant(Light light, Vec3 x, Vec3 n) {
+        Vec3 towards = light.direction().times(-1);
+        double cos = towards.dot(n);
+        return cos > 0 && sees(x, x.plus(towards.times(FAR))) ? cos : 0;
+    }
+
+    private double point(Light light, Vec3 x, Vec3 n) {
+        Vec3 at = faces.unit(light.position());
+        Vec3 towards = at.minus(x);
+        double d = towards.length();
+        double cos = towards.dot(n) / d;
+        double range = light.range() / faces.size();
+        if (!(cos > 0) || !sees(x, at)) {
+            return 0;
+        }
+        double beam = light.kind() == Light.Kind.SPOT ? beam(light, -towards.dot(light.direction()) / d) : 1;
+        return beam * cos * range * range / (d * d);
+    }
+
+    /** 1 within the cone, falling over its soft edge to 0. */
+    private static double beam(Light light, double cos) {
+        double angle = StrictMath.acos(Math.max(-1, Math.min(1, cos)));
+        double inside = light.cone() - angle;
+        return inside <= 0 ? 0 : inside >= light.edge() ? 1 : inside / light.edge();
+    }
+
+    private double area(Light light, Vec3 x, Vec3 n) {
+        Vec3 at = faces.unit(light.position());
+        Vec3 u = light.right().times(1 / faces.size());
+        Vec3 v = light.up().times(1 / faces.size());
+        if (u.cross(v).dot(light.direction()) < 0) {
+            u = u.times(-1);
+        }
+        Vec3[] corner = {at.minus(u).minus(v), at.plus(u).minus(v), at.plus(u).plus(v), at.minus(u).plus(v)};
+        double[] square = new double[12];
+        for (int i = 0; i < 4; i++) {
+            square[3 * i] = corner[i].x();
+            square[3 * i + 1] = corner[i].y();
+            square[3 * i + 2] = corner[i].z();
+        }
+        double factor = x.minus(at).dot(light.direction()) <= 0 ? 0
+                : ContourFactor.factor(x.x(), x.y(), x.z(), n.x(), n.y(), n.z(), square);
+        return factor == 0 ? 0 : factor * share(light, x, n, at, u, v);
+    }
+
+    /** Visible share, weighted by the kernel. */
+    private double share(Light light, Vec3 x, Vec3 n, Vec3 at, Vec3 u, Vec3 v) {
+        double seen = 0;
+        double all = 0;
+        for (int i = 1; i <= SAMPLES; i++) {
+            double s = 2 * PointSequence.u(i) - 1;
+            double t = 2 * PointSequence.v(i) - 1;
+            Vec3 y = at.plus(u.times(s)).plus(v.times(t));
+            Vec3 d = y.minus(x);
+            double k = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(light.direction())) / (d.dot(d) * d.dot(d));
+            all += k;
+            seen += k > 0 && sees(x, y) ? k : 0;
+        }
+        return all == 0 ? 0 : seen / all;
+    }
+
+    private boolean sees(Vec3 x, Vec3 y) {
+        return !bounds.blocked((float) x.x(), (float) x.y(), (float) x.z(), (float) y.x(), (float) y.y(),
+                (float) y.z());
+    }
+}

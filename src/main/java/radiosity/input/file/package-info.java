@@ -1,0 +1,7 @@
+/**
+ * Files as the readers find them: a file read once within a limit, a search by name without case, remarks to the user,
+ * a budget of work.
+ *
+ * <p>Loads no class of {@code java.awt} or Java 3D. One reader of one file is used by one thread.
+ */
+package radiosity.input.file;

@@ -1,0 +1,28 @@
+package radiosity.input.lightwave;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+
+/** Reads a LightWave scene, or an object alone, into triangles, surfaces, lights and a camera. */
+public final class LightWaveReader {
+
+    private LightWaveReader() {
+    }
+
+    /**
+     * Reads a file and the objects it names.
+     *
+     * @param file     a scene (.lws), or an object (.lwo), which makes a scene of itself at the origin
+     * @param options  how
+     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
+     * @return at least one triangle
+     * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
+     * @throws IOException          if a file cannot be read
+     */
+    public static Scene read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
+        return SceneAssembly.read(file, options, warnings).scene();
+    }
+}

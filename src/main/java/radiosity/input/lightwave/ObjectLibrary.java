@@ -1,0 +1,107 @@
+package radiosity.input.lightwave;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSearch;
+import radiosity.input.file.InputFile;
+import radiosity.input.file.WorkBudget;
+import radiosity.input.lightwave.lwo.Layer;
+import radiosity.input.lightwave.lwo.ObjectFile;
+import radiosity.input.lightwave.lwo.ObjectModel;
+import radiosity.input.lightwave.lws.SceneItem;
+import radiosity.scene.SceneFormatException;
+
+/** The objects of a scene: each file is read once, each of its layers cut into triangles once. */
+final class ObjectLibrary {
+
+    private final FileSearch search;
+    private final LightWaveOptions options;
+    private final Diagnostics notes;
+    private final WorkBudget work = new WorkBudget();
+    private final Map<Path, Optional<ObjectModel>> objects = new HashMap<>();
+    private final Map<Path, Diagnostics> notesOf = new LinkedHashMap<>();
+    private final Map<PartKey, Optional<Part>> parts = new HashMap<>();
+
+    /** A layer of a file, or all of it. */
+    private record PartKey(Path file, int layer) { }
+
+    /** Triangles and the name of the file they are from. */
+    record Part(ObjectMesh mesh, String name) { }
+
+    ObjectLibrary(FileSearch search, LightWaveOptions options, Diagnostics notes) {
+        this.search = search;
+        this.options = options;
+        this.notes = notes;
+    }
+
+    /** What a scene loads with an item; empty, and noted, if it cannot be had. */
+    Optional<Part> part(SceneItem item) throws IOException {
+        Optional<Path> file = search.object(item.file);
+        if (file.isEmpty()) {
+            notes.note(item.place(), "objects that are not found are left out", item.file);
+            return Optional.empty();
+        }
+        PartKey key = new PartKey(file.get(), item.layer);
+        Optional<Part> known = parts.get(key);
+        if (known == null) {
+            known = make(key, item);
+            parts.put(key, known);
+        }
+        return known;
+    }
+
+    private Optional<Part> make(PartKey key, SceneItem item) throws IOException {
+        String name = search.shown(key.file);
+        Diagnostics objectNotes = notesOf.computeIfAbsent(key.file, f -> notes.about(name));
+        Optional<ObjectModel> object = objects.get(key.file);
+        if (object == null) {
+            object = load(key.file, name, objectNotes);
+            objects.put(key.file, object);
+        }
+        return object.flatMap(o -> cut(o, key.layer, item, name, objectNotes));
+    }
+
+    /** Tells what was noted about the objects. */
+    void flush() throws SceneFormatException {
+        for (Diagnostics objectNotes : notesOf.values()) {
+            objectNotes.flush();
+        }
+    }
+
+    private Optional<Part> cut(ObjectModel object, int layer, SceneItem item, String name, Diagnostics objectNotes) {
+        if (layer == SceneItem.WHOLE_FILE) {
+            return Optional.of(new Part(ObjectMesh.of(object, object.layers, work, objectNotes), fileName(name)));
+        }
+        List<Layer> layers = object.layers(layer);
+        if (layers.isEmpty()) {
+            notes.note(item.place(), "layers that their object does not have are left out",
+                    "layer " + (layer + 1) + " of " + name);
+            return Optional.empty();
+        }
+        return Optional.of(new Part(ObjectMesh.of(object, layers, work, objectNotes), fileName(name)));
+    }
+
+    private static String fileName(String path) {
+        return path.substring(path.lastIndexOf('/') + 1);
+    }
+
+    private Optional<ObjectModel> load(Path file, String name, Diagnostics objectNotes) throws IOException {
+        try {
+            ObjectModel object = ObjectFile.read(InputFile.read(file, name, options.maxBytes()), name, objectNotes);
+            SurfaceImages.find(object, search, objectNotes);
+            return Optional.of(object);
+        } catch (SceneFormatException e) {
+            if (options.strict()) {
+                throw e;
+            }
+            notes.note("", "objects that cannot be read are left out", e.getMessage());
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,121 @@
+package radiosity.input.lightwave;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSearch;
+import radiosity.input.lightwave.lwo.ObjectModel;
+import radiosity.input.lightwave.lwo.SurfaceValues;
+import radiosity.input.lightwave.lwo.TextureBlock;
+import radiosity.scene.ImageMap;
+import radiosity.scene.ImageMap.Target;
+import radiosity.scene.Rgb;
+
+/**
+ * Finds the images of an object's surfaces and says what they vary.
+ *
+ * <p>A triangle has one set of texture coordinates. The first image whose file is found sets them for its surface;
+ * others
+ * count if they lie on the points in the same way.
+ */
+final class SurfaceImages {
+
+    private static final Set<String> EVALUATED = Set.of("COLR", "DIFF", "LUMI", "LUMC");
+
+    private SurfaceImages() {
+    }
+
+    /** Leaves every surface of an object with the images that can be used, what becomes of the others is noted. */
+    static void find(ObjectModel object, FileSearch search, Diagnostics notes) {
+        for (SurfaceValues surface : object.surfaces.values()) {
+            List<TextureBlock> usable = new ArrayList<>(0);
+            for (TextureBlock texture : surface.textures) {
+                if (isWanted(texture, object, surface, notes) && isFound(texture, search, notes)) {
+                    add(texture, usable, surface, notes);
+                }
+            }
+            surface.textures.clear();
+            surface.textures.addAll(usable);
+        }
+    }
+
+    private static boolean isWanted(TextureBlock texture, ObjectModel object, SurfaceValues surface,
+            Diagnostics notes) {
+        texture.image = texture.image == null ? object.clips.get(texture.clip) : texture.image;
+        boolean evaluated = texture.enabled && texture.opacity > 0 && EVALUATED.contains(texture.channel);
+        if (!evaluated) {
+            return false;
+        }
+        if (texture.image == null || texture.image.isEmpty() || texture.image.equals("(none)")) {
+            notes.note("", "textures without an image are left out", surface.name);
+            return false;
+        }
+        if (texture.projection == TextureBlock.Projection.FRONT || !texture.hasSoundNumbers()) {
+            notes.note("", "images projected from the camera or by unsound numbers are left out", surface.name);
+            return false;
+        }
+        if (texture.world && texture.projection != TextureBlock.Projection.UV) {
+            notes.note("", "images placed in the scene's coordinates are placed in the object's", surface.name);
+        }
+        return true;
+    }
+
+    private static boolean isFound(TextureBlock texture, FileSearch search, Diagnostics notes) {
+        String path = texture.image.replaceFirst(" *\\(sequence\\)$", "");
+        Optional<Path> file = search.image(path);
+        texture.found = file.map(Path::toString).orElse(null);
+        if (file.isEmpty()) {
+            notes.note("", "images that are not found leave the base colour", path);
+        }
+        return file.isPresent();
+    }
+
+    private static void add(TextureBlock texture, List<TextureBlock> usable, SurfaceValues surface, Diagnostics notes) {
+        if (usable.stream().anyMatch(t -> t.channel.equals(texture.channel))) {
+            notes.note("", "of several images for one property the first is taken", surface.name);
+        } else if (usable.isEmpty() || usable.get(0).liesAs(texture)) {
+            usable.add(texture);
+        } else {
+            notes.note("", "images that lie otherwise than the first of their surface are left out", surface.name);
+        }
+    }
+
+    /** What the images of a surface do to its light. */
+    static List<ImageMap> maps(SurfaceValues surface, LightWaveOptions options) {
+        List<ImageMap> maps = new ArrayList<>(0);
+        boolean specular = options.emission() == LightWaveOptions.Emission.SPECULAR;
+        double share = specular ? surface.specular : surface.luminosity;
+        Rgb colour = SurfaceValues.linear(surface.colour, options.srgb());
+        for (TextureBlock texture : surface.textures) {
+            switch (texture.channel) {
+                case "COLR" -> {
+                    maps.add(map(texture, Target.REFLECTANCE, Rgb.grey(surface.diffuse), false));
+                    if (share > 0 && (specular || surface.luminousColour == null)) {
+                        maps.add(map(texture, Target.EXITANCE, Rgb.grey(share), false));
+                    }
+                }
+                case "DIFF" -> maps.add(map(texture, Target.REFLECTANCE, colour, true));
+                case "LUMI" -> {
+                    if (!specular) {
+                        Rgb light = surface.luminousColour == null ? surface.colour : surface.luminousColour;
+                        maps.add(map(texture, Target.EXITANCE, SurfaceValues.linear(light, options.srgb()), true));
+                    }
+                }
+                default -> {
+                    if (!specular && share > 0) {
+                        maps.add(map(texture, Target.EXITANCE, Rgb.grey(share), false));
+                    }
+                }
+            }
+        }
+        return maps;
+    }
+
+    private static ImageMap map(TextureBlock texture, Target target, Rgb scale, boolean grey) {
+        return new ImageMap(target, texture.found, SurfaceValues.sound(scale), grey, texture.negative,
+                Math.min(1, texture.opacity), texture.wrapU, texture.wrapV);
+    }
+}

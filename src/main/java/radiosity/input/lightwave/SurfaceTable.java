@@ -1,0 +1,107 @@
+package radiosity.input.lightwave;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.lightwave.lwo.SurfaceValues;
+import radiosity.scene.Rgb;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Surface;
+
+/**
+ * The surfaces of a scene, each under a name of its own: equal ones of one name are one, others carry their object's.
+ */
+final class SurfaceTable {
+
+    private static final int LONGEST_NAME = 200;
+
+    private final LightWaveOptions options;
+    private final Diagnostics notes;
+    private final List<Surface> surfaces = new ArrayList<>();
+    private final List<SurfaceValues> described = new ArrayList<>();
+    private final Map<String, Integer> byName = new HashMap<>();
+    private final Map<SurfaceValues, Integer> known = new IdentityHashMap<>();
+    /** By the name of a first copy: the lowest number that no further copy of it has tried. */
+    private final Map<String, Integer> nextCopy = new HashMap<>();
+
+    SurfaceTable(LightWaveOptions options, Diagnostics notes) {
+        this.options = options;
+        this.notes = notes;
+    }
+
+    List<Surface> surfaces() {
+        return surfaces;
+    }
+
+    /** What the files say of the surfaces, in the same order. */
+    List<SurfaceValues> described() {
+        return described;
+    }
+
+    /** Index of a surface of an object. */
+    int index(String object, SurfaceValues values) {
+        return known.computeIfAbsent(values, v -> add(object, v));
+    }
+
+    /**
+     * The index of the surface's first name that no different surface has: its own, then that with its object's, then
+     * that with a number too. A number is tried once only, so that many copies cost no more than their number.
+     */
+    private int add(String object, SurfaceValues values) {
+        String plain = SceneFormatException.escape(values.name.substring(0, Math.min(LONGEST_NAME,
+                values.name.length())));
+        String copy = object + ":" + plain;
+        for (String name : List.of(plain, copy)) {
+            Surface surface = surface(name, values);
+            if (isFreeOrEqual(surface)) {
+                return indexOf(surface, values);
+            }
+        }
+        int number = Math.max(nextCopy.getOrDefault(copy, 0), surfaces.size());
+        Surface surface = surface(copy + "#" + number, values);
+        while (!isFreeOrEqual(surface)) {
+            surface = surface(copy + "#" + ++number, values);
+        }
+        nextCopy.put(copy, number + 1);
+        return indexOf(surface, values);
+    }
+
+    private boolean isFreeOrEqual(Surface surface) {
+        Integer other = byName.get(surface.name());
+        return other == null || surfaces.get(other).equals(surface);
+    }
+
+    private int indexOf(Surface surface, SurfaceValues values) {
+        Integer known = byName.get(surface.name());
+        return known == null ? append(surface, values) : known;
+    }
+
+    private int append(Surface surface, SurfaceValues values) {
+        byName.put(surface.name(), surfaces.size());
+        surfaces.add(surface);
+        described.add(values);
+        return surfaces.size() - 1;
+    }
+
+    private Surface surface(String name, SurfaceValues values) {
+        Rgb exitance = options.emission() == LightWaveOptions.Emission.SPECULAR
+                ? values.specularExitance(options.srgb()) : values.luminosityExitance(options.srgb());
+        Rgb reflectance = values.reflectance(options.srgb());
+        if (reflectance.max() > Surface.MAX_REFLECTANCE) {
+            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, name);
+        }
+        if (values.transparency > 0) {
+            notes.note("", "transparent surfaces are taken as opaque", name);
+        }
+        return new Surface(name, exitance, clipped(reflectance), values.twoSided,
+                SurfaceImages.maps(values, options));
+    }
+
+    private static Rgb clipped(Rgb rgb) {
+        return new Rgb(Math.min(rgb.r(), Surface.MAX_REFLECTANCE), Math.min(rgb.g(), Surface.MAX_REFLECTANCE),
+                Math.min(rgb.b(), Surface.MAX_REFLECTANCE));
+    }
+}

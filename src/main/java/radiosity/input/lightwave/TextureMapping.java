@@ -1,0 +1,137 @@
+package radiosity.input.lightwave;
+
+import radiosity.input.lightwave.lwo.CornerCoordinates;
+import radiosity.input.lightwave.lwo.Layer;
+import radiosity.input.lightwave.lwo.TextureBlock;
+import radiosity.input.lightwave.lws.Matrix;
+
+/**
+ * How one image lies on the triangles of a layer: gives texture coordinates to their corners.
+ *
+ * <p>Planar and cubic projections are exact within a triangle. Round a cylinder or a sphere the coordinates are exact
+ * at
+ * the corners and linear between them; a triangle over the seam is kept together, so u may leave [0, 1].
+ *
+ * <p>Source of the formulas: the examples of image projections in the LightWave software development kit (NewTek).
+ */
+final class TextureMapping {
+
+    private final TextureBlock texture;
+    private final Layer layer;
+    private final CornerCoordinates coordinates;
+    private final Matrix turned;
+
+    TextureMapping(TextureBlock texture, Layer layer) {
+        this.texture = texture;
+        this.layer = layer;
+        this.turned = Matrix.turn(texture.rotation[0], texture.rotation[1], texture.rotation[2]);
+        this.coordinates = texture.projection == TextureBlock.Projection.UV
+                ? new CornerCoordinates(layer, texture.map) : null;
+    }
+
+    /**
+     * Texture coordinates of a triangle.
+     *
+     * @param polygon the one it was cut from
+     * @param corners its 3 corners among all corners of the layer
+     * @param uv      is filled: u, v of each; NaN where the object gives none
+     */
+    void map(int polygon, int[] corners, double[] uv) {
+        if (coordinates != null) {
+            for (int k = 0; k < 3; k++) {
+                coordinates.get(polygon, layer.polygons.point(corners[k]), uv, 2 * k);
+            }
+            return;
+        }
+        double[][] places = {place(corners[0]), place(corners[1]), place(corners[2])};
+        switch (texture.projection) {
+            case PLANAR -> planar(places, texture.axis, uv);
+            case CUBIC -> planar(places, mainAxis(places), uv);
+            default -> round(places, uv);
+        }
+    }
+
+    /** A corner in the texture's own space: from its centre, turned back, in its size. */
+    private double[] place(int corner) {
+        int p = 3 * layer.polygons.point(corner);
+        double[] d = new double[3];
+        for (int k = 0; k < 3; k++) {
+            d[k] = layer.points.get(p + k) - texture.centre[k];
+        }
+        d = turned.unturn(d);
+        for (int k = 0; k < 3; k++) {
+            d[k] = texture.size[k] == 0 ? 0 : d[k] / texture.size[k];
+        }
+        return d;
+    }
+
+    /** Across x: u along z and v along y; across y: u along x and v along z; across z: u along x and v along y. */
+    private static void planar(double[][] places, int axis, double[] uv) {
+        for (int k = 0; k < 3; k++) {
+            uv[2 * k] = places[k][axis == 0 ? 2 : 0] + 0.5;
+            uv[2 * k + 1] = places[k][axis == 1 ? 2 : 1] + 0.5;
+        }
+    }
+
+    private static int mainAxis(double[][] p) {
+        int main = 0;
+        double most = -1;
+        for (int k = 0; k < 3; k++) {
+            int u = (k + 1) % 3;
+            int v = (k + 2) % 3;
+            double n = Math.abs((p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]));
+            if (n > most) {
+                most = n;
+                main = k;
+            }
+        }
+        return main;
+    }
+
+    private void round(double[][] places, double[] uv) {
+        for (int k = 0; k < 3; k++) {
+            double[] q = upright(places[k]);
+            double distance = StrictMath.hypot(q[0], q[2]);
+            uv[2 * k] = distance == 0 ? Double.NaN : 1 - heading(q[0], q[2]) / (2 * Math.PI);
+            uv[2 * k + 1] = texture.projection == TextureBlock.Projection.CYLINDRICAL ? q[1] + 0.5
+                    : 0.5 + StrictMath.atan2(q[1], distance) / Math.PI;
+        }
+        keepTogether(uv);
+        for (int k = 0; k < 3; k++) {
+            uv[2 * k] *= texture.turns[0];
+            uv[2 * k + 1] *= texture.projection == TextureBlock.Projection.SPHERICAL ? texture.turns[1] : 1;
+        }
+    }
+
+    /** The place with the texture's axis upwards. */
+    private double[] upright(double[] p) {
+        return switch (texture.axis) {
+            case 0 -> new double[] {p[2], p[0], -p[1]};
+            case 1 -> new double[] {-p[0], p[1], p[2]};
+            default -> new double[] {-p[0], p[2], -p[1]};
+        };
+    }
+
+    /** Angle about the axis, from -pi/2 to 3 pi/2. */
+    private static double heading(double x, double z) {
+        double angle = -StrictMath.atan2(x, z);
+        return angle < -Math.PI / 2 ? angle + 2 * Math.PI : angle;
+    }
+
+    /** Corners on the axis get the mean u of the others; others stay within half a turn of the first. */
+    private static void keepTogether(double[] uv) {
+        double first = Double.isNaN(uv[0]) ? uv[2] : uv[0];
+        double sum = 0;
+        int n = 0;
+        for (int k = 0; k < 3; k++) {
+            if (!Double.isNaN(uv[2 * k])) {
+                uv[2 * k] -= Math.rint(uv[2 * k] - first);
+                sum += uv[2 * k];
+                n++;
+            }
+        }
+        for (int k = 0; k < 3 && n > 0; k++) {
+            uv[2 * k] = Double.isNaN(uv[2 * k]) ? sum / n : uv[2 * k];
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package radiosity.input.lightwave.lwo;
+
+import radiosity.input.file.ByteReader;
+import radiosity.input.file.Diagnostics;
+import radiosity.scene.Rgb;
+
+/** Reads the SURF chunk of LWOB and LWLO objects. */
+final class LwobSurface {
+
+    private static final int TWO_SIDED = 0x100;
+
+    private final Diagnostics notes;
+    private SurfaceValues surface;
+    private TextureBlock texture;
+    private double floatDiffuse = Double.NaN;
+    private double floatLuminosity = Double.NaN;
+    private double floatSpecular = Double.NaN;
+    private double floatTransparency = Double.NaN;
+
+    LwobSurface(Diagnostics notes) {
+        this.notes = notes;
+    }
+
+    SurfaceValues read(ByteReader data, String place) {
+        surface = new SurfaceValues(data.s0(), "");
+        Chunks chunks = new Chunks(data, 2, notes);
+        while (chunks.next()) {
+            value(chunks.id(), chunks.data());
+            if (chunks.data().ranOut()) {
+                notes.note(chunks.place(), "a value is cut short");
+            }
+        }
+        finish();
+        return surface;
+    }
+
+    private void value(String id, ByteReader data) {
+        switch (id) {
+            case "COLR" -> surface.colour = new Rgb(data.u1() / 255.0, data.u1() / 255.0, data.u1() / 255.0);
+            case "FLAG" -> surface.twoSided = (data.u2() & TWO_SIDED) != 0;
+            case "DIFF" -> surface.diffuse = share(data);
+            case "LUMI" -> surface.luminosity = share(data);
+            case "SPEC" -> surface.specular = share(data);
+            case "TRAN" -> surface.transparency = share(data);
+            case "VDIF" -> floatDiffuse = data.f4();
+            case "VLUM" -> floatLuminosity = data.f4();
+            case "VSPC" -> floatSpecular = data.f4();
+            case "VTRN" -> floatTransparency = data.f4();
+            default -> LwobTexture.value(this, id, data);
+        }
+    }
+
+    /** 256 is 100 %; some versions wrote 4 bytes instead of 2. */
+    private static double share(ByteReader data) {
+        return (data.left() == 4 ? (int) data.u4() : data.i2()) / 256.0;
+    }
+
+    /** The numbers with a point win over those without. */
+    private void finish() {
+        surface.diffuse = either(floatDiffuse, surface.diffuse);
+        surface.luminosity = either(floatLuminosity, surface.luminosity);
+        surface.specular = either(floatSpecular, surface.specular);
+        surface.transparency = either(floatTransparency, surface.transparency);
+    }
+
+    private static Double either(double precise, Double coarse) {
+        return Double.isNaN(precise) ? coarse : Double.valueOf(precise);
+    }
+
+    /** Starts an image or a pattern; what follows describes it. */
+    void startTexture(String channel) {
+        texture = new TextureBlock();
+        texture.channel = channel;
+        surface.addTexture(texture);
+    }
+
+    /** The one that is being described; null before the first. */
+    TextureBlock texture() {
+        return texture;
+    }
+}

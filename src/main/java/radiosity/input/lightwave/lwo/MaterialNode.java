@@ -1,0 +1,125 @@
+package radiosity.input.lightwave.lwo;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import radiosity.input.file.ByteReader;
+import radiosity.input.file.Diagnostics;
+import radiosity.scene.Rgb;
+
+/**
+ * A node of an LWO3 surface with the values it holds.
+ *
+ * @param server what kind of node it is
+ * @param name   its name among the nodes
+ * @param values the numbers of each of its attributes by name
+ * @param image  what it lays on a surface, if it is an image
+ */
+record MaterialNode(String server, String name, Map<String, double[]> values, Optional<TextureBlock> image) {
+
+    private static final int MOST_NUMBERS = 3;
+
+    /** @param data the content of the form NTAG */
+    static MaterialNode read(String server, ByteReader data, Diagnostics notes) {
+        String name = "";
+        Map<String, double[]> values = new HashMap<>();
+        Optional<TextureBlock> image = Optional.empty();
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("NNME")) {
+                name = chunks.data().s0();
+            } else if (chunks.id().equals("FORM") && chunks.data().id().equals("NDTA")) {
+                image = server.equals("Image") ? ImageNode.read(chunks.data().copy(), notes) : image;
+                ByteReader material = enter(chunks.data(), Set.of("ATTR", "SATR"), notes);
+                attributes(enter(enter(material, Set.of("META"), notes), Set.of("ADAT"), notes), values, notes);
+            }
+        }
+        return new MaterialNode(server, name, values, image);
+    }
+
+    /** The content of the first form of one of some types; empty if there is none. */
+    private static ByteReader enter(ByteReader data, Set<String> types, Diagnostics notes) {
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("FORM") && types.contains(chunks.data().id())) {
+                return chunks.data();
+            }
+        }
+        return new ByteReader(new byte[0]);
+    }
+
+    private static void attributes(ByteReader data, Map<String, double[]> values, Diagnostics notes) {
+        Chunks entries = new Chunks(data, 4, notes);
+        while (entries.next()) {
+            if (entries.id().equals("FORM") && entries.data().id().equals("ENTR")) {
+                attribute(entries.data(), values, notes);
+            }
+        }
+    }
+
+    private static void attribute(ByteReader data, Map<String, double[]> values, Diagnostics notes) {
+        String name = "";
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("NAME")) {
+                name = chunks.data().s0();
+            } else if (chunks.id().equals("FORM") && chunks.data().id().equals("VALU")) {
+                values.put(name, numbers(chunks.data(), notes));
+            }
+        }
+    }
+
+    /** A type's name, then within the same chunk the number, or in a form of its own how many and the numbers. */
+    private static double[] numbers(ByteReader data, Diagnostics notes) {
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("    ")) {
+                String type = chunks.data().s0();
+                if (type.equals("double")) {
+                    return new double[] {chunks.data().f8()};
+                }
+            } else if (chunks.id().equals("FORM") && chunks.data().id().equals("VALU")) {
+                return counted(chunks.data(), notes);
+            }
+        }
+        return new double[0];
+    }
+
+    private static double[] counted(ByteReader data, Diagnostics notes) {
+        Chunks chunks = new Chunks(data, 4, notes);
+        if (!chunks.next()) {
+            return new double[0];
+        }
+        double[] numbers = new double[(int) Math.min(MOST_NUMBERS, chunks.data().u4())];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = chunks.data().f8();
+        }
+        return numbers;
+    }
+
+    /** Whether it says what a surface reflects; the node of a surface itself and mixing nodes have no colour. */
+    boolean isMaterial() {
+        return colour("Color") != null;
+    }
+
+    /** Gives the material's values to a surface. */
+    void apply(SurfaceValues surface) {
+        surface.colour = colour("Color");
+        surface.diffuse = number("Diffuse");
+        surface.luminosity = server.equals("Principled BSDF") ? number("Luminous") : number("Luminosity");
+        surface.luminousColour = colour("Luminous Color");
+        surface.specular = number("Specular");
+        surface.transparency = number("Transparency");
+    }
+
+    private Double number(String attribute) {
+        double[] numbers = values.get(attribute);
+        return numbers == null || numbers.length == 0 ? null : Double.valueOf(numbers[0]);
+    }
+
+    private Rgb colour(String attribute) {
+        double[] numbers = values.get(attribute);
+        return numbers == null || numbers.length < 3 ? null : new Rgb(numbers[0], numbers[1], numbers[2]);
+    }
+}

@@ -1,0 +1,126 @@
+package radiosity.input.lightwave.lwo;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import radiosity.input.file.ByteReader;
+import radiosity.input.file.Diagnostics;
+
+/**
+ * Reads the node graph of an LWO3 surface as far as the values of its material.
+ *
+ * <p>The material is the node at the input "Material" of the node "Surface"; through nodes that only mix materials the
+ * first material met counts.
+ */
+final class NodeGraph {
+
+    /** Inputs that matter here, and what an image there varies. */
+    private static final Map<String, String> CHANNELS = Map.of("Color", "COLR", "Diffuse", "DIFF", "Luminosity", "LUMI",
+            "Luminous", "LUMI", "Luminous Color", "LUMC");
+
+    private final Diagnostics notes;
+    /** By node: the nodes at its inputs by the inputs' names. */
+    private final Map<String, Map<String, String>> inputs = new HashMap<>();
+    private final Map<String, MaterialNode> materials = new HashMap<>();
+    /** Names of the nodes at the inputs of a node, in the file's order. */
+    private final Map<String, Deque<String>> sources = new HashMap<>();
+    private String materialOfSurface = "";
+
+    NodeGraph(Diagnostics notes) {
+        this.notes = notes;
+    }
+
+    /** @param data the content of the form NODS */
+    void read(ByteReader data, SurfaceValues surface, String place) {
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("FORM")) {
+                switch (chunks.data().id()) {
+                    case "NNDS" -> nodes(chunks.data());
+                    case "NCON" -> connections(chunks.data());
+                    default -> { }
+                }
+            }
+        }
+        Optional<MaterialNode> material = material();
+        if (material.isPresent()) {
+            material.get().apply(surface);
+            inputs.getOrDefault(material.get().name(), Map.of()).forEach((i, s) -> input(surface, i, s));
+        } else {
+            notes.note(place, "no material is found among the nodes of a surface", surface.name);
+        }
+    }
+
+    private void nodes(ByteReader data) {
+        String server = "";
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id().equals("NSRV")) {
+                server = chunks.data().s0();
+            } else if (chunks.id().equals("FORM") && chunks.data().id().equals("NTAG")) {
+                MaterialNode node = MaterialNode.read(server, chunks.data(), notes);
+                materials.putIfAbsent(node.name(), node);
+            }
+        }
+    }
+
+    /** Four chunks make a link: node, its input, the node whose output is put there, that output. */
+    private void connections(ByteReader data) {
+        String node = "";
+        String input = "";
+        Chunks chunks = new Chunks(data, 4, notes);
+        while (chunks.next()) {
+            switch (chunks.id()) {
+                case "INME" -> node = chunks.data().s0();
+                case "IINM" -> input = chunks.data().s0();
+                case "IINN" -> connect(node, input, chunks.data().s0());
+                default -> { }
+            }
+        }
+    }
+
+    private void connect(String node, String input, String source) {
+        sources.computeIfAbsent(node, n -> new ArrayDeque<>()).add(source);
+        if (node.equals("Surface") && input.equals("Material")) {
+            materialOfSurface = source;
+        }
+        inputs.computeIfAbsent(node, n -> new LinkedHashMap<>()).put(input, source);
+    }
+
+    /** What another node gives to an input of the material: an image, or something that is not evaluated. */
+    private void input(SurfaceValues surface, String input, String source) {
+        String channel = CHANNELS.get(input);
+        MaterialNode node = materials.get(source);
+        if (channel != null && node != null && node.image().isPresent()) {
+            TextureBlock texture = node.image().get();
+            texture.channel = channel;
+            surface.addTexture(texture);
+        } else if (channel != null) {
+            notes.note("", "inputs of materials that nodes other than images give are taken as their base values",
+                    surface.name + "." + input);
+        }
+    }
+
+    private Optional<MaterialNode> material() {
+        Deque<String> ahead = new ArrayDeque<>(Set.of(materialOfSurface));
+        Set<String> seen = new HashSet<>(ahead);
+        while (!ahead.isEmpty()) {
+            String name = ahead.removeFirst();
+            MaterialNode node = materials.get(name);
+            if (node != null && node.isMaterial()) {
+                return Optional.of(node);
+            }
+            for (String source : sources.getOrDefault(name, new ArrayDeque<>())) {
+                if (seen.add(source)) {
+                    ahead.addLast(source);
+                }
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,104 @@
+package radiosity.input.lightwave.lwo;
+
+import java.util.ArrayList;
+import java.util.List;
+import radiosity.scene.Rgb;
+import radiosity.scene.Srgb;
+
+/**
+ * A surface as an object describes it. What the file does not say is null until {@link #complete}.
+ *
+ * <p>Diffuse, luminosity, specular and transparency are shares, 1 = 100 %; they may be more than that.
+ */
+public final class SurfaceValues {
+
+    /** LightWave's own grey. */
+    private static final Rgb DEFAULT_COLOUR = Rgb.grey(200 / 255.0);
+    private static final int MOST_TEXTURES = 16;
+
+    public final String name;
+    /** Name of the surface whose values hold where this one has none; empty if there is none. */
+    final String source;
+    public Rgb colour;
+    public Double diffuse;
+    public Double luminosity;
+    public Double specular;
+    public Double transparency;
+    /** Colour of the emitted light where it is not the surface's own. */
+    public Rgb luminousColour;
+    public Boolean twoSided;
+    public final List<TextureBlock> textures = new ArrayList<>(0);
+
+    SurfaceValues(String name, String source) {
+        this.name = name;
+        this.source = source;
+    }
+
+    /** The surface of a polygon whose own is not described. */
+    public static SurfaceValues standard(String name) {
+        SurfaceValues standard = new SurfaceValues(name, "");
+        standard.complete(false);
+        return standard;
+    }
+
+    /** Adds an image; LightWave itself is not known to have used so many. */
+    void addTexture(TextureBlock texture) {
+        if (textures.size() < MOST_TEXTURES) {
+            textures.add(texture);
+        }
+    }
+
+    /** Takes from another surface what this one does not say. */
+    void inherit(SurfaceValues from) {
+        colour = colour == null ? from.colour : colour;
+        diffuse = diffuse == null ? from.diffuse : diffuse;
+        luminosity = luminosity == null ? from.luminosity : luminosity;
+        specular = specular == null ? from.specular : specular;
+        transparency = transparency == null ? from.transparency : transparency;
+        luminousColour = luminousColour == null ? from.luminousColour : luminousColour;
+        twoSided = twoSided == null ? from.twoSided : twoSided;
+        if (textures.isEmpty()) {
+            textures.addAll(from.textures);
+        }
+    }
+
+    /** Sets what the file leaves out: all zero in old objects, diffuse 1 and a light grey in newer ones. */
+    void complete(boolean old) {
+        SurfaceValues rest = new SurfaceValues(name, "");
+        rest.colour = old ? Rgb.BLACK : DEFAULT_COLOUR;
+        rest.diffuse = old ? 0.0 : 1.0;
+        rest.luminosity = 0.0;
+        rest.specular = 0.0;
+        rest.transparency = 0.0;
+        rest.twoSided = false;
+        inherit(rest);
+    }
+
+    /** rho before it is clipped to what a surface can reflect; not a number and negative values are 0. */
+    public Rgb reflectance(boolean srgb) {
+        return sound(linear(colour, srgb).times(diffuse));
+    }
+
+    /** E in W/m², of the luminosity. */
+    public Rgb luminosityExitance(boolean srgb) {
+        return sound(linear(luminousColour == null ? colour : luminousColour, srgb).times(luminosity));
+    }
+
+    /** E in W/m², of the specularity as in appendix B.2 of the paper. */
+    public Rgb specularExitance(boolean srgb) {
+        return sound(linear(colour, srgb).times(specular));
+    }
+
+    /** What is not a number or negative is 0, what is infinite the largest there is. */
+    public static Rgb sound(Rgb rgb) {
+        return new Rgb(sound(rgb.r()), sound(rgb.g()), sound(rgb.b()));
+    }
+
+    private static double sound(double value) {
+        return value > 0 ? Math.min(value, Float.MAX_VALUE) : 0;
+    }
+
+    public static Rgb linear(Rgb rgb, boolean srgb) {
+        return srgb ? new Rgb(Srgb.linear(rgb.r()), Srgb.linear(rgb.g()), Srgb.linear(rgb.b())) : rgb;
+    }
+}

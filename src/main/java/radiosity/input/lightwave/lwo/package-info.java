@@ -1,0 +1,4 @@
+/**
+ * Reads LightWave objects (LWOB, LWLO, LWO2, LWO3) as their files list them.
+ */
+package radiosity.input.lightwave.lwo;

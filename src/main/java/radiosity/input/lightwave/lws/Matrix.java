@@ -1,0 +1,87 @@
+package radiosity.input.lightwave.lws;
+
+/**
+ * An affine map of column vectors in LightWave's left-handed space: rows of 3 factors and an offset.
+ *
+ * <p>Ry(h) takes +z to +x, Rx(p) takes +z to -y, Rz(b) takes +x to +y.
+ *
+ * @param m 12 numbers by rows; not modified
+ */
+public record Matrix(double[] m) {
+
+    public static final Matrix IDENTITY = new Matrix(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+
+    static Matrix move(double x, double y, double z) {
+        return new Matrix(new double[] {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
+    }
+
+    static Matrix scale(double x, double y, double z) {
+        return new Matrix(new double[] {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
+    }
+
+    /** Ry(heading) Rx(pitch) Rz(bank), radians. */
+    public static Matrix turn(double heading, double pitch, double bank) {
+        double ch = StrictMath.cos(heading);
+        double sh = StrictMath.sin(heading);
+        double cp = StrictMath.cos(pitch);
+        double sp = StrictMath.sin(pitch);
+        double cb = StrictMath.cos(bank);
+        double sb = StrictMath.sin(bank);
+        return new Matrix(new double[] {
+            ch * cb + sh * sp * sb, -ch * sb + sh * sp * cb, sh * cp, 0,
+            cp * sb, cp * cb, -sp, 0,
+            -sh * cb + ch * sp * sb, sh * sb + ch * sp * cb, ch * cp, 0});
+    }
+
+    /** This map after the other. */
+    public Matrix times(Matrix other) {
+        double[] product = new double[12];
+        for (int row = 0; row < 12; row += 4) {
+            for (int column = 0; column < 4; column++) {
+                product[row + column] = m[row] * other.m[column] + m[row + 1] * other.m[4 + column]
+                        + m[row + 2] * other.m[8 + column] + (column == 3 ? m[row + 3] : 0);
+            }
+        }
+        return new Matrix(product);
+    }
+
+    /** Component k (0, 1 or 2) of where a point goes. */
+    public double point(int k, double x, double y, double z) {
+        return m[4 * k] * x + m[4 * k + 1] * y + m[4 * k + 2] * z + m[4 * k + 3];
+    }
+
+    /** Where a direction goes, as a new array of 3. */
+    public double[] direction(double x, double y, double z) {
+        double[] d = new double[3];
+        for (int k = 0; k < 3; k++) {
+            d[k] = m[4 * k] * x + m[4 * k + 1] * y + m[4 * k + 2] * z;
+        }
+        return d;
+    }
+
+    /** Below 0 if the map mirrors. */
+    public double determinant() {
+        return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8])
+                + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    }
+
+    /** The direction that goes to d, by Cramer's rule; not finite if there is none. */
+    public double[] unturn(double[] d) {
+        double det = determinant();
+        return new double[] {
+            (d[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (d[1] * m[10] - m[6] * d[2])
+                    + m[2] * (d[1] * m[9] - m[5] * d[2])) / det,
+            (m[0] * (d[1] * m[10] - m[6] * d[2]) - d[0] * (m[4] * m[10] - m[6] * m[8])
+                    + m[2] * (m[4] * d[2] - d[1] * m[8])) / det,
+            (m[0] * (m[5] * d[2] - d[1] * m[9]) - m[1] * (m[4] * d[2] - d[1] * m[8])
+                    + d[0] * (m[4] * m[9] - m[5] * m[8])) / det};
+    }
+
+    boolean isFinite() {
+        double sum = 0;
+        for (double v : m) {
+            sum += Math.abs(v);
+        }
+        return sum <= Double.MAX_VALUE;
+    }
+}

@@ -1,0 +1,52 @@
+package radiosity.input.lightwave.lws;
+
+/**
+ * Position, rotation and scale of an item in time: nine channels, of which cameras often have but six.
+ *
+ * @param channels 0 to 2 position, 3 to 5 heading, pitch and bank, 6 to 8 scale; null where there is none
+ * @param old      as LWSC 1 and 2 write them: angles in degrees
+ * @param inFrames times are frames and not seconds (LWSC 1)
+ */
+public record Motion(Envelope[] channels, boolean old, boolean inFrames) {
+
+    static final int CHANNELS = 9;
+    private static final int HEADING = 3;
+    private static final int SCALE = 6;
+
+    static final Motion NONE = new Motion(new Envelope[CHANNELS], false, false);
+
+    /** Value of a channel, angles in radians. */
+    double at(int channel, Instant instant) {
+        double value = EnvelopeCurve.at(channels[channel], instant.time(inFrames), channel >= SCALE ? 1 : 0);
+        return old && channel >= HEADING && channel < SCALE ? Math.toRadians(value) : value;
+    }
+
+    Matrix position(Instant instant) {
+        return Matrix.move(at(0, instant), at(1, instant), at(2, instant));
+    }
+
+    Matrix rotation(Instant instant) {
+        return Matrix.turn(at(HEADING, instant), at(HEADING + 1, instant), at(HEADING + 2, instant));
+    }
+
+    double bank(Instant instant) {
+        return at(HEADING + 2, instant);
+    }
+
+    Matrix scale(Instant instant) {
+        return Matrix.scale(at(SCALE, instant), at(SCALE + 1, instant), at(SCALE + 2, instant));
+    }
+
+    /**
+     * A time of the scene.
+     *
+     * @param frame           negative infinity for the first key of every channel
+     * @param framesPerSecond above 0
+     */
+    public record Instant(double frame, double framesPerSecond) {
+
+        double time(boolean inFrames) {
+            return inFrames ? frame : frame / framesPerSecond;
+        }
+    }
+}

@@ -1,0 +1,167 @@
+package radiosity.input.lightwave.lws;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import radiosity.input.file.Diagnostics;
+
+/**
+ * Where the items of a scene stand at a time.
+ *
+ * <p>{@code W = W(parent) T(position) R(pivot rotation) Ry(h) Rx(p) Rz(b) S T(-pivot)}; W(parent) includes the parent's
+ * own T(-pivot), so a child's position is in the space of the parent's points.
+ */
+public final class Placement {
+
+    private static final long ROOT_MASK = 0xF0000000L;
+    private static final long OBJECT_OF_BONE = 0xFFFF;
+
+    private final SceneDescription scene;
+    private final Motion.Instant instant;
+    private final Diagnostics notes;
+    private final Map<SceneItem, double[]> layerPivots = new IdentityHashMap<>();
+    private final Map<SceneItem, Optional<SceneItem>> parents = new IdentityHashMap<>();
+    private final Map<SceneItem, Matrix> worlds = new IdentityHashMap<>();
+    private final Map<Long, SceneItem> byId = new HashMap<>();
+    private final Map<SceneItem.Kind, List<SceneItem>> byKind = new HashMap<>();
+
+    public Placement(SceneDescription scene, Motion.Instant instant, Diagnostics notes) {
+        this.scene = scene;
+        this.instant = instant;
+        this.notes = notes;
+        for (SceneItem.Kind kind : SceneItem.Kind.values()) {
+            byKind.put(kind, scene.items(kind));
+        }
+        for (SceneItem item : scene.items) {
+            if (item.id >= 0 && byId.putIfAbsent(item.id, item) != null) {
+                notes.note(item.place(), "two items have the same identity, the first counts",
+                        Long.toHexString(item.id));
+            }
+        }
+    }
+
+    /**
+     * Sets the pivot that holds for an object whose scene names none: that of its layer. To be done before any world.
+     */
+    public void layerPivot(SceneItem object, double[] pivot) {
+        layerPivots.put(object, pivot);
+    }
+
+    /** From an item's own space to that of the scene. */
+    public Matrix world(SceneItem item) {
+        Deque<SceneItem> chain = new ArrayDeque<>();
+        Map<SceneItem, Boolean> inChain = new IdentityHashMap<>();
+        SceneItem link = item;
+        while (link != null && !worlds.containsKey(link)) {
+            if (inChain.put(link, true) != null) {
+                notes.note(link.place(), "parents form a circle, which is opened here");
+                break;
+            }
+            chain.push(link);
+            link = parent(link);
+        }
+        Matrix world = link == null || !worlds.containsKey(link) ? Matrix.IDENTITY : worlds.get(link);
+        for (SceneItem next : chain) {
+            world = world.times(local(next));
+            worlds.put(next, world);
+        }
+        return world;
+    }
+
+    /** The space an item is placed in. */
+    Matrix parentWorld(SceneItem item) {
+        SceneItem parent = parent(item);
+        return parent == null || parent == item ? Matrix.IDENTITY : world(parent);
+    }
+
+    private Matrix local(SceneItem item) {
+        double[] pivot = pivot(item);
+        Matrix matrix = item.motion.position(instant);
+        if (item.has("PivotRotation")) {
+            double[] r = item.numbers("PivotRotation", instant, 0, 0, 0);
+            matrix = matrix.times(Matrix.turn(Math.toRadians(r[0]), Math.toRadians(r[1]), Math.toRadians(r[2])));
+        }
+        return matrix.times(item.motion.rotation(instant)).times(item.motion.scale(instant))
+                .times(Matrix.move(-pivot[0], -pivot[1], -pivot[2]));
+    }
+
+    private double[] pivot(SceneItem item) {
+        double[] none = layerPivots.getOrDefault(item, new double[3]);
+        String keyword = item.has("PivotPosition") ? "PivotPosition" : "PivotPoint";
+        return item.numbers(keyword, instant, none);
+    }
+
+    /** Where an item's pivot stands in the scene. */
+    double[] position(SceneItem item) {
+        double[] pivot = pivot(item);
+        Matrix world = world(item);
+        return new double[] {world.point(0, pivot[0], pivot[1], pivot[2]), world.point(1, pivot[0], pivot[1], pivot[2]),
+            world.point(2, pivot[0], pivot[1], pivot[2])};
+    }
+
+    private SceneItem parent(SceneItem item) {
+        return parents.computeIfAbsent(item, i -> Optional.ofNullable(i.has("ParentItem")
+                ? byReference(i, "ParentItem") : byNumber(i, "ParentObject"))).orElse(null);
+    }
+
+    /** What an item looks at; null if nothing. */
+    SceneItem target(SceneItem item) {
+        return item.has("TargetItem") ? byReference(item, "TargetItem") : byNumber(item, "TargetObject");
+    }
+
+    /** Objects and null objects from 1 on, as LWSC 1 and 2 number them. */
+    private SceneItem byNumber(SceneItem item, String keyword) {
+        String text = item.text(keyword);
+        if (text.isEmpty()) {
+            return null;
+        }
+        long number = SceneNumbers.whole(text, 10);
+        List<SceneItem> objects = byKind.get(SceneItem.Kind.OBJECT);
+        if (number >= 1 && number <= objects.size()) {
+            return objects.get((int) number - 1);
+        }
+        return number == 0 ? null : missing(item, keyword, text);
+    }
+
+    /** First digit the kind, then from LWSC 4 on the written identity, before that the place among its kind from 0. */
+    private SceneItem byReference(SceneItem item, String keyword) {
+        long reference = SceneNumbers.whole(item.text(keyword), 16);
+        if (reference < 0 || reference > 0xFFFFFFFFL) {
+            return missing(item, keyword, item.text(keyword));
+        }
+        SceneItem.Kind kind = kind(reference >>> 28);
+        long number = reference & ~ROOT_MASK;
+        if (kind == SceneItem.Kind.BONE) {
+            kind = SceneItem.Kind.OBJECT;
+            number &= OBJECT_OF_BONE;
+        }
+        SceneItem found = kind == null ? null : find(kind, number);
+        return found == null ? missing(item, keyword, item.text(keyword)) : found;
+    }
+
+    private static SceneItem.Kind kind(long digit) {
+        for (SceneItem.Kind kind : SceneItem.Kind.values()) {
+            if (kind.digit == digit) {
+                return kind;
+            }
+        }
+        return null;
+    }
+
+    private SceneItem find(SceneItem.Kind kind, long number) {
+        if (scene.version >= SceneDescription.WITH_IDENTITIES) {
+            return byId.get((long) kind.digit << 28 | number);
+        }
+        List<SceneItem> all = byKind.get(kind);
+        return number < all.size() ? all.get((int) number) : null;
+    }
+
+    private SceneItem missing(SceneItem item, String keyword, String text) {
+        notes.note(item.place(), keyword + " names an item that does not exist", text);
+        return null;
+    }
+}

@@ -1,0 +1,68 @@
+package radiosity.input.lightwave.lws;
+
+import java.util.List;
+import java.util.Optional;
+import radiosity.input.file.Diagnostics;
+import radiosity.scene.Camera;
+import radiosity.scene.Vec3;
+
+/** Makes the camera of a scene: the current one if it has several. */
+public final class SceneCamera {
+
+    private static final double DEFAULT_ZOOM = 3.2;
+    /** Width and height of the picture where the file names a resolution by a number only. */
+    private static final double[] DEFAULT_SIZE = {640, 480};
+
+    private final SceneDescription scene;
+    private final Placement placement;
+    private final Motion.Instant instant;
+    private final Diagnostics notes;
+
+    public SceneCamera(SceneDescription scene, Placement placement, Motion.Instant instant, Diagnostics notes) {
+        this.scene = scene;
+        this.placement = placement;
+        this.instant = instant;
+        this.notes = notes;
+    }
+
+    public Optional<Camera> camera() {
+        List<SceneItem> cameras = scene.items(SceneItem.Kind.CAMERA);
+        if (cameras.isEmpty()) {
+            return Optional.empty();
+        }
+        int current = scene.currentCamera();
+        return camera(cameras.get(current >= 0 && current < cameras.size() ? current : 0));
+    }
+
+    private Optional<Camera> camera(SceneItem item) {
+        Matrix world = new LookAt(placement, instant).world(item);
+        Vec3 forward = SceneLights.right(world.direction(0, 0, 1)).unit();
+        Vec3 up = SceneLights.right(world.direction(0, 1, 0));
+        up = up.minus(forward.times(up.dot(forward))).unit();
+        Vec3 position = new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]);
+        double zoom = item.number("ZoomFactor", instant, DEFAULT_ZOOM);
+        double aspect = aspect(item);
+        boolean sound = position.isFinite() && forward.length() > 0.5 && up.length() > 0.5 && forward.isFinite()
+                && up.isFinite();
+        if (!sound || !(zoom > 1e-6 && zoom < 1e9) || !(aspect > 1e-6 && aspect < 1e6)) {
+            notes.note(item.place(), "a camera without a sound position, zoom or picture size is left out");
+            return Optional.empty();
+        }
+        return Optional.of(new Camera(position, forward, up, StrictMath.atan(1 / zoom), aspect));
+    }
+
+    private double aspect(SceneItem item) {
+        String size = item.has("FrameSize") ? "FrameSize" : "CustomSize";
+        double[] pixels = item.numbers(size, instant, DEFAULT_SIZE);
+        return pixels[0] * pixelAspect(item) / pixels[1];
+    }
+
+    /** Width of a pixel / its height: since version 3 as such, before that under a number of which -1 is "custom". */
+    private double pixelAspect(SceneItem item) {
+        if (item.has("PixelAspect")) {
+            return item.number("PixelAspect", instant, 1);
+        }
+        boolean custom = item.number("PixelAspectRatio", instant, 0) == -1;
+        return custom && item.has("CustomSize") ? item.number("CustomPixelRatio", instant, 1) : 1;
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * Polygons of any shape cut into triangles (shared by all readers).
+ */
+package radiosity.input.polygon;

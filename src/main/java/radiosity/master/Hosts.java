@@ -1,0 +1,202 @@
+package radiosity.master;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
+import radiosity.master.balance.Dealing;
+import radiosity.master.host.Host;
+import radiosity.master.host.HostCalls;
+import radiosity.master.host.HostFinder;
+import radiosity.master.host.Link;
+import radiosity.master.host.NoWorkerException;
+import radiosity.master.host.OwnLink;
+import radiosity.protocol.SceneBytes;
+import radiosity.rmi.HostLostException;
+import radiosity.solution.HostStatistics;
+
+/**
+ * The hosts of a {@link RemoteWorld}, which may be lost and come back: every block has an owner that is there, and with
+ * no host left this process is one.
+ */
+final class Hosts {
+
+    private static final int MOST_FAILURES = 2;
+
+    private final byte[] task;
+    private final String fingerprint;
+    private final int threads;
+    private final Consumer<String> notices;
+    private final HostFinder finder;
+    private final Work work;
+    private final List<Host> present = new ArrayList<>();
+    private final List<HostStatistics> gone = new ArrayList<>();
+    /** This process as a host, while there is no other. */
+    private Host alone;
+    private int failures;
+
+    /** What hosts have to do. */
+    record Work(HostCalls calls, InFlightSteps underWay, Dealing dealing, BlockTransfer transfer, SharedTotals totals,
+                RoundTimes times) { }
+
+    /**
+     * @param task        see {@link SceneBytes}
+     * @param fingerprint of the mesh that comes of it
+     * @param threads     to go on with in this process
+     * @param notices     told what the user should know
+     */
+    Hosts(byte[] task, String fingerprint, int threads, Consumer<String> notices, Work work) {
+        this.task = task;
+        this.fingerprint = fingerprint;
+        this.threads = threads;
+        this.notices = notices;
+        this.work = work;
+        finder = new HostFinder(task, fingerprint, notices);
+    }
+
+    /** Those that are there; may change with every call. */
+    List<Host> present() {
+        return present;
+    }
+
+    /** @throws NoWorkerException where no host can be used */
+    void open(List<Link> links) throws IOException {
+        present.addAll(finder.open(links));
+        present.forEach(work.totals()::welcome);
+        if (present.isEmpty()) {
+            finder.close();
+            throw new NoWorkerException("hosts: expected at least one that can be used, got none");
+        }
+        adopt();
+    }
+
+    /** All of them have done what they were to do. */
+    void haveDone() {
+        failures = 0;
+    }
+
+    /*---- Who is lost ----*/
+
+    /** Gives the blocks of lost hosts to others, until all of them have an owner that is there. */
+    void recover() throws IOException {
+        while (work.calls().isAnyLost()) {
+            Map<Host, HostLostException> now = work.calls().takeLost();
+            Map<Host, Integer> blocks = new LinkedHashMap<>();
+            for (Map.Entry<Host, HostLostException> one : now.entrySet()) {
+                blocks.put(one.getKey(), work.dealing().blocks(one.getKey()).size());
+                lose(one.getKey(), one.getValue());
+            }
+            long begin = System.nanoTime();
+            int heirs = adopt();
+            double seconds = (System.nanoTime() - begin) * 1e-9;
+            now.forEach((host, why) -> notices.accept("host " + host.name() + " lost (" + why.getMessage() + "); "
+                    + movedTo(blocks.get(host), heirs, seconds)));
+        }
+    }
+
+    private String movedTo(int blocks, int heirs, double seconds) {
+        if (blocks == 0) {
+            return "it had no blocks";
+        }
+        return String.format(Locale.ROOT, "its %s to %s, rebuilt in %.1f s",
+                blocks == 1 ? "1 block moves" : blocks + " blocks move",
+                alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts", seconds);
+    }
+
+    private void lose(Host host, HostLostException why) throws IOException {
+        host.abandon();
+        work.underWay().lose(host);
+        remove(host, "lost");
+        if (why.inComputation()) {
+            if (host == alone || ++failures == MOST_FAILURES) {
+                throw new IOException("host " + host.name()
+                        + ": expected the round to be computed there or elsewhere, got "
+                        + why.getMessage(), why);
+            }
+        } else {
+            finder.lookFor(host.link());
+        }
+    }
+
+    private void remove(Host host, String state) {
+        gone.add(host.load.statistics(host.name(), state, 0, work.times().criticalPath()));
+        present.remove(host);
+        work.dealing().lose(host);
+    }
+
+    /** @return how many hosts have got blocks that had no owner */
+    private int adopt() throws IOException {
+        if (present.isEmpty()) {
+            goOnAlone();
+        }
+        Map<Host, List<byte[]>> answers = work.transfer().adopt(present, work.underWay().torn());
+        work.underWay().add(answers);
+        return answers.size();
+    }
+
+    private void goOnAlone() throws IOException {
+        OwnLink link = new OwnLink(threads);
+        alone = new Host(link, link.connect(), threads, notices);
+        alone.open("this process");
+        alone.load(task, fingerprint);
+        join(alone);
+    }
+
+    /*---- Who comes ----*/
+
+    /** Whether somebody waits to be admitted. */
+    boolean isAnyOutside() {
+        return finder.hasCome();
+    }
+
+    /**
+     * Lets in who waits; they have no blocks yet.
+     *
+     * @param speed to expect of a host
+     * @return whether anybody came
+     */
+    boolean admit(ToDoubleFunction<Host> speed) {
+        boolean come = false;
+        for (Host host = finder.next(); host != null; host = finder.next()) {
+            host.speed = speed.applyAsDouble(host);
+            join(host);
+            notices.accept("host " + host.name() + " joined");
+            come = true;
+        }
+        return come;
+    }
+
+    private void join(Host host) {
+        work.totals().welcome(host);
+        present.add(host);
+    }
+
+    /** Whether this process is one of the hosts. */
+    boolean isAlone() {
+        return alone != null;
+    }
+
+    /** The process that went on alone gives its blocks, of which a checkpoint was taken, to hosts that have come. */
+    void leaveAlone() throws IOException {
+        remove(alone, "left");
+        alone.close();
+        alone = null;
+        adopt();
+    }
+
+    List<HostStatistics> statistics() {
+        List<HostStatistics> all = new ArrayList<>(gone);
+        present.forEach(host -> all.add(host.load.statistics(host.name(), "working",
+                work.dealing().blocks(host).size(), work.times().criticalPath())));
+        return all;
+    }
+
+    void close() {
+        finder.close();
+        HostCalls.close(present);
+    }
+}

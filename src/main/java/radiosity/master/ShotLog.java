@@ -1,0 +1,77 @@
+package radiosity.master;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import radiosity.master.balance.AmortizedTrigger;
+import radiosity.protocol.BlockTakeover;
+import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
+
+/**
+ * What makes a lost block whole again: its state at the last checkpoint and every order since; and when the next one is
+ * due.
+ */
+final class ShotLog {
+
+    /**
+     * A checkpoint is taken when the rounds since the last one took so many times as long as it: 1 % of the time at
+     * most, and what n hosts lose with one of them is an n-th of those rounds.
+     */
+    private static final double PATIENCE = 100;
+    private static final double SECONDS = 0.02;
+    /** What the first one is taken to cost, before which all is lost: in any case, and per patch, s. */
+    private static final double FIRST_SECONDS = 0.001;
+    private static final double SECONDS_PER_PATCH = 5e-7;
+    /** Orders that are kept in memory for the next loss. */
+    private static final long MOST_BYTES = 128L << 20;
+
+    /** By id; empty before the first checkpoint, when all blocks are as in the initial mesh. */
+    private List<byte[]> states = List.of();
+    private final List<Supplier<byte[]>> orders = new ArrayList<>();
+    private long bytes;
+    private final AmortizedTrigger cadence;
+
+    ShotLog(long patches) {
+        cadence = new AmortizedTrigger(PATIENCE, SECONDS, Math.max(FIRST_SECONDS, patches * SECONDS_PER_PATCH));
+    }
+
+    /** @param encoded what the hosts were told, or null where that is not all */
+    void add(Order order, byte[] encoded) {
+        orders.add(encoded == null ? order::encode : () -> encoded);
+        bytes += encoded == null ? order.shots().stream().mapToLong(Shot::bytes).sum() : encoded.length;
+    }
+
+    /** What it took the slowest host to do an order that was added, s. */
+    void took(double seconds) {
+        cadence.add(seconds);
+    }
+
+    boolean isCheckpointDue() {
+        return cadence.isDue() || bytes > MOST_BYTES;
+    }
+
+    /** @param seconds that it took to get these states */
+    void checkpoint(List<byte[]> now, double seconds) {
+        checkpoint(now);
+        cadence.done(seconds);
+    }
+
+    /** States that were there already. */
+    void checkpoint(List<byte[]> now) {
+        states = List.copyOf(now);
+        orders.clear();
+        bytes = 0;
+    }
+
+    /** @param said how many of the last orders are to be answered again */
+    BlockTakeover adoption(List<Integer> blocks, int said) {
+        Map<Integer, byte[]> wanted = new TreeMap<>();
+        for (int block : blocks) {
+            wanted.put(block, states.isEmpty() ? BlockTakeover.INITIAL : states.get(block));
+        }
+        return new BlockTakeover(wanted, orders.stream().map(Supplier::get).toList(), said, List.of());
+    }
+}

@@ -1,0 +1,297 @@
+package radiosity.master.host;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.rmi.RemoteException;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import radiosity.master.RemoteWorld;
+import radiosity.partition.GhostReport;
+import radiosity.partition.GhostVertices;
+import radiosity.protocol.BlockTakeover;
+import radiosity.protocol.PiggybackMessage;
+import radiosity.protocol.Reply;
+import radiosity.protocol.SceneBytes;
+import radiosity.protocol.Wire;
+import radiosity.rmi.HostFailure;
+import radiosity.rmi.HostLostException;
+import radiosity.rmi.RemotePartition;
+import radiosity.rmi.RetryPolicy;
+import radiosity.worker.ShotHistory;
+
+/**
+ * One host, as its master sees it: a session, a thread for its calls, another one for its heartbeat.
+ *
+ * <p>Belongs to the thread of the {@link RemoteWorld}, which starts calls on several hosts and then awaits each.
+ */
+public final class Host implements AutoCloseable {
+
+    /** Silent for so long: the user is told; the host is lost. Seconds. */
+    private static final double NOTICED = 3;
+    private static final long HEARTBEAT_MILLISECONDS = 1000;
+    private static final long LOOK_MILLISECONDS = 100;
+    private static final int PART_BYTES = 1 << 20;
+    /** Daemons: a call that hangs does not keep the program. */
+    private static final ExecutorService CALLS = Executors.newCachedThreadPool(work -> {
+        Thread thread = new Thread(work, "host");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private static final SecureRandom NUMBERS = new SecureRandom();
+
+    private final Link link;
+    private final RemotePartition remote;
+    private final Consumer<String> notices;
+    private final long session = NUMBERS.nextLong();
+    private final Thread heartbeat = new Thread(this::beat, "heartbeat");
+    private volatile long heard = System.nanoTime();
+    private volatile boolean closed;
+    /**
+     * The moment from which the host was silent when the user was last notified of silence; 0 before the first time.
+     */
+    private long noticed;
+    private long rounds;
+    /** Relative to other hosts; threads, until it turns out to be another one. */
+    public double speed;
+    /** Whether it knows what was shot before it came. */
+    public boolean knows;
+    /** Pairs of receiving point and shooter in the last rounds, and the seconds they took. */
+    public double pairs;
+    public double seconds;
+    public final HostLoad load = new HostLoad();
+    /** What it is to be told with the next order, see {@link PiggybackMessage}; or empty. */
+    private byte[] told = {};
+
+    /** @param threads that the host computes with */
+    public Host(Link link, RemotePartition remote, int threads, Consumer<String> notices) {
+        this.link = link;
+        this.remote = remote;
+        this.notices = notices;
+        speed = threads;
+    }
+
+    /** Opens a session; from now on the host hears from its master. */
+    public void open(String master) throws RemoteException {
+        remote.open(session, Wire.utf8(master));
+        heard = System.nanoTime();
+        heartbeat.setDaemon(true);
+        heartbeat.start();
+    }
+
+    /**
+     * Gives the host the scene, see {@link SceneBytes}.
+     *
+     * @param expected the fingerprint of the mesh that comes of it
+     */
+    public Void load(byte[] task, String expected) throws IOException {
+        send(task);
+        String got = Wire.utf8(remote.mesh(session));
+        if (!got.equals(expected)) {
+            throw new IOException("expected the mesh of " + expected + ", got that of " + got);
+        }
+        return null;
+    }
+
+    /** Pairs per second. */
+    public double pace() {
+        return pairs / seconds;
+    }
+
+    public String name() {
+        return link.name();
+    }
+
+    public Link link() {
+        return link;
+    }
+
+    private void send(byte[] message) throws RemoteException {
+        for (int at = 0; at < message.length; at += PART_BYTES) {
+            remote.send(session, Arrays.copyOfRange(message, at, Math.min(message.length, at + PART_BYTES)));
+        }
+        load.bytes.addAndGet(message.length);
+    }
+
+    private void beat() {
+        while (!closed) {
+            try {
+                remote.ping(session);
+                heard = System.nanoTime();
+            } catch (RemoteException | RuntimeException e) {
+                // the silence is noticed by whoever waits for this host
+            }
+            try {
+                Thread.sleep(HEARTBEAT_MILLISECONDS);
+            } catch (InterruptedException e) {
+                return;
+            }
+        }
+    }
+
+    /*---- Calls; each is started on all hosts, then awaited ----*/
+
+    /** The number of the next round: rounds of a session are done in this order, whatever overtakes what on the way. */
+    public long nextRound() {
+        return ++rounds;
+    }
+
+    /** With its next order, after what it is to be told with it already. */
+    public void tell(PiggybackMessage what, byte[] content) {
+        told = Wire.bytes(out -> {
+            out.write(told);
+            out.writeByte(what.ordinal());
+            out.write(content);
+        });
+    }
+
+    /** @return what it is sent for an order: what it is to be told with it follows */
+    public byte[] withTold(byte[] order) {
+        if (told.length == 0) {
+            return order;
+        }
+        byte[] all = Arrays.copyOf(order, order.length + told.length);
+        System.arraycopy(told, 0, all, order.length, told.length);
+        told = new byte[0];
+        return all;
+    }
+
+    public Reply round(long number, byte[] order) throws IOException {
+        byte[] bytes = RetryPolicy.repeat(() -> remote.round(session, number, order));
+        load.bytes.addAndGet((long) order.length + bytes.length);
+        return Reply.decode(bytes);
+    }
+
+    /** What it answers to the orders that it was to answer. */
+    public List<byte[]> take(BlockTakeover adoption) throws IOException {
+        send(adoption.encode());
+        byte[] answers = remote.take(session);
+        load.bytes.addAndGet(answers.length);
+        return Wire.list(answers);
+    }
+
+    /** @param totals see {@link ShotHistory} */
+    public Void know(byte[] totals) throws IOException {
+        send(totals);
+        remote.know(session);
+        return null;
+    }
+
+    /** The points that other hosts may have, too, see {@link GhostVertices#name}. */
+    public byte[] border(boolean anew) throws IOException {
+        return remote.border(session, anew);
+    }
+
+    /**
+     * @param roles see {@link GhostVertices#agree}
+     * @return what it leaves to the master: a {@link GhostReport}, or nothing
+     */
+    public byte[] share(int agreement, byte[] roles) throws IOException {
+        send(Wire.bytes(out -> {
+            out.writeInt(agreement);
+            out.write(roles);
+        }));
+        byte[] left = remote.share(session);
+        load.bytes.addAndGet(left.length);
+        return left;
+    }
+
+    /** The states of some of its blocks, in their order. */
+    public List<byte[]> blocks(List<Integer> blocks) throws IOException {
+        List<byte[]> states = new ArrayList<>();
+        while (states.size() < blocks.size()) {
+            byte[] wanted = ids(blocks.subList(states.size(), blocks.size()));
+            byte[] some = RetryPolicy.repeat(() -> remote.blocks(session, wanted));
+            load.bytes.addAndGet(some.length);
+            int before = states.size();
+            states.addAll(Wire.list(some));
+            if (states.size() == before) {
+                throw new IOException("expected states of blocks, got none");
+            }
+        }
+        return states;
+    }
+
+    private static byte[] ids(List<Integer> blocks) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * blocks.size());
+        blocks.forEach(bytes::putInt);
+        return bytes.array();
+    }
+
+    /** Begins calls to this host; belongs to the thread of the world. */
+    public <T> FutureTask<T> begin(Callable<T> calls) {
+        return link.begin(calls);
+    }
+
+    static <T> FutureTask<T> start(Callable<T> call) {
+        FutureTask<T> task = new FutureTask<>(call);
+        CALLS.execute(task);
+        return task;
+    }
+
+    /** Waits for a call as long as the host is alive. */
+    <T> T await(FutureTask<T> call) throws HostLostException {
+        return await(call, notices);
+    }
+
+    /** @param told notified when the host falls silent, once per silence */
+    <T> T await(FutureTask<T> call, Consumer<String> told) throws HostLostException {
+        while (true) {
+            try {
+                return call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+            } catch (TimeoutException e) {
+                checkSilence(told);
+            } catch (ExecutionException e) {
+                throw HostFailure.because(e.getCause());
+            } catch (InterruptedException e) {
+                throw new HostLostException("interrupted", false, e);
+            }
+        }
+    }
+
+    private void checkSilence(Consumer<String> told) throws HostLostException {
+        long since = heard;
+        double silent = (System.nanoTime() - since) * 1e-9;
+        if (silent > RetryPolicy.LOST_SECONDS) {
+            throw new HostLostException("silent for " + Math.round(silent) + " s", false, null);
+        }
+        if (silent > NOTICED && noticed != since) {
+            noticed = since;
+            told.accept("host " + name() + " silent for " + Math.round(silent) + " s");
+        }
+    }
+
+    /** Leaves the host to itself, whatever it is doing. */
+    public void abandon() {
+        closed = true;
+        heartbeat.interrupt();
+        link.cut();
+    }
+
+    /** Ends the session, in case the host still listens. */
+    @Override
+    public void close() {
+        closed = true;
+        heartbeat.interrupt();
+        FutureTask<Void> end = start(() -> {
+            remote.close(session);
+            return null;
+        });
+        try {
+            end.get((long) NOTICED, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException e) {
+            link.cut();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,197 @@
+package radiosity.master.host;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import radiosity.protocol.Greeting;
+import radiosity.protocol.SceneBytes;
+import radiosity.rmi.Build;
+import radiosity.rmi.HostFailure;
+import radiosity.rmi.HostLostException;
+import radiosity.rmi.RemotePartition;
+
+/** Opens sessions: with all hosts at the start, and with those that are missing whenever they come. */
+public final class HostFinder implements AutoCloseable {
+
+    private static final int CONNECT_SECONDS = 5;
+    private static final int RETRY_SECONDS = 2;
+    /** A host is busy for a while after its master was killed. */
+    private static final int BUSY_SECONDS = 6;
+    private static final int BUSY_LOOK_MILLISECONDS = 300;
+
+    private final byte[] task;
+    private final String fingerprint;
+    private final Consumer<String> notices;
+    private final String master = System.getProperty("user.name", "somebody");
+    private final Queue<Link> missing = new ConcurrentLinkedQueue<>();
+    private final Queue<Host> arrived = new ConcurrentLinkedQueue<>();
+    private volatile boolean closed;
+
+    /** @param task see {@link SceneBytes} */
+    public HostFinder(byte[] task, String fingerprint, Consumer<String> notices) {
+        this.task = task;
+        this.fingerprint = fingerprint;
+        this.notices = notices;
+    }
+
+    /** A host that will never do, as it runs another program or has another key. */
+    private static final class RefusedException extends IOException {
+        private static final long serialVersionUID = 1;
+
+        RefusedException(String message) {
+            super(message);
+        }
+    }
+
+    /** All hosts that can be used, in the order of the links; the others are looked for from now on. */
+    public List<Host> open(List<Link> links) {
+        List<FutureTask<Host>> opening = links.stream().map(link -> Host.start(() -> open(link, true))).toList();
+        List<Host> hosts = opening.stream().map(HostFinder::result).filter(host -> host != null).toList();
+        Thread retry = new Thread(this::look, "missing hosts");
+        retry.setDaemon(true);
+        retry.start();
+        return hosts;
+    }
+
+    private static Host result(FutureTask<Host> opening) {
+        try {
+            return opening.get();
+        } catch (ExecutionException | InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** A session, or null where there can be none now. */
+    private Host open(Link link, boolean tell) {
+        FutureTask<Host> opening = Host.start(() -> session(link, tell));
+        try {
+            Host host = opening.get(CONNECT_SECONDS + (tell ? BUSY_SECONDS : 0), TimeUnit.SECONDS);
+            load(host, tell);
+            return host;
+        } catch (TimeoutException e) {
+            opening.cancel(true);
+            link.cut();
+            return later(link, tell, "no answer");
+        } catch (ExecutionException e) {
+            return e.getCause() instanceof RefusedException refused ? never(link, refused.getMessage())
+                    : later(link, tell, HostFailure.words(e.getCause()));
+        } catch (HostLostException e) {
+            return later(link, tell, e.getMessage());
+        } catch (InterruptedException e) {
+            return later(link, tell, "interrupted");
+        }
+    }
+
+    /** A host that cannot be given the scene is let go: its heartbeat would keep it busy. */
+    private void load(Host host, boolean tell) throws HostLostException {
+        try {
+            host.await(Host.start(() -> host.load(task, fingerprint)), tell ? notices : line -> { });
+        } catch (HostLostException e) {
+            host.close();
+            throw e;
+        }
+    }
+
+    private Host later(Link link, boolean tell, String why) {
+        if (tell) {
+            notices.accept("host " + link.name() + ": " + why + "; starting without it");
+        }
+        missing.add(link);
+        return null;
+    }
+
+    private Host never(Link link, String why) {
+        notices.accept("host " + link.name() + " " + why);
+        return null;
+    }
+
+    /** Who the host is, as soon as it is free; or who it is if it stays busy. */
+    private static Greeting greeting(RemotePartition remote, boolean patient) throws IOException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(patient ? BUSY_SECONDS : 0);
+        Greeting greeting = Greeting.decode(remote.greet());
+        while (!greeting.busy().isEmpty() && System.nanoTime() < end) {
+            try {
+                TimeUnit.MILLISECONDS.sleep(BUSY_LOOK_MILLISECONDS);
+            } catch (InterruptedException e) {
+                return greeting;
+            }
+            greeting = Greeting.decode(remote.greet());
+        }
+        return greeting;
+    }
+
+    private Host session(Link link, boolean patient) throws IOException {
+        RemotePartition remote = link.connect();
+        Greeting greeting = greeting(remote, patient);
+        if (!greeting.build().equals(Build.id())) {
+            throw new RefusedException(greeting.version().equals(Build.version())
+                    ? "runs another build of " + Build.version() + ": copy the jar there"
+                    : "runs " + greeting.version() + ", this is " + Build.version() + ": copy the jar there");
+        }
+        checkFree(greeting);
+        Host host = new Host(link, remote, greeting.processors(), notices);
+        try {
+            host.open(master);
+        } catch (IllegalStateException e) {
+            checkFree(Greeting.decode(remote.greet()));
+            throw e;
+        }
+        if (Thread.interrupted()) {
+            host.close();
+            throw new IOException("no answer");
+        }
+        return host;
+    }
+
+    private static void checkFree(Greeting greeting) throws IOException {
+        if (!greeting.busy().isEmpty()) {
+            throw new IOException(greeting.busy());
+        }
+    }
+
+    /** A lost host may come back. */
+    public void lookFor(Link link) {
+        missing.add(link);
+    }
+
+    public boolean hasCome() {
+        return !arrived.isEmpty();
+    }
+
+    /** A host that has come since, ready to be given blocks; or null. */
+    public Host next() {
+        return arrived.poll();
+    }
+
+    private void look() {
+        while (!closed) {
+            for (int n = missing.size(); n > 0 && !closed; n--) {
+                Link link = missing.poll();
+                Host host = link == null ? null : open(link, false);
+                if (host != null) {
+                    arrived.add(host);
+                }
+            }
+            try {
+                TimeUnit.SECONDS.sleep(RETRY_SECONDS);
+            } catch (InterruptedException e) {
+                return;
+            }
+        }
+        close();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        for (Host host = next(); host != null; host = next()) {
+            host.close();
+        }
+    }
+}

@@ -1,0 +1,13 @@
+package radiosity.master.host;
+
+import java.io.IOException;
+
+/** None of the hosts that were asked for could be used. */
+public final class NoWorkerException extends IOException {
+
+    private static final long serialVersionUID = 1;
+
+    public NoWorkerException(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,102 @@
+package radiosity.master.host;
+
+import java.io.IOException;
+import java.io.NotSerializableException;
+import java.lang.reflect.Proxy;
+import java.net.UnknownHostException;
+import java.rmi.ConnectException;
+import java.rmi.NotBoundException;
+import java.rmi.RemoteException;
+import java.rmi.registry.LocateRegistry;
+import java.rmi.registry.Registry;
+import java.rmi.server.RemoteObjectInvocationHandler;
+import java.util.ArrayList;
+import java.util.List;
+import javax.net.ssl.SSLException;
+import radiosity.rmi.HostAddress;
+import radiosity.rmi.HostKey;
+import radiosity.rmi.HostStub;
+import radiosity.rmi.RemotePartition;
+import radiosity.rmi.RmiSockets;
+import radiosity.rmi.SerialFilters;
+import radiosity.worker.PartitionPort;
+
+/** The way to a host over RMI. */
+public final class RmiLink implements Link {
+
+    private final HostAddress address;
+    private final HostKey key;
+    private final RmiSockets sockets;
+    /** Where the partition itself listens: another port beside a registry that was there before. */
+    private volatile HostAddress partition;
+
+    private RmiLink(HostAddress address, HostKey key, RmiSockets sockets) {
+        this.address = address;
+        this.key = key;
+        this.sockets = sockets;
+        partition = address;
+    }
+
+    /** @param key null for none */
+    public static List<Link> to(List<HostAddress> addresses, HostKey key) throws IOException {
+        SerialFilters.ofMaster();
+        RmiSockets sockets = RmiSockets.inUse();
+        List<Link> links = new ArrayList<>();
+        for (HostAddress address : addresses) {
+            links.add(new RmiLink(address, key, sockets));
+        }
+        return links;
+    }
+
+    @Override
+    public String name() {
+        return address.toString();
+    }
+
+    @Override
+    public RemotePartition connect() throws IOException {
+        sockets.use(address, key);
+        try {
+            Registry registry = LocateRegistry.getRegistry(address.host(), address.port());
+            if (!(registry.lookup(PartitionPort.NAME) instanceof RemoteObjectInvocationHandler handler)) {
+                throw new IOException("no PartitionServer behind the registry there");
+            }
+            HostStub stub = HostStub.of(handler).at(address.host());
+            partition = new HostAddress(address.host(), stub.port());
+            sockets.use(partition, key);
+            return (RemotePartition) Proxy.newProxyInstance(RemotePartition.class.getClassLoader(),
+                    new Class<?>[] {RemotePartition.class}, stub.handler());
+        } catch (NotBoundException | NotSerializableException e) {
+            throw new IOException("no PartitionServer behind the registry on port " + address.port(), e);
+        } catch (RemoteException e) {
+            throw new IOException(why(e), e);
+        }
+    }
+
+    private String why(RemoteException e) {
+        Throwable cause = e.getCause();
+        if (cause instanceof UnknownHostException || e instanceof java.rmi.UnknownHostException) {
+            return "no machine of this name";
+        }
+        if (cause instanceof SSLException) {
+            String said = String.valueOf(cause.getMessage());
+            return said.contains("certi") || said.contains("PKIX") ? "it has another key (-key)"
+                    : "it was started without a key (-key)";
+        }
+        if (String.valueOf(e.getMessage()).contains("non-JRMP") || cause instanceof java.io.EOFException) {
+            return key == null ? "no PartitionServer on port " + address.port()
+                    + ", or one that was started with a key (-key)"
+                    : "it has another key (-key), or none";
+        }
+        String running = "(is PartitionServer running there?)";
+        return e instanceof ConnectException || cause instanceof java.net.SocketTimeoutException
+                ? "no answer on port " + address.port() + " " + running
+                : "no sound answer on port " + address.port() + " " + running;
+    }
+
+    @Override
+    public void cut() {
+        sockets.cut(address);
+        sockets.cut(partition);
+    }
+}

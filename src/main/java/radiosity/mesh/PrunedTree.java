@@ -1,0 +1,108 @@
+package radiosity.mesh;
+
+import java.util.Arrays;
+import radiosity.mesh.face.NodePath;
+
+/** A tree without the elements that are not needed to say what it says: where four are as one, they are one. */
+public final class PrunedTree {
+
+    private final PatchTree tree;
+    /** As of the tree; -1 where four have become one. */
+    private final int[] child;
+    private final double[] radiosity;
+    /** Values per node. */
+    private final int n;
+    private int size;
+
+    private PrunedTree(PatchTree tree) {
+        this.tree = tree;
+        child = tree.child().clone();
+        radiosity = tree.radiosity().clone();
+        n = radiosity.length / child.length;
+        size = child.length;
+    }
+
+    /**
+     * The same radiosity, to the last bit, on as few elements.
+     *
+     * @param level below the face, that no element is above
+     */
+    public static PatchTree of(PatchTree tree, int level) {
+        if (tree.child().length == 1) {
+            return tree;
+        }
+        PrunedTree pruned = new PrunedTree(tree);
+        pruned.prune(level);
+        return pruned.size == tree.child().length ? tree : pruned.tree();
+    }
+
+    private void prune(int level) {
+        int[] levels = levels();
+        for (int i = child.length - 1; i >= 0; i--) {
+            if (child[i] >= 0 && levels[i] >= level && isLinear(child[i])) {
+                for (int k = 0; k < 3; k++) {
+                    System.arraycopy(radiosity, corner(child[i] + k, k), radiosity, corner(i, k), n / 3);
+                }
+                child[i] = -1;
+                size -= 4;
+            }
+        }
+    }
+
+    private int[] levels() {
+        int[] levels = new int[child.length];
+        levels[0] = NodePath.level(tree.path());
+        for (int i = 0; i < levels.length; i++) {
+            if (child[i] >= 0) {
+                Arrays.fill(levels, child[i], child[i] + 4, levels[i] + 1);
+            }
+        }
+        return levels;
+    }
+
+    private int corner(int node, int k) {
+        return n * node + n / 3 * k;
+    }
+
+    /**
+     * Whether four consecutive nodes are elements that have, at the middles of their parent's edges, what lies between
+     * its corners.
+     */
+    private boolean isLinear(int first) {
+        for (int k = 0; k < 4; k++) {
+            if (child[first + k] >= 0) {
+                return false;
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            int p = (k + 1) % 3;
+            int q = (k + 2) % 3;
+            for (int c = 0; c < n / 3; c++) {
+                double middle = 0.5 * (radiosity[corner(first + p, p) + c] + radiosity[corner(first + q, q) + c]);
+                if (radiosity[corner(first + 3, k) + c] != middle || radiosity[corner(first + p, q) + c] != middle
+                        || radiosity[corner(first + q, p) + c] != middle) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** What is left. */
+    private PatchTree tree() {
+        int[] from = new int[size];
+        int[] below = new int[size];
+        double[] values = new double[n * size];
+        for (int i = 0, next = 1; i < size; i++) {
+            int first = child[from[i]];
+            below[i] = first < 0 ? -1 : next;
+            for (int k = 0; k < 4 && first >= 0; k++) {
+                from[next++] = first + k;
+            }
+            if (first < 0) {
+                System.arraycopy(radiosity, n * from[i], values, n * i, n);
+            }
+        }
+        return new PatchTree(tree.face(), tree.path(), below, values);
+    }
+}

@@ -1,0 +1,31 @@
+package radiosity.mesh;
+
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.util.Hash;
+
+/** What a vertex is: a corner of faces, a place on an edge that two may share, or a place on one face. */
+final class VertexKey {
+
+    private VertexKey() { }
+
+    /** @param w weights of the face's corners, 3 from {@code at}, in units of 2^-30; not modified */
+    static long of(Faces faces, int f, int[] w, int at) {
+        for (int k = 0; k < 3; k++) {
+            if (w[at + k] == NodePath.ONE) {
+                return Hash.mix(1, faces.fan[3 * f + k]);
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            if (w[at + k] == 0) {
+                int p = faces.point[3 * f + (k + 1) % 3];
+                int q = faces.point[3 * f + (k + 2) % 3];
+                int toQ = w[at + (k + 2) % 3];
+                long of = (faces.border[f] >> k & 1) != 0 ? ~f : faces.part[f];
+                long ends = (long) Math.min(p, q) << 32 | Math.max(p, q);
+                return Hash.mix(Hash.mix(Hash.mix(2, of), ends), p < q ? toQ : NodePath.ONE - toQ);
+            }
+        }
+        return Hash.mix(Hash.mix(Hash.mix(3, f), w[at]), w[at + 1]);
+    }
+}

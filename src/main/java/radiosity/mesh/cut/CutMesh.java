@@ -1,0 +1,236 @@
+package radiosity.mesh.cut;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import radiosity.mesh.face.CutPoints;
+import radiosity.mesh.face.Faces;
+import radiosity.scene.Vec3;
+
+/**
+ * Faces of one plane as convex polygons that share their edges, divided along contacts.
+ *
+ * <p>A triangle much larger than what stands on it is divided in four first, so that a small footprint does not leave
+ * long splinters; then lines divide whole polygons. A new point on an edge is put into the polygons on both sides of
+ * it.
+ */
+final class CutMesh {
+
+    /** A point this near to a line lies on it, of the scene's size. */
+    static final double NEAR = 1e-6;
+    /** A triangle is divided in four where an edge is longer than so many times what stands on it. */
+    private static final double COARSE = 4;
+
+    private final Faces faces;
+    private final CutPoints points;
+    private final double near;
+    private final int most;
+    /** By face: its polygons in the order in which they were made. */
+    private final Map<Integer, List<CutPolygon>> polygons = new HashMap<>();
+    private int count;
+    /** By an edge, which runs counter-clockwise about it. */
+    private final Map<Long, CutPolygon> beside = new HashMap<>();
+
+    /** @param most with more polygons than this nothing is divided */
+    CutMesh(Faces faces, CutPoints points, int most) {
+        this.most = most;
+        this.faces = faces;
+        this.points = points;
+        near = NEAR * faces.size();
+    }
+
+    void add(int face) {
+        for (int k = 0; k < 3; k++) {
+            points.use(faces.point[3 * face + k]);
+        }
+        int[] corners = {faces.point[3 * face], faces.point[3 * face + 1], faces.point[3 * face + 2]};
+        add(new CutPolygon(face, corners, corners));
+    }
+
+    private void add(CutPolygon p) {
+        polygons.computeIfAbsent(p.face, none -> new ArrayList<>(1)).add(p);
+        count++;
+        for (int i = 0; i < p.loop.length; i++) {
+            beside.put(key(p.loop[i], p.after(i)), p);
+        }
+    }
+
+    private static long key(int from, int to) {
+        return (long) from << 32 | to;
+    }
+
+    /** Those of one face. */
+    List<CutPolygon> polygons(int face) {
+        return polygons.get(face);
+    }
+
+    /*---- Triangles in four ----*/
+
+    void refine(int face, Contact contact) {
+        each(face, p -> p.corners != null && longest(p) > COARSE * contact.length() && crossing(p, contact) != null,
+                this::divide);
+    }
+
+    /** Those made on the way are looked at too. */
+    private void each(int face, Predicate<CutPolygon> wanted, Consumer<CutPolygon> todo) {
+        List<CutPolygon> some = polygons.get(face);
+        for (int i = 0; i < some.size() && count <= most; i++) {
+            CutPolygon p = some.get(i);
+            if (wanted.test(p)) {
+                some.remove(i--);
+                count--;
+                todo.accept(p);
+            }
+        }
+    }
+
+    private double longest(CutPolygon p) {
+        double most = 0;
+        for (int k = 0; k < 3; k++) {
+            most = Math.max(most, points.at(p.corners[k]).minus(points.at(p.corners[(k + 1) % 3])).length());
+        }
+        return most;
+    }
+
+    private void divide(CutPolygon p) {
+        int[] c = p.corners;
+        int[] middle = new int[3];
+        for (int k = 0; k < 3; k++) {
+            middle[k] = middle(p, c[k], c[(k + 1) % 3]);
+        }
+        for (int k = 0; k < 3; k++) {
+            int before = middle[(k + 2) % 3];
+            add(new CutPolygon(p.face, p.chain(before, middle[k]), new int[] {c[k], middle[k], before}));
+        }
+        add(new CutPolygon(p.face, middle, middle));
+    }
+
+    private int middle(CutPolygon p, int from, int to) {
+        Vec3 place = points.middle(from, to);
+        int m = points.number(place);
+        if (p.place(m) < 0) {
+            Vec3 start = points.at(from);
+            double half = place.minus(start).length();
+            int u = from;
+            int v = p.after(p.place(u));
+            while (points.at(v).minus(start).length() < half) {
+                u = v;
+                v = p.after(p.place(u));
+            }
+            insert(p, u, v, m);
+        }
+        return m;
+    }
+
+    /** Into a polygon that is taken out of the list, and into the one on the other side of its edge. */
+    private void insert(CutPolygon p, int u, int v, int point) {
+        p.insert(u, point);
+        CutPolygon other = beside.get(key(v, u));
+        if (other != null) {
+            other.insert(v, point);
+            beside.put(key(v, point), other);
+            beside.put(key(point, u), other);
+        }
+    }
+
+    /*---- Lines ----*/
+
+    void cut(int face, Contact contact) {
+        each(face, p -> crossing(p, contact) != null, p -> cut(p, contact));
+    }
+
+    /** Makes points of the ends of a contact where they lie on edges between polygons. */
+    void pin(int face, Contact contact) {
+        for (int i = 0; i < 2; i++) {
+            Vec3 end = i == 0 ? contact.from() : contact.to();
+            for (CutPolygon p : polygons.get(face)) {
+                pin(p, contact, end);
+            }
+        }
+    }
+
+    private void pin(CutPolygon p, Contact contact, Vec3 end) {
+        double at = contact.along(end);
+        for (int i = 0; i < p.loop.length; i++) {
+            int u = p.loop[i];
+            int v = p.after(i);
+            double a = contact.along(points.at(u));
+            double b = contact.along(points.at(v));
+            if (beside.containsKey(key(v, u)) && beside(contact, u) == 0 && beside(contact, v) == 0
+                    && at > Math.min(a, b) + near && at < Math.max(a, b) - near) {
+                int point = points.number(end);
+                insert(p, u, v, point);
+                beside.put(key(u, point), p);
+                beside.put(key(point, v), p);
+                return;
+            }
+        }
+    }
+
+    private void cut(CutPolygon p, Contact contact) {
+        int[] at = crossing(p, contact);
+        int[] u = {p.loop[at[0]], p.loop[at[1]]};
+        int[] v = {p.after(at[0]), p.after(at[1])};
+        int[] end = new int[2];
+        for (int i = 0; i < 2; i++) {
+            double d = beside(contact, u[i]);
+            end[i] = d == 0 ? u[i] : meeting(contact, Math.min(u[i], v[i]), Math.max(u[i], v[i]));
+            if (d != 0) {
+                insert(p, u[i], v[i], end[i]);
+            }
+        }
+        add(new CutPolygon(p.face, p.chain(end[0], end[1]), null));
+        add(new CutPolygon(p.face, p.chain(end[1], end[0]), null));
+    }
+
+    /** Where a line meets an edge. */
+    private int meeting(Contact contact, int u, int v) {
+        double du = beside(contact, u);
+        double dv = beside(contact, v);
+        Vec3 start = points.at(u);
+        Vec3 place = start.plus(points.at(v).minus(start).times(du / (du - dv)));
+        return points.number(place);
+    }
+
+    private double beside(Contact contact, int point) {
+        double d = contact.beside(points.at(point));
+        return Math.abs(d) <= near ? 0 : d;
+    }
+
+    /**
+     * The two places of a polygon's loop at which, or after which, a contact's line passes through; null where the
+     * contact itself does not go through the inside.
+     */
+    private int[] crossing(CutPolygon p, Contact contact) {
+        int n = p.loop.length;
+        double[] d = new double[n];
+        double low = 0;
+        double high = 0;
+        for (int i = 0; i < n; i++) {
+            d[i] = beside(contact, p.loop[i]);
+            low = Math.min(low, d[i]);
+            high = Math.max(high, d[i]);
+        }
+        if (low == 0 || high == 0) {
+            return null;
+        }
+        int[] at = new int[2];
+        double[] place = new double[2];
+        int found = 0;
+        for (int i = 0; i < n && found < 2; i++) {
+            double next = d[(i + 1) % n];
+            if (d[i] == 0 || d[i] * next < 0) {
+                double here = contact.along(points.at(p.loop[i]));
+                double there = contact.along(points.at(p.after(i)));
+                place[found] = d[i] == 0 ? here : here + (there - here) * d[i] / (d[i] - next);
+                at[found++] = i;
+            }
+        }
+        double from = Math.max(0, Math.min(place[0], place[1]));
+        double to = Math.min(contact.length(), Math.max(place[0], place[1]));
+        return found == 2 && to - from > near ? at : null;
+    }
+}

@@ -1,0 +1,129 @@
+package radiosity.mesh.cut;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import radiosity.mesh.face.CutPoints;
+import radiosity.mesh.face.EdgePieces;
+import radiosity.mesh.face.FacePieces;
+import radiosity.mesh.face.Faces;
+import radiosity.scene.Vec3;
+
+/**
+ * Cuts large faces where others stand on them or come through, so that no element has light and shadow of two sides of
+ * a wall, and none lies half under a block.
+ *
+ * <p>Discontinuity meshing for the discontinuities that no refinement can find an end to: D. Baum, S. Mann, K. Smith,
+ * J. Winget, Making radiosity usable, 1991. Faces of a size of few elements are left as they are.
+ */
+public final class DiscontinuityMesher {
+
+    /** Of the area of all faces. */
+    private static final double LEAST_AREA = 2e-4;
+    /** Points nearer to each other are one, of the scene's size. */
+    private static final double SAME = 1e-7;
+    /** Pieces of all faces: more of them would be the mesh, and not what the mesh needs. */
+    private static final int MOST = 20_000;
+
+    private final Faces faces;
+    final FaceIntersections contacts;
+    private final CutPoints points;
+    /** Per face that is cut: 3 points per piece. */
+    private final Map<Integer, List<int[]>> pieces = new HashMap<>();
+    /** Edges along contacts: two points, the lower number first. */
+    final Set<Long> edges = new HashSet<>();
+    private int count;
+
+    /**
+     * Cuts large faces along their contacts; leaves all faces as they are where nothing stands on them or comes
+     * through,
+     * and where so many triangles do that there would be more pieces than elements.
+     */
+    public static Faces cut(Faces faces) {
+        DiscontinuityMesher cutting = new DiscontinuityMesher(faces);
+        return cutting.edges.isEmpty() || cutting.isTooFine() ? faces
+                : faces.withPieces(new FacePieces(cutting.points, cutting.pieces, cutting.edges));
+    }
+
+    DiscontinuityMesher(Faces faces) {
+        this.faces = faces;
+        points = new CutPoints(faces.scene(), SAME * faces.size());
+        contacts = new FaceIntersections(faces, points);
+        for (List<Integer> part : parts().values()) {
+            if (!isTooFine()) {
+                cut(part);
+            }
+        }
+    }
+
+    /** Whether so much stands on faces or comes through them that it was given up. */
+    private boolean isTooFine() {
+        return count > MOST;
+    }
+
+    private Map<Integer, List<Integer>> parts() {
+        Map<Integer, List<Integer>> parts = new TreeMap<>();
+        double least = LEAST_AREA * faces.area();
+        Set<Integer> large = new HashSet<>();
+        for (int f = 0; f < faces.count(); f++) {
+            if (faces.area(f) > least) {
+                large.add(faces.part[f]);
+            }
+        }
+        for (int f = 0; f < faces.count(); f++) {
+            if (large.contains(faces.part[f])) {
+                parts.computeIfAbsent(faces.part[f], none -> new ArrayList<>()).add(f);
+            }
+        }
+        return parts;
+    }
+
+    private void cut(List<Integer> part) {
+        Map<Integer, List<Contact>> on = new TreeMap<>();
+        CutMesh mesh = new CutMesh(faces, points, MOST);
+        contacts.begin(part);
+        for (int f : part) {
+            on.put(f, contacts.on(f));
+            mesh.add(f);
+        }
+        on.forEach((f, some) -> some.forEach(contact -> mesh.refine(f, contact)));
+        on.forEach((f, some) -> some.forEach(contact -> mesh.cut(f, contact)));
+        on.forEach((f, some) -> some.forEach(contact -> mesh.pin(f, contact)));
+        for (int f : part) {
+            for (CutPolygon polygon : mesh.polygons(f)) {
+                take(polygon);
+                mark(polygon, on.get(f));
+            }
+        }
+        part.forEach(this::leaveWhole);
+        count += part.stream().filter(pieces::containsKey).mapToInt(f -> pieces.get(f).size()).sum();
+    }
+
+    private void take(CutPolygon polygon) {
+        pieces.computeIfAbsent(polygon.face, none -> new ArrayList<>())
+                .addAll(new ConvexTriangulator(points, faces.exactNormal(polygon.face)).triangles(polygon.loop));
+    }
+
+    private void leaveWhole(int face) {
+        if (pieces.get(face).size() == 1) {
+            pieces.remove(face);
+        }
+    }
+
+    private void mark(CutPolygon polygon, List<Contact> contacts) {
+        double near = CutMesh.NEAR * faces.size();
+        for (int i = 0; i < polygon.loop.length; i++) {
+            int p = polygon.loop[i];
+            int q = polygon.after(i);
+            Vec3 a = points.at(p);
+            Vec3 b = points.at(q);
+            if (contacts.stream().anyMatch(contact -> contact.holds(a, 2 * near) && contact.holds(b, 2 * near))) {
+                edges.add(EdgePieces.key(p, q));
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package radiosity.mesh.cut;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import radiosity.mesh.face.CutPoints;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.PointNumbers;
+import radiosity.mesh.face.TriangleBoxes;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+
+/** Finds where triangles stand on a face or come through it. */
+final class FaceIntersections {
+
+    /** What is nearer to a plane stands on it, of the scene's size. */
+    private static final double TOUCH = 1e-6;
+    /** A normal along an axis of the scene has a component that differs from 1 by less. */
+    private static final double UPRIGHT = 1e-12;
+    /** Shorter ones are not worth an edge in the mesh: of the root of the area of all faces. */
+    private static final double LEAST_LENGTH = 1e-3;
+    /** Of more, the longest are taken. */
+    private static final int MOST = 256;
+
+    private final Faces faces;
+    private final CutPoints points;
+    private final Scene scene;
+    /** 1 per point of the scene: the lowest one with the same coordinates. */
+    private final int[] numbers;
+    private final double touch;
+    private final double least;
+    /** 6 per triangle: low x, y, z, high x, y, z, scene units. */
+    private final double[] box;
+    /** Along the axes of the scene. */
+    private final TriangleBoxes upright;
+    /** Along those of the part that is being looked at, where it has many faces. */
+    private TriangleBoxes boxes;
+    private long looks;
+
+    FaceIntersections(Faces faces, CutPoints points) {
+        this.points = points;
+        this.faces = faces;
+        scene = faces.scene();
+        numbers = PointNumbers.of(scene.points());
+        touch = TOUCH * faces.size();
+        least = LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size();
+        box = new double[6 * scene.triangles()];
+        for (int i = 0; i < box.length; i++) {
+            int t = i / 6;
+            int a = i % 3;
+            double p = scene.points()[3 * scene.corners()[3 * t] + a];
+            double q = scene.points()[3 * scene.corners()[3 * t + 1] + a];
+            double r = scene.points()[3 * scene.corners()[3 * t + 2] + a];
+            box[i] = i % 6 < 3 ? Math.min(p, Math.min(q, r)) - touch : Math.max(p, Math.max(q, r)) + touch;
+        }
+        upright = TriangleBoxes.upright(scene);
+        boxes = upright;
+    }
+
+    /**
+     * Prepares for the faces of a part. Where these are many and their plane is oblique, boxes along the plane tell
+     * what
+     * lies in it from what stands on it; boxes along the axes of the scene do not.
+     */
+    void begin(List<Integer> part) {
+        boxes = upright;
+        Vec3 n = faces.exactNormal(part.stream().max(Comparator.comparingDouble(faces::area)).orElseThrow());
+        boolean isUpright = Math.max(Math.abs(n.x()), Math.max(Math.abs(n.y()), Math.abs(n.z()))) > 1 - UPRIGHT;
+        if (!isUpright && (double) part.size() * part.size() > scene.triangles()) {
+            boxes = TriangleBoxes.along(scene, boxes.reaching(around(part), 0, 2 * touch), n);
+        }
+    }
+
+    /** Low x, y, z, high x, y, z. */
+    private double[] around(List<Integer> part) {
+        double[] around = new double[6];
+        for (int a = 0; a < 3; a++) {
+            int axis = a;
+            around[a] = part.stream().mapToDouble(f -> box[6 * faces.triangle(f) + axis]).min().orElseThrow();
+            around[3 + a] = part.stream().mapToDouble(f -> box[6 * faces.triangle(f) + 3 + axis]).max().orElseThrow();
+        }
+        return around;
+    }
+
+    /** Boxes that were looked at for triangles that reach into them, for tests. */
+    long looks() {
+        return looks;
+    }
+
+    /** Those on one face; what touches only its border is among them. */
+    List<Contact> on(int face) {
+        List<Contact> found = new ArrayList<>();
+        int own = faces.triangle(face);
+        Vec3 n = faces.exactNormal(face);
+        Vec3 origin = faces.sceneCorner(face, 0);
+        long before = boxes.looks();
+        int[] near = boxes.reaching(box, 6 * own, 2 * touch, origin, n);
+        looks += boxes.looks() - before;
+        for (int t : near) {
+            if (t != own && overlap(own, t)) {
+                Contact contact = contact(t, origin, n);
+                if (contact != null && contact.length() > least) {
+                    found.add(contact);
+                }
+            }
+        }
+        found.sort(Comparator.comparingDouble(contact -> -contact.length()));
+        return found.subList(0, Math.min(MOST, found.size()));
+    }
+
+    private boolean overlap(int s, int t) {
+        for (int a = 0; a < 3; a++) {
+            if (box[6 * s + a] > box[6 * t + 3 + a] || box[6 * t + a] > box[6 * s + 3 + a]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Null where a triangle meets a plane in no segment, or has nothing before it. */
+    private Contact contact(int t, Vec3 origin, Vec3 n) {
+        double[] above = new double[3];
+        double highest = 0;
+        for (int k = 0; k < 3; k++) {
+            double d = scene.corner(t, k).minus(origin).dot(n);
+            above[k] = Math.abs(d) <= touch ? 0 : d;
+            highest = Math.max(highest, above[k]);
+        }
+        Vec3[] end = new Vec3[2];
+        int ends = 0;
+        for (int k = 0; k < 3 && highest > 0; k++) {
+            int next = (k + 1) % 3;
+            if (above[k] == 0 && ends < 2) {
+                points.use(numbers[scene.corners()[3 * t + k]]);
+                end[ends++] = scene.corner(t, k);
+            } else if (above[k] * above[next] < 0 && ends < 2) {
+                end[ends++] = crossing(t, above, k, next);
+            }
+        }
+        if (ends < 2 || end[0].equals(end[1])) {
+            return null;
+        }
+        return new Contact(end[0], end[1], n.cross(end[1].minus(end[0])).unit());
+    }
+
+    /** The same to the last bit from whichever end it is looked at. */
+    private Vec3 crossing(int t, double[] above, int k, int next) {
+        boolean turn = numbers[scene.corners()[3 * t + k]] > numbers[scene.corners()[3 * t + next]];
+        int from = turn ? next : k;
+        int to = turn ? k : next;
+        Vec3 p = scene.corner(t, from);
+        return p.plus(scene.corner(t, to).minus(p).times(above[from] / (above[from] - above[to])));
+    }
+}

@@ -1,0 +1,202 @@
+package radiosity.mesh.cut;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import radiosity.mesh.face.PointNumbers;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.util.Hash;
+import radiosity.util.LongIndex;
+
+/**
+ * Cuts long quadrangles across, for division in four keeps a triangle's shape: a corridor's wall would be meshed as
+ * finely across as along, or as coarsely along as across. What is to be cut follows from the scene alone.
+ *
+ * <p>A quadrangle is two triangles of one surface in one plane with their longest edge in common.
+ */
+public final class QuadSplitter {
+
+    /** Mean length over mean width from which a quadrangle is cut. */
+    private static final double LONG = 2;
+    /** What normals in one plane differ by at most. */
+    private static final double SAME_PLANE = 1e-5;
+
+    private final Scene scene;
+    private final int[] number;
+    private final LongIndex places;
+    /** 3 per point. */
+    private double[] points;
+    private int pointCount;
+    /** 3 per triangle. */
+    private int[] corners;
+    /** 1 per triangle. */
+    private int[] surfaceOf;
+    /** 1 per triangle: which of the scene it is, or -1. */
+    private int[] origin;
+    private int triangles;
+
+    private QuadSplitter(Scene scene) {
+        this.scene = scene;
+        number = PointNumbers.of(scene.points());
+        places = new LongIndex(16);
+        points = scene.points().clone();
+        pointCount = points.length / 3;
+        corners = new int[scene.corners().length];
+        surfaceOf = new int[scene.triangles()];
+        origin = new int[scene.triangles()];
+    }
+
+    /**
+     * A scene without long quadrangles.
+     *
+     * @param patchArea largest area of a patch, square scene units: a triangle that is no larger is left as it is
+     * @return the same scene where there is nothing to cut
+     */
+    public static Scene cut(Scene scene, double patchArea) {
+        QuadSplitter strips = new QuadSplitter(scene);
+        int[] partner = strips.partners(patchArea);
+        if (Arrays.stream(partner).allMatch(t -> t < 0)) {
+            return scene;
+        }
+        for (int t = 0; t < partner.length; t++) {
+            if (partner[t] < 0) {
+                strips.add(strips.corner(t, 0), strips.corner(t, 1), strips.corner(t, 2), scene.surfaceOf()[t], t);
+            } else if (partner[t] > t) {
+                strips.cut(t, partner[t]);
+            }
+        }
+        return strips.made();
+    }
+
+    /** 1 per triangle: that with which it makes a long quadrangle, or -1. */
+    private int[] partners(double patchArea) {
+        int[] partner = new int[scene.triangles()];
+        Arrays.fill(partner, -1);
+        LongIndex edges = new LongIndex(16);
+        for (int t = 0; t < partner.length; t++) {
+            if (isPlain(t) && scene.area(t) > patchArea) {
+                int k = longest(t);
+                int p = number[corner(t, k)];
+                int q = number[corner(t, k + 1)];
+                int u = edges.findOrAdd(Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]),
+                        t);
+                if (u != t && partner[u] < 0 && areOne(t, u) && pieces(quadrangle(t, u)) > 1) {
+                    partner[t] = u;
+                    partner[u] = t;
+                }
+            }
+        }
+        return partner;
+    }
+
+    private boolean isPlain(int t) {
+        return scene.textureCoordinates().length == 0 || Float.isNaN(scene.textureCoordinates()[6 * t]);
+    }
+
+    private int corner(int t, int k) {
+        return scene.corners()[3 * t + k % 3];
+    }
+
+    /** From which corner a triangle's longest edge goes. */
+    private int longest(int t) {
+        double[] length = IntStream.range(0, 3)
+                .mapToDouble(k -> scene.corner(t, (k + 1) % 3).minus(scene.corner(t, k)).length())
+                .toArray();
+        return length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
+    }
+
+    /** Whether the longest edges of two triangles run in opposite directions, and in one plane. */
+    private boolean areOne(int t, int u) {
+        return number[corner(t, longest(t))] == number[corner(u, longest(u) + 1)]
+                && number[corner(t, longest(t) + 1)] == number[corner(u, longest(u))]
+                && normal(t).minus(normal(u)).length() < SAME_PLANE;
+    }
+
+    private Vec3 normal(int t) {
+        Vec3 cross = scene.cross(t);
+        return cross.times(1 / cross.length());
+    }
+
+    /** Its four corners, beginning so that the first and the third side are the long ones. */
+    private int[] quadrangle(int t, int u) {
+        int k = longest(t);
+        int[] q = {corner(t, k), corner(u, longest(u) + 2), corner(t, k + 1), corner(t, k + 2)};
+        return side(q, 0) + side(q, 2) >= side(q, 1) + side(q, 3) ? q : new int[] {q[1], q[2], q[3], q[0]};
+    }
+
+    private double side(int[] q, int k) {
+        return point(q[(k + 1) % 4]).minus(point(q[k])).length();
+    }
+
+    private Vec3 point(int p) {
+        return new Vec3(points[3 * p], points[3 * p + 1], points[3 * p + 2]);
+    }
+
+    /** Into how many pieces a quadrangle is cut, which are about as wide as long. */
+    private int pieces(int[] q) {
+        double length = (side(q, 0) + side(q, 2)) / 2;
+        Vec3 across = point(q[2]).minus(point(q[0])).cross(point(q[3]).minus(point(q[1])));
+        double ratio = length * length / (across.length() / 2);
+        return ratio < LONG ? 1 : (int) Math.min(Math.round(ratio), 1 << 10);
+    }
+
+    private void cut(int t, int u) {
+        int[] q = quadrangle(t, u);
+        int n = pieces(q);
+        for (int i = 0; i < n; i++) {
+            int a = between(q[0], q[1], i, n);
+            int b = between(q[0], q[1], i + 1, n);
+            int c = between(q[3], q[2], i + 1, n);
+            int d = between(q[3], q[2], i, n);
+            add(a, b, c, scene.surfaceOf()[t], -1);
+            add(a, c, d, scene.surfaceOf()[t], -1);
+        }
+    }
+
+    /** The point i n-ths of the way from one to another; the same for all quadrangles on this edge. */
+    private int between(int from, int to, int i, int n) {
+        if (i == 0 || i == n) {
+            return i == 0 ? from : to;
+        }
+        if (number[from] > number[to]) {
+            return between(to, from, n - i, n);
+        }
+        int p = places.findOrAdd(Hash.mix((long) number[from] << 32 | number[to], (long) i << 32 | n), pointCount);
+        if (p == pointCount) {
+            points = 3 * p == points.length ? Arrays.copyOf(points, 2 * points.length) : points;
+            Vec3 at = point(from).plus(point(to).minus(point(from)).times((double) i / n));
+            points[3 * p] = at.x();
+            points[3 * p + 1] = at.y();
+            points[3 * p + 2] = at.z();
+            pointCount++;
+        }
+        return p;
+    }
+
+    /** @param from the triangle that it is, or -1 for a piece */
+    private void add(int a, int b, int c, int surface, int from) {
+        if (triangles == surfaceOf.length) {
+            surfaceOf = Arrays.copyOf(surfaceOf, 2 * triangles);
+            origin = Arrays.copyOf(origin, 2 * triangles);
+            corners = Arrays.copyOf(corners, 6 * triangles);
+        }
+        corners[3 * triangles] = a;
+        corners[3 * triangles + 1] = b;
+        corners[3 * triangles + 2] = c;
+        origin[triangles] = from;
+        surfaceOf[triangles++] = surface;
+    }
+
+    private Scene made() {
+        float[] texture = new float[scene.textureCoordinates().length == 0 ? 0 : 6 * triangles];
+        for (int t = 0; t < triangles && texture.length > 0; t++) {
+            if (origin[t] < 0) {
+                Arrays.fill(texture, 6 * t, 6 * t + 6, Float.NaN);
+            } else {
+                System.arraycopy(scene.textureCoordinates(), 6 * origin[t], texture, 6 * t, 6);
+            }
+        }
+        return new Scene(scene.name(), Arrays.copyOf(points, 3 * pointCount), Arrays.copyOf(corners, 3 * triangles),
+                Arrays.copyOf(surfaceOf, triangles), scene.surfaces(), scene.lights(), scene.camera(), texture);
+    }
+}

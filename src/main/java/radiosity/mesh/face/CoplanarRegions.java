@@ -1,0 +1,106 @@
+package radiosity.mesh.face;
+
+import java.util.Arrays;
+import java.util.Set;
+import radiosity.util.Hash;
+import radiosity.util.LongIndex;
+
+/** Finds which faces of a surface meet along an edge in one plane. Fills {@code part}, {@code fan} and
+ * {@code border} of faces. */
+final class CoplanarRegions {
+
+    /** Angle between normals of one part, radians. */
+    private static final double SAME_PLANE = 1e-4;
+
+    private final Faces faces;
+
+    CoplanarRegions(Faces faces) {
+        this.faces = faces;
+    }
+
+    /**
+     * Every edge is a border until exactly two faces of a part are found to share it.
+     *
+     * @param cut edges that are borders all the same, as {@link EdgePieces#key} has them; not modified
+     */
+    void join(Set<Long> cut) {
+        int n = faces.count();
+        Arrays.setAll(faces.part, f -> f);
+        Arrays.setAll(faces.fan, corner -> corner);
+        Arrays.fill(faces.border, (byte) 7);
+        int[] next = new int[3 * n];
+        LongIndex edges = new LongIndex(3 * n);
+        int[] first = new int[3 * n];
+        Arrays.fill(first, -1);
+        for (int e = 0; e < 3 * n; e++) {
+            int number = edges.findOrAdd(key(e), edges.size());
+            next[e] = first[number];
+            first[number] = e;
+        }
+        for (int i = 0; i < edges.size(); i++) {
+            int e = first[i];
+            int g = next[e];
+            if (g >= 0 && next[g] < 0 && matches(e, g) && !cut.contains(EdgePieces.key(corner(e, 1), corner(e, 2)))) {
+                faces.border[e / 3] &= (byte) ~(1 << e % 3);
+                faces.border[g / 3] &= (byte) ~(1 << g % 3);
+                union(faces.part, e / 3, g / 3);
+                union(faces.fan, slot(e, 1), slot(g, 2));
+                union(faces.fan, slot(e, 2), slot(g, 1));
+            }
+        }
+        Arrays.setAll(faces.part, f -> root(faces.part, f));
+        Arrays.setAll(faces.fan, corner -> root(faces.fan, corner));
+    }
+
+    /** Edge e % 3 of face e / 3 lies opposite its corner of that number. */
+    private long key(int e) {
+        int f = e / 3;
+        int from = corner(e, 1);
+        int to = corner(e, 2);
+        long ends = (long) Math.min(from, to) << 32 | Math.max(from, to);
+        int surface = faces.scene().surfaceOf()[faces.triangle(f)];
+        return Hash.mix(ends, 2L * surface + (faces.side(f) & 1));
+    }
+
+    /** Run through in opposite directions, and in one plane. */
+    private boolean matches(int e, int g) {
+        int f = e / 3;
+        int h = g / 3;
+        if (corner(e, 1) != corner(g, 2) || corner(e, 2) != corner(g, 1)) {
+            return false;
+        }
+        double apart = 0;
+        for (int a = 0; a < 3; a++) {
+            double d = (double) faces.normal(f, a) - faces.normal(h, a);
+            apart += d * d;
+        }
+        return apart < SAME_PLANE * SAME_PLANE;
+    }
+
+    private int corner(int e, int step) {
+        return faces.point[slot(e, step)];
+    }
+
+    private static int slot(int e, int step) {
+        return 3 * (e / 3) + (e % 3 + step) % 3;
+    }
+
+    private static int root(int[] forest, int i) {
+        int r = i;
+        while (forest[r] != r) {
+            r = forest[r];
+        }
+        for (int j = i; forest[j] != r;) {
+            int up = forest[j];
+            forest[j] = r;
+            j = up;
+        }
+        return r;
+    }
+
+    private static void union(int[] forest, int i, int j) {
+        int a = root(forest, i);
+        int b = root(forest, j);
+        forest[Math.max(a, b)] = Math.min(a, b);
+    }
+}

@@ -1,0 +1,62 @@
+package radiosity.mesh.face;
+
+import java.util.Arrays;
+import radiosity.scene.Vec3;
+
+/** Edges that fit together only in pieces: where a corner of one face stands on an edge of another. */
+public final class EdgePieces {
+
+    /** A point this near to an edge stands on it, of the scene's size: what coordinates in floats can tell. */
+    private static final double ON_EDGE = 1e-7;
+    /** Loose edges that are looked at; where there are more, they stay loose. */
+    private static final int MOST = 4000;
+
+    private final Faces faces;
+    private final double near;
+    private final int[] points;
+
+    /**
+     * @param points that may stand on edges; not modified
+     * @param edges  how many will be looked at
+     */
+    public EdgePieces(Faces faces, int[] points, int edges) {
+        this.faces = faces;
+        near = ON_EDGE * faces.size();
+        this.points = edges <= MOST ? points : new int[0];
+    }
+
+    public static long key(int p, int q) {
+        return (long) Math.min(p, q) << 32 | Math.max(p, q);
+    }
+
+    /** The ends of an edge, and what stands on it between them, in order. */
+    public int[] stops(int p, int q) {
+        int[] between = Arrays.stream(points).filter(x -> x != p && x != q && isOn(p, q, x)).toArray();
+        Integer[] sorted = Arrays.stream(between).boxed().toArray(Integer[]::new);
+        Arrays.sort(sorted, (x, y) -> Double.compare(along(p, q, x), along(p, q, y)));
+        int[] stops = new int[sorted.length + 2];
+        stops[0] = p;
+        for (int i = 0; i < sorted.length; i++) {
+            stops[i + 1] = sorted[i];
+        }
+        stops[stops.length - 1] = q;
+        return stops;
+    }
+
+    private boolean isOn(int p, int q, int x) {
+        double length = Math.sqrt(dot(p, q, q));
+        double at = along(p, q, x);
+        double off2 = dot(p, x, x) - at * at;
+        return at > near && at < length - near && off2 <= near * near;
+    }
+
+    /** How far along an edge a point lies, scene units. */
+    private double along(int p, int q, int x) {
+        return dot(p, q, x) / Math.sqrt(dot(p, q, q));
+    }
+
+    private double dot(int from, int x, int y) {
+        Vec3 start = faces.place(from);
+        return faces.place(x).minus(start).dot(faces.place(y).minus(start));
+    }
+}

@@ -1,0 +1,129 @@
+package radiosity.mesh.face;
+
+import java.util.List;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.util.ArraySize;
+
+/**
+ * Faces in arrays, as they are added one by one: the sides of a scene's triangles, or the pieces of those that are cut.
+ */
+final class FaceList {
+
+    private final SceneBox box;
+    /** Corners of faces, those of the scene and those that cutting made. */
+    final CutPoints points;
+    int count;
+    /** Triangles that were too small to radiate. */
+    int dropped;
+    /** 1 per face, as all of these: 2 * original triangle, + 1 for the back. */
+    final int[] side;
+    /** 9 per face: three corners, counter-clockwise seen from the side that radiates. */
+    final float[] corner;
+    /** 3 per face, length 1. */
+    final float[] normal;
+    /** 1 per face, of the scene's squared size. */
+    final double[] area;
+    /** Their sum. */
+    double wholeArea;
+    /** 3 per face: number of the point at each corner; equal coordinates have equal numbers. */
+    final int[] point;
+    /** 1 per face: whether it is a piece of a triangle that was cut. */
+    final boolean[] piece;
+
+    /** @param most faces that there is to be room for */
+    private FaceList(SceneBox box, CutPoints points, int most) {
+        this.box = box;
+        this.points = points;
+        side = new int[most];
+        corner = new float[ArraySize.of("corners of the sides of triangles", 9, most)];
+        normal = new float[3 * most];
+        area = new double[most];
+        point = new int[3 * most];
+        piece = new boolean[most];
+    }
+
+    /** The sides of a scene's triangles that radiate. */
+    static FaceList of(Scene scene, SceneBox box) {
+        int most = 0;
+        for (int t = 0; t < scene.triangles(); t++) {
+            most += scene.surface(t).twoSided() ? 2 : 1;
+        }
+        FaceList list = new FaceList(box, new CutPoints(scene, 0), most);
+        int[] numbers = PointNumbers.of(scene.points());
+        for (int t = 0; t < scene.triangles(); t++) {
+            list.add(scene, t, numbers);
+        }
+        return list;
+    }
+
+    /** The same faces with the pieces of those that are cut. */
+    FaceList withPieces(FacePieces cut) {
+        FaceList list = new FaceList(box, cut.points(), count + cut.count());
+        list.dropped = dropped;
+        for (int f = 0; f < count; f++) {
+            List<int[]> pieces = cut.byFace().get(f);
+            if (pieces == null) {
+                list.add(this, f, point[3 * f], point[3 * f + 1], point[3 * f + 2]);
+                continue;
+            }
+            for (int[] p : pieces) {
+                list.piece[list.count] = true;
+                list.add(this, f, p[0], p[1], p[2]);
+            }
+        }
+        return list;
+    }
+
+    private void add(FaceList whole, int face, int p, int q, int r) {
+        Vec3 a = box.unit(points.at(p));
+        Vec3 b = box.unit(points.at(q));
+        Vec3 c = box.unit(points.at(r));
+        double itsArea = b.minus(a).cross(c.minus(a)).length() / 2;
+        if (itsArea < Faces.LEAST_AREA) {
+            return;
+        }
+        Vec3 n = new Vec3(whole.normal[3 * face], whole.normal[3 * face + 1], whole.normal[3 * face + 2]);
+        add(whole.side[face], a, b, c, n, itsArea, p, q, r);
+    }
+
+    private void add(Scene scene, int triangle, int[] numbers) {
+        Vec3 a = box.unit(scene.corner(triangle, 0));
+        Vec3 b = box.unit(scene.corner(triangle, 1));
+        Vec3 c = box.unit(scene.corner(triangle, 2));
+        Vec3 cross = b.minus(a).cross(c.minus(a));
+        double twice = cross.length();
+        if (twice < 2 * Faces.LEAST_AREA) {
+            dropped++;
+            return;
+        }
+        int p = numbers[scene.corners()[3 * triangle]];
+        int q = numbers[scene.corners()[3 * triangle + 1]];
+        int r = numbers[scene.corners()[3 * triangle + 2]];
+        Vec3 n = cross.times(1 / twice);
+        add(2 * triangle, a, b, c, n, twice / 2, p, q, r);
+        if (scene.surface(triangle).twoSided()) {
+            add(2 * triangle + 1, a, c, b, n.times(-1), twice / 2, p, r, q);
+        }
+    }
+
+    private void add(int id, Vec3 a, Vec3 b, Vec3 c, Vec3 n, double faceArea, int p, int q, int r) {
+        side[count] = id;
+        area[count] = faceArea;
+        wholeArea += faceArea;
+        put(corner, 9 * count, a);
+        put(corner, 9 * count + 3, b);
+        put(corner, 9 * count + 6, c);
+        put(normal, 3 * count, n);
+        point[3 * count] = p;
+        point[3 * count + 1] = q;
+        point[3 * count + 2] = r;
+        count++;
+    }
+
+    static void put(float[] to, int at, Vec3 v) {
+        to[at] = (float) v.x();
+        to[at + 1] = (float) v.y();
+        to[at + 2] = (float) v.z();
+    }
+}

@@ -1,0 +1,20 @@
+package radiosity.mesh.face;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What cutting makes of some faces.
+ *
+ * @param points  the corners of the pieces
+ * @param byFace  for each face that is cut, the three points of each of its pieces
+ * @param edges   edges of pieces that stay borders of coplanar regions, as {@link EdgePieces#key} names them
+ */
+public record FacePieces(CutPoints points, Map<Integer, List<int[]>> byFace, Set<Long> edges) {
+
+    /** Number of pieces of all faces that are cut. */
+    int count() {
+        return byFace.values().stream().mapToInt(List::size).sum();
+    }
+}

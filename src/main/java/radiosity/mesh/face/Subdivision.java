@@ -1,0 +1,54 @@
+package radiosity.mesh.face;
+
+/** A triangle in four: its corners, and what stands at them. */
+public final class Subdivision {
+
+    private Subdivision() { }
+
+    /**
+     * From a triangle to one of its four children.
+     *
+     * @param at x, y, z of three corners; modified
+     */
+    public static void descend(float[] at, int child) {
+        child(at, 0, child, at, 0);
+    }
+
+    /**
+     * The corners of one of the four children of a triangle.
+     *
+     * @param from x, y, z of three corners, 9 from {@code i}; not modified unless it is {@code to}
+     * @param to   modified: the same of the child, 9 from {@code j}
+     */
+    public static void child(float[] from, int i, int child, float[] to, int j) {
+        for (int a = 0; a < 3; a++) {
+            float p = from[i + a];
+            float q = from[i + 3 + a];
+            float r = from[i + 6 + a];
+            float pq = 0.5f * (p + q);
+            float qr = 0.5f * (q + r);
+            float rp = 0.5f * (r + p);
+            to[j + a] = child == 0 ? p : child == 1 ? pq : child == 2 ? rp : qr;
+            to[j + 3 + a] = child == 0 ? pq : child == 1 ? q : child == 2 ? qr : rp;
+            to[j + 6 + a] = child == 0 ? rp : child == 1 ? qr : child == 2 ? r : pq;
+        }
+    }
+
+    /**
+     * What stands at the corners of a child, linear between those of its parent.
+     *
+     * @param values n values per corner; not modified
+     * @return the same of the child
+     */
+    public static double[] values(double[] values, int n, int child) {
+        double[] of = new double[3 * n];
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < 3; k++) {
+                int p = child == 3 ? (k + 1) % 3 : k;
+                int q = child == 3 ? (k + 2) % 3 : child;
+                of[n * k + i] = 0.5 * (values[n * p + i] + values[n * q + i]);
+            }
+        }
+        return of;
+    }
+}

@@ -1,0 +1,280 @@
+package radiosity.mesh.room;
+
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import radiosity.mesh.face.Faces;
+import radiosity.util.BoxTree;
+
+/**
+ * Which faces stand in a room that is proven closed: from every point of it surfaces are seen in all directions, by
+ * their radiating sides.
+ *
+ * <p>A shell is what is connected by edges; it is whole where every edge is run through as often in one direction as in
+ * the other, so that as a chain it has no boundary; corners of others may stand on an edge. A whole shell seen from
+ * inside is the wall of a room; the room is
+ * closed if whatever else reaches into its box is whole or stands on a wall, is seen from outside, and with each face
+ * either in it or out of it.
+ * A hairline opening leaves a boundary.
+ */
+public final class ClosedRooms {
+
+    /** Boxes that overlap by less do not, of the scene's size. */
+    private static final double TOUCH = 1e-6;
+    /** How far before a face it is asked where it stands, of the scene's size. */
+    private static final double BEFORE = 1e-5;
+    /** Faces of solids times faces of walls that are looked at; what would take more counts as open. */
+    private static final long MOST_PAIRS = 5_000_000;
+    private static final int PLACES = 4;
+
+    private final Faces faces;
+    private final FaceShells shells;
+    /** 1 per face: the lowest face of its shell. */
+    private final int[] shell;
+    private final boolean[] open;
+    /** 1 per lowest face: volume, of the scene's cubed size; negative where it is seen from inside. */
+    private final double[] volume;
+    /** 6 per lowest face: low x, y, z, high x, y, z. */
+    private final float[] box;
+    private final int[] room;
+    private final FaceGroups members;
+    private final FaceGroups parts;
+    private final ShellBoxes all;
+    /** Boxes of closed shells that are seen from inside: nothing that one reaches into is the wall of a closed room. */
+    private final ShellBoxes inward;
+    /** Boxes of shells of which it depends on the wall whether they are solid. */
+    private final ShellBoxes doubtful;
+    /** Pairs of shells and of faces that were looked at, for tests. */
+    public long looks;
+    /** 1 per lowest face: whether all of the shell are buried pieces that look at backs. */
+    private final boolean[] hidden;
+    private int count;
+    private final boolean plain;
+
+    public ClosedRooms(Faces faces) {
+        this(faces, f -> false);
+    }
+
+    /** @param buried whether nothing but backs is seen from a face */
+    public ClosedRooms(Faces faces, IntPredicate buried) {
+        this.faces = faces;
+        int n = faces.count();
+        shells = new FaceShells(faces);
+        shell = shells.shell;
+        open = shells.open;
+        volume = new double[n];
+        box = new float[6 * n];
+        room = new int[n];
+        hidden = new boolean[n];
+        Arrays.fill(room, -1);
+        members = new FaceGroups(shell);
+        parts = new FaceGroups(faces.part);
+        measure();
+        all = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f).toArray());
+        inward = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f && isWall(f)).toArray());
+        doubtful = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f && open[f]).toArray());
+        int[] insideOf = new int[n];
+        for (int f = 0; f < n; f++) {
+            if (shell[f] == f && isWall(f) && isClosed(f)) {
+                furnish(f, insideOf);
+            }
+            hidden[f] = shells.seesBacks[f] && IntStream.of(members.of(f))
+                    .allMatch(g -> faces.isPiece(g) && buried.test(g));
+        }
+        plain = findPlain();
+    }
+
+    /** The number of the closed room in which a face stands, or -1. */
+    public int room(int face) {
+        return room[face];
+    }
+
+    /** Whether a face is a piece that lies under what stands on its triangle. */
+    public boolean isHidden(int face) {
+        return room[face] < 0 && hidden[shell[face]];
+    }
+
+    /** Whether all faces stand in one closed room, and no two shells touch: nothing is covered. */
+    public boolean isPlain() {
+        return plain;
+    }
+
+    private boolean findPlain() {
+        if (count != 1) {
+            return false;
+        }
+        for (int f = 0; f < shell.length; f++) {
+            if (room[f] != 0 && !isHidden(f) || room[f] == 0 && open[shell[f]]) {
+                return false;
+            }
+            if (shell[f] == f && volume[f] >= 0 && all.any(f, -TOUCH, other -> volume[other] >= 0)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Boxes of some shells, to find those that overlap another without looking at all. */
+    private final class ShellBoxes {
+
+        private final int[] some;
+        private final BoxTree tree;
+
+        /** @param some lowest faces; not modified, kept */
+        ShellBoxes(int[] some) {
+            this.some = some;
+            double[] boxes = new double[6 * some.length];
+            for (int i = 0; i < boxes.length; i++) {
+                boxes[i] = box[6 * some[i / 6] + i % 6];
+            }
+            tree = new BoxTree(boxes);
+        }
+
+        /** Whether one of them, but for the shell itself, overlaps a shell and is wanted. */
+        boolean any(int s, double by, IntPredicate wanted) {
+            BoxTree.Region region = (boxes, i) -> {
+                looks++;
+                boolean meets = true;
+                for (int a = 0; a < 3; a++) {
+                    meets &= boxes[i + a] <= box[6 * s + 3 + a] - by && box[6 * s + a] <= boxes[i + 3 + a] - by;
+                }
+                return meets;
+            };
+            return tree.any(region, i -> some[i] != s && wanted.test(some[i]));
+        }
+    }
+
+    /** Number of closed rooms. */
+    public int count() {
+        return count;
+    }
+
+    private void measure() {
+        for (int f = 0; f < shell.length; f++) {
+            int s = shell[f];
+            if (s == f) {
+                Arrays.fill(box, 6 * s, 6 * s + 3, Float.POSITIVE_INFINITY);
+                Arrays.fill(box, 6 * s + 3, 6 * s + 6, Float.NEGATIVE_INFINITY);
+            }
+            for (int i = 0; i < 9; i++) {
+                float x = faces.corner[9 * f + i];
+                box[6 * s + i % 3] = Math.min(box[6 * s + i % 3], x);
+                box[6 * s + 3 + i % 3] = Math.max(box[6 * s + 3 + i % 3], x);
+            }
+            double[] c = corners(f, 0, 0, 0);
+            volume[s] += triple(c) / 6;
+        }
+    }
+
+    /** Corners of a face as seen from a place. */
+    private double[] corners(int f, double x, double y, double z) {
+        double[] c = new double[9];
+        for (int i = 0; i < 9; i++) {
+            c[i] = faces.corner[9 * f + i] - (i % 3 == 0 ? x : i % 3 == 1 ? y : z);
+        }
+        return c;
+    }
+
+    private static double triple(double[] c) {
+        return c[0] * (c[4] * c[8] - c[5] * c[7]) + c[1] * (c[5] * c[6] - c[3] * c[8])
+                + c[2] * (c[3] * c[7] - c[4] * c[6]);
+    }
+
+    private boolean isWall(int s) {
+        return !open[s] && volume[s] < 0;
+    }
+
+    /** Whether all that reaches into a shell's box is solid: what is closed and seen from inside never is. */
+    private boolean isClosed(int wall) {
+        return !inward.any(wall, TOUCH, s -> true) && !doubtful.any(wall, TOUCH, s -> !isSolid(s, wall));
+    }
+
+    /**
+     * Seen from outside, and whole or standing on a wall with what it lacks. Or a piece of a triangle that lies wholly
+     * outside, behind what stands on the triangle.
+     */
+    private boolean isSolid(int s, int wall) {
+        if (shells.seesBacks[s]) {
+            int[] walls = members.of(wall);
+            return IntStream.of(members.of(s)).allMatch(f -> faces.isPiece(f) && inside(f, walls) == 0);
+        }
+        return open[s] ? new Footprint(faces, parts, members.of(s), shells.rims.get(s)).isOn(members.of(wall))
+                : volume[s] >= 0;
+    }
+
+    /**
+     * Gives a wall and the solids in it the number of a room, unless a face is neither in it nor out of it.
+     *
+     * @param inside 1 per face: 0; the same afterwards
+     */
+    private void furnish(int wall, int[] inside) {
+        int[] walls = members.of(wall);
+        IntStream.Builder near = IntStream.builder();
+        all.any(wall, TOUCH, s -> {
+            IntStream.of(members.of(s)).forEach(near);
+            return false;
+        });
+        int[] others = near.build().sorted().toArray();
+        boolean clear = (long) walls.length * others.length <= MOST_PAIRS;
+        for (int i = 0; i < others.length && clear; i++) {
+            int f = others[i];
+            inside[f] = inside(f, walls);
+            clear = inside[f] % PLACES == 0 && (faces.part[f] == f || inside[faces.part[f]] == inside[f]);
+        }
+        if (clear) {
+            for (int f : walls) {
+                room[f] = count;
+            }
+            for (int f : others) {
+                room[f] = inside[f] > 0 ? count : room[f];
+            }
+            count++;
+        }
+        for (int f : others) {
+            inside[f] = 0;
+        }
+    }
+
+    /** How many of a few places before a face are inside a shell: its middle, and near its corners. */
+    private int inside(int face, int[] walls) {
+        looks += walls.length;
+        int found = 0;
+        for (int place = 0; place < PLACES; place++) {
+            double[] at = new double[3];
+            for (int a = 0; a < 3; a++) {
+                for (int k = 0; k < 3; k++) {
+                    double weight = place == 3 ? 1 / 3.0 : place == k ? 0.9 : 0.05;
+                    at[a] += weight * faces.corner(face, k, a);
+                }
+                at[a] += BEFORE * faces.normal(face, a);
+            }
+            found += isInside(at, walls) ? 1 : 0;
+        }
+        return found;
+    }
+
+    /**
+     * Whether a place is inside a shell: by the solid angle that this fills, seen from there. A. van Oosterom,
+     * J. Strackee, The solid angle of a plane triangle, 1983.
+     */
+    private boolean isInside(double[] at, int[] walls) {
+        double angle = 0;
+        for (int f : walls) {
+            double[] c = corners(f, at[0], at[1], at[2]);
+            double p = length(c, 0);
+            double q = length(c, 3);
+            double r = length(c, 6);
+            double below = p * q * r + dot(c, 0, 3) * r + dot(c, 3, 6) * p + dot(c, 6, 0) * q;
+            angle += 2 * StrictMath.atan2(triple(c), below);
+        }
+        return angle < -2 * Math.PI;
+    }
+
+    private static double length(double[] c, int i) {
+        return Math.sqrt(dot(c, i, i));
+    }
+
+    private static double dot(double[] c, int i, int j) {
+        return c[i] * c[j] + c[i + 1] * c[j + 1] + c[i + 2] * c[j + 2];
+    }
+}

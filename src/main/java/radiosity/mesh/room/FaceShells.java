@@ -1,0 +1,188 @@
+package radiosity.mesh.room;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import radiosity.mesh.face.EdgePieces;
+import radiosity.mesh.face.Faces;
+import radiosity.util.LongIndex;
+
+/**
+ * What is connected by edges so that there is air on one side of it: faces that look at each other where they meet.
+ *
+ * <p>A shell is whole where every face is looked at over every edge by another of it; corners of others may stand on an
+ * edge.
+ */
+final class FaceShells {
+
+    private final Faces faces;
+    /** 1 per face: the lowest face of its shell. */
+    final int[] shell;
+    /** 1 per lowest face. */
+    final boolean[] open;
+    /** 1 per lowest face: whether some face of it looks at the back of another over an edge. */
+    final boolean[] seesBacks;
+    /** Per lowest face of an open shell: the ends of the edges that only one face has. */
+    final Map<Integer, List<int[]>> rims = new HashMap<>();
+
+    /** Of the edges and then of their pieces: two ends, the lower number first; and sides at each, in a chain. */
+    private int[] ends = new int[64];
+    private int[] first = new int[32];
+    private int[] next = new int[64];
+    /** 2 * face, + 1 where it runs from the lower end. */
+    private int[] side = new int[64];
+    private int sides;
+    private LongIndex edges;
+
+    FaceShells(Faces faces) {
+        this.faces = faces;
+        int n = faces.count();
+        shell = IntStream.range(0, n).toArray();
+        open = new boolean[n];
+        seesBacks = new boolean[n];
+        begin(3 * n);
+        for (int e = 0; e < 3 * n; e++) {
+            put(faces.point[e], faces.point[3 * (e / 3) + (e + 1) % 3], e / 3);
+        }
+        divideLoose();
+        join();
+    }
+
+    private void begin(int expected) {
+        edges = new LongIndex(expected);
+        first = new int[expected];
+        ends = new int[2 * expected];
+        next = new int[expected];
+        side = new int[expected];
+        sides = 0;
+        Arrays.fill(first, -1);
+    }
+
+    /** A face's edge or piece of one, as the face runs along it. */
+    private void put(int p, int q, int face) {
+        int known = edges.size();
+        int edge = edges.findOrAdd(EdgePieces.key(p, q), known);
+        if (sides == side.length) {
+            side = Arrays.copyOf(side, 2 * sides);
+            next = Arrays.copyOf(next, 2 * sides);
+        }
+        if (edge == first.length) {
+            first = Arrays.copyOf(first, 2 * edge);
+            Arrays.fill(first, edge, 2 * edge, -1);
+            ends = Arrays.copyOf(ends, 4 * edge);
+        }
+        ends[2 * edge] = Math.min(p, q);
+        ends[2 * edge + 1] = Math.max(p, q);
+        side[sides] = 2 * face + (p < q ? 1 : 0);
+        next[sides] = first[edge];
+        first[edge] = sides++;
+    }
+
+    private boolean isLoose(int edge) {
+        return next[first[edge]] < 0;
+    }
+
+    /** Whether two faces that share an edge are the two sides of one thing. */
+    private boolean isTwoSided(int edge) {
+        int f = side[first[edge]] / 2;
+        int g = isLoose(edge) ? f : side[next[first[edge]]] / 2;
+        double cosine = 0;
+        for (int a = 0; a < 3; a++) {
+            cosine += faces.normal(f, a) * faces.normal(g, a);
+        }
+        return cosine < -1 + 1e-6;
+    }
+
+    /** Where corners of other edges stand on an edge that only one face has, or two that are one, it is taken apart. */
+    private void divideLoose() {
+        int[] loose = IntStream.range(0, edges.size()).filter(edge -> isLoose(edge) || isTwoSided(edge)).toArray();
+        int[] others = IntStream.concat(Arrays.stream(loose), IntStream.range(0, edges.size()).filter(this::isContact))
+                .toArray();
+        int[] points = Arrays.stream(others).flatMap(e -> IntStream.of(ends[2 * e], ends[2 * e + 1])).distinct()
+                .toArray();
+        EdgePieces pieces = new EdgePieces(faces, points, loose.length);
+        int[] allEnds = ends;
+        int[] allFirst = first;
+        int[] allNext = next;
+        int[] allSides = side;
+        int count = edges.size();
+        boolean[] divide = new boolean[count];
+        for (int edge : loose) {
+            divide[edge] = true;
+        }
+        begin(sides);
+        for (int e = 0; e < count; e++) {
+            int[] stops = divide[e] ? pieces.stops(allEnds[2 * e], allEnds[2 * e + 1])
+                    : new int[] {allEnds[2 * e], allEnds[2 * e + 1]};
+            for (int s = allFirst[e]; s >= 0; s = allNext[s]) {
+                for (int i = 0; i + 1 < stops.length; i++) {
+                    boolean up = allSides[s] % 2 == 1;
+                    put(up ? stops[i] : stops[i + 1], up ? stops[i + 1] : stops[i], allSides[s] / 2);
+                }
+            }
+        }
+    }
+
+    /** Whether all faces at an edge end there. */
+    private boolean isContact(int edge) {
+        for (int s = first[edge]; s >= 0; s = next[s]) {
+            int f = side[s] / 2;
+            int k = 0;
+            while (faces.point[3 * f + k] == ends[2 * edge] || faces.point[3 * f + k] == ends[2 * edge + 1]) {
+                k++;
+            }
+            if (!faces.isPiece(f) || (faces.border[f] >> k & 1) == 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void join() {
+        RadialEdges wedges = new RadialEdges(faces);
+        boolean[] alone = new boolean[shell.length];
+        for (int edge = 0; edge < edges.size(); edge++) {
+            if (!isLoose(edge)) {
+                wedges.pair(ends[2 * edge], ends[2 * edge + 1], sides(edge), this::union, f -> alone[f] = true);
+            }
+        }
+        for (int f = 0; f < shell.length; f++) {
+            shell[f] = root(f);
+            seesBacks[shell[f]] |= alone[f];
+            open[shell[f]] |= alone[f];
+        }
+        for (int edge = 0; edge < edges.size(); edge++) {
+            if (isLoose(edge)) {
+                int s = shell[side[first[edge]] / 2];
+                open[s] = true;
+                rims.computeIfAbsent(s, none -> new ArrayList<>()).add(new int[] {ends[2 * edge], ends[2 * edge + 1]});
+            }
+        }
+    }
+
+    private int[] sides(int edge) {
+        IntStream.Builder some = IntStream.builder();
+        for (int s = first[edge]; s >= 0; s = next[s]) {
+            some.add(side[s]);
+        }
+        return some.build().toArray();
+    }
+
+    private void union(int f, int g) {
+        int a = root(f);
+        int b = root(g);
+        shell[Math.max(a, b)] = Math.min(a, b);
+    }
+
+    private int root(int face) {
+        int f = face;
+        while (shell[f] != f) {
+            shell[f] = shell[shell[f]];
+            f = shell[f];
+        }
+        return f;
+    }
+}

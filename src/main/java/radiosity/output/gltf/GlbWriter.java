@@ -1,0 +1,129 @@
+package radiosity.output.gltf;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.util.List;
+import radiosity.solution.SavedState;
+
+/** Writes the container of a glTF binary: a header, a chunk of JSON, a chunk of arrays (glTF 2.0, section 4). */
+final class GlbWriter {
+
+    static final int MAGIC = 0x46546C67;
+    static final int VERSION = 2;
+    static final int JSON = 0x4E4F534A;
+    static final int BIN = 0x004E4942;
+    /** Bytes of a whole file: the container's lengths are unsigned 32 bit numbers. */
+    static final long MOST = 0xFFFF_FFFFL;
+
+    private final FileChannel channel;
+    private final ByteBuffer buffer = ByteBuffer.allocate(1 << 16).order(ByteOrder.LITTLE_ENDIAN);
+
+    private GlbWriter(FileChannel channel) {
+        this.channel = channel;
+    }
+
+    /**
+     * How long a file is, in bytes.
+     *
+     * @param json bytes of JSON
+     * @param bin  bytes of arrays, each padded
+     */
+    static long size(long json, long bin) {
+        return 12 + 8 + padded(json) + (bin > 0 ? 8 + bin : 0);
+    }
+
+    /** Fails where a file is longer than it can be. */
+    static void check(long size, long most) throws IOException {
+        if (size > most) {
+            throw new IOException("meshes and textures of " + size + " bytes, which are more than the " + most
+                    + " of a glTF binary");
+        }
+    }
+
+    /**
+     * Writes a file of at most {@link #MOST} bytes.
+     *
+     * @param json   UTF-8
+     * @param arrays float[], int[], short[], byte[] or {@link SavedState}; each begins at a multiple of 4 bytes; not
+     *               modified
+     */
+    static void write(FileChannel channel, byte[] json, List<Object> arrays) throws IOException {
+        long bin = arrays.stream().mapToLong(a -> padded(bytes(a))).sum();
+        long total = size(json.length, bin);
+        check(total, MOST);
+        GlbWriter writer = new GlbWriter(channel);
+        writer.ints(MAGIC, VERSION, (int) total, (int) padded(json.length), JSON);
+        writer.array(json, (byte) ' ');
+        if (bin > 0) {
+            writer.ints((int) bin, BIN);
+            for (Object array : arrays) {
+                writer.array(array, (byte) 0);
+            }
+        }
+        writer.flush();
+    }
+
+    static long padded(long bytes) {
+        return bytes + 3 & ~3L;
+    }
+
+    /** How long an array is in the file, without padding. */
+    static long bytes(Object array) {
+        if (array instanceof float[] floats) {
+            return 4L * floats.length;
+        }
+        if (array instanceof int[] ints) {
+            return 4L * ints.length;
+        }
+        if (array instanceof SavedState state) {
+            return state.length();
+        }
+        return array instanceof short[] shorts ? 2L * shorts.length : ((byte[]) array).length;
+    }
+
+    private void ints(int... values) throws IOException {
+        for (int value : values) {
+            room(4).putInt(value);
+        }
+    }
+
+    private void array(Object array, byte padding) throws IOException {
+        if (array instanceof float[] floats) {
+            for (float value : floats) {
+                room(4).putFloat(value);
+            }
+        } else if (array instanceof int[] ints) {
+            ints(ints);
+        } else if (array instanceof short[] shorts) {
+            for (short value : shorts) {
+                room(2).putShort(value);
+            }
+        } else {
+            flush();
+            OutputStream out = Channels.newOutputStream(channel);
+            (array instanceof SavedState state ? state : SavedState.of(List.of((byte[]) array))).writeTo(out);
+        }
+        for (long rest = padded(bytes(array)) - bytes(array); rest > 0; rest--) {
+            room(1).put(padding);
+        }
+    }
+
+    private ByteBuffer room(int bytes) throws IOException {
+        if (buffer.remaining() < bytes) {
+            flush();
+        }
+        return buffer;
+    }
+
+    private void flush() throws IOException {
+        buffer.flip();
+        while (buffer.hasRemaining()) {
+            channel.write(buffer);
+        }
+        buffer.clear();
+    }
+}

@@ -1,0 +1,232 @@
+package radiosity.output.gltf;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import radiosity.output.image.PictureFormat;
+import radiosity.output.image.ToneMapping;
+import radiosity.output.lightmap.TextureBake;
+import radiosity.output.mesh.Mesh;
+import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** The JSON of a scene file and the arrays that it names, in the order in which they are written. */
+final class SceneDocument {
+
+    /*
+     * Written with Jackson's tree, not with a glTF library: jgltf 2.0.4 builds the whole file in memory twice, counts
+     * its bytes in an int and keeps a node's translation in floats.
+     */
+
+    private static final int FLOAT = 5126;
+    private static final int UNSIGNED_INT = 5125;
+    private static final int UNSIGNED_SHORT = 5123;
+    private static final int VERTICES = 34962;
+    private static final int INDICES = 34963;
+    private static final int LINEAR = 9729;
+    private static final int CLAMP = 33071;
+    static final String UNLIT = "KHR_materials_unlit";
+
+    private final ObjectMapper mapper = new ObjectMapper().enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS);
+    private final ObjectNode root = mapper.createObjectNode();
+    private final ObjectNode top;
+    private long binLength;
+    /** Top node of the second scene; null where there is none. */
+    private ObjectNode textures;
+    final List<Object> arrays = new ArrayList<>();
+
+    /** @param origin where the file's positions count from; becomes the translation of the one top node */
+    SceneDocument(String sceneName, String generator, Vec3 origin) {
+        root.putObject("asset").put("version", "2.0").put("generator", generator);
+        root.putArray("extensionsUsed").add(UNLIT);
+        root.put("scene", 0);
+        root.putArray("scenes").addObject().put("name", sceneName).putArray("nodes").add(0);
+        top = list("nodes").addObject().put("name", sceneName);
+        if (!origin.equals(Vec3.ZERO)) {
+            put(top.putArray("translation"), origin);
+        }
+    }
+
+    /** Bytes of all arrays so far. */
+    long binLength() {
+        return binLength;
+    }
+
+    /** UTF-8. */
+    byte[] json() throws IOException {
+        if (binLength > 0) {
+            root.putArray("buffers").addObject().put("byteLength", binLength);
+        }
+        return mapper.writeValueAsBytes(root);
+    }
+
+    /**
+     * The asset's extras.
+     *
+     * @param content of JSON's types, or records of them
+     */
+    void extras(String name, Map<String, ?> content) {
+        ObjectNode extras = root.withObjectProperty("asset").putObject("extras");
+        extras.set(name, mapper.valueToTree(content));
+    }
+
+    void mesh(Mesh mesh, ToneMapping toneMapping) {
+        String name = mesh.surface().name() + (mesh.back() ? " (back)" : "");
+        ObjectNode primitive = list("meshes").addObject().put("name", name).putArray("primitives").addObject();
+        ObjectNode attributes = primitive.putObject("attributes");
+        attributes.put("POSITION", vec3(mesh.positions()));
+        attributes.put("NORMAL", vec3(mesh.normals()));
+        attributes.put("COLOR_0", colours(mesh, toneMapping));
+        attributes.put("_RADIOSITY", vec3(mesh.radiosity()));
+        attributes.put("_IRRADIANCE", vec3(mesh.irradiance()));
+        if (mesh.reflectance().length > 0) {
+            attributes.put("_REFLECTANCE", vec3(mesh.reflectance()));
+        }
+        for (int layer = 0; layer < mesh.layers().size(); layer++) {
+            attributes.put("_IRRADIANCE_" + layer, vec3(mesh.layers().get(layer)));
+        }
+        primitive.put("indices", accessor(view(mesh.corners(), INDICES), UNSIGNED_INT, 3 * mesh.elements(), "SCALAR"));
+        primitive.put("material", material(mesh.surface(), mesh.back(), name));
+        child().put("name", name).put("mesh", list("meshes").size() - 1);
+    }
+
+    /** Begins a second scene, in which light is in textures; its sides follow. */
+    void beginTextures(Vec3 origin) {
+        textures = list("nodes").addObject().put("name", "textures");
+        list("scenes").addObject().put("name", "textures").putArray("nodes").add(list("nodes").size() - 1);
+        if (!origin.equals(Vec3.ZERO)) {
+            put(textures.putArray("translation"), origin);
+        }
+        list("samplers").addObject().put("magFilter", LINEAR).put("minFilter", LINEAR).put("wrapS", CLAMP)
+                .put("wrapT", CLAMP);
+    }
+
+    /** Adds a side to the second scene; of its texture only the encoded image is kept. */
+    void texture(TextureBake.Baked side, ToneMapping toneMapping) throws IOException {
+        textures.withArrayProperty("children").add(list("nodes").size());
+        list("nodes").addObject().put("mesh", list("meshes").size());
+        String name = side.surface().name() + (side.back() ? " (back, texture)" : " (texture)");
+        int positions = vec3(side.positions());
+        int places = accessor(view(side.places(), VERTICES), FLOAT, side.places().length / 2, "VEC2");
+        list("images").addObject().put("mimeType", "image/png")
+                .put("bufferView", view(PictureFormat.png(side.radiosity(), toneMapping::map)));
+        list("textures").addObject().put("sampler", 0).put("source", list("images").size() - 1);
+        ObjectNode primitive = list("meshes").addObject().put("name", name).putArray("primitives").addObject();
+        primitive.putObject("attributes").put("POSITION", positions).put("TEXCOORD_0", places);
+        int material = material(side.surface(), side.back(), name);
+        primitive.put("material", material);
+        ((ObjectNode) list("materials").get(material)).withObjectProperty("pbrMetallicRoughness")
+                .putObject("baseColorTexture").put("index", list("textures").size() - 1);
+    }
+
+    private ObjectNode child() {
+        top.withArrayProperty("children").add(list("nodes").size());
+        return list("nodes").addObject();
+    }
+
+    private int material(Surface surface, boolean back, String name) {
+        ObjectNode material = list("materials").addObject().put("name", name).put("doubleSided", false);
+        material.putObject("pbrMetallicRoughness").put("metallicFactor", 0);
+        material.putObject("extensions").putObject(UNLIT);
+        ObjectNode extras = material.putObject("extras").put("surface", surface.name());
+        put(extras.putArray("reflectance"), surface.reflectance());
+        put(extras.putArray("exitance"), surface.exitance());
+        extras.put("twoSided", surface.twoSided()).put("back", back);
+        return list("materials").size() - 1;
+    }
+
+    private int vec3(float[] values) {
+        int accessor = accessor(view(values, VERTICES), FLOAT, values.length / 3, "VEC3");
+        ObjectNode node = (ObjectNode) list("accessors").get(accessor);
+        ArrayNode min = node.putArray("min");
+        ArrayNode max = node.putArray("max");
+        for (int c = 0; c < 3; c++) {
+            float low = values[c];
+            float high = values[c];
+            for (int i = c; i < values.length; i += 3) {
+                low = Math.min(low, values[i]);
+                high = Math.max(high, values[i]);
+            }
+            min.add((double) low);
+            max.add((double) high);
+        }
+        return accessor;
+    }
+
+    /** Linear, 16 bit normalised, red, green, blue, opaque: 8 bits would show bands, VEC3 would not be aligned. */
+    private int colours(Mesh mesh, ToneMapping toneMapping) {
+        short[] colours = new short[4 * mesh.vertices()];
+        float[] b = mesh.radiosity();
+        for (int i = 0; i < mesh.vertices(); i++) {
+            Rgb colour = toneMapping.map(new Rgb(b[3 * i], b[3 * i + 1], b[3 * i + 2]));
+            for (int c = 0; c < 3; c++) {
+                colours[4 * i + c] = (short) Math.round(65535 * colour.channel(c));
+            }
+            colours[4 * i + 3] = (short) 65535;
+        }
+        int accessor = accessor(view(colours, VERTICES), UNSIGNED_SHORT, mesh.vertices(), "VEC4");
+        ((ObjectNode) list("accessors").get(accessor)).put("normalized", true);
+        return accessor;
+    }
+
+    private int accessor(int view, int componentType, int count, String type) {
+        list("accessors").addObject().put("bufferView", view).put("componentType", componentType).put("count", count)
+                .put("type", type);
+        return list("accessors").size() - 1;
+    }
+
+    private int view(Object array, int target) {
+        int view = view(array);
+        ((ObjectNode) list("bufferViews").get(view)).put("target", target);
+        return view;
+    }
+
+    /**
+     * Adds an array that no accessor names; returns its buffer view.
+     *
+     * @param array as {@link GlbWriter} takes it
+     */
+    int view(Object array) {
+        long bytes = GlbWriter.bytes(array);
+        list("bufferViews").addObject().put("buffer", 0).put("byteOffset", binLength).put("byteLength", bytes);
+        arrays.add(array);
+        binLength += GlbWriter.padded(bytes);
+        return list("bufferViews").size() - 1;
+    }
+
+    /**
+     * @param near distance of the near plane, above 0
+     *
+     * @param origin as in the constructor
+     */
+    void camera(Camera camera, double near, Vec3 origin) {
+        ObjectNode node = list("cameras").addObject().put("type", "perspective");
+        node.putObject("perspective").put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect())
+                .put("znear", near);
+        ObjectNode child = child().put("name", "camera").put("camera", 0);
+        ArrayNode rotation = child.putArray("rotation");
+        for (double q : CameraPose.quaternion(camera)) {
+            rotation.add(q);
+        }
+        put(child.putArray("translation"), camera.position().minus(origin));
+    }
+
+    private ArrayNode list(String name) {
+        return root.withArrayProperty(name);
+    }
+
+    private static void put(ArrayNode array, Vec3 v) {
+        array.add(v.x()).add(v.y()).add(v.z());
+    }
+
+    private static void put(ArrayNode array, Rgb v) {
+        array.add(v.r()).add(v.g()).add(v.b());
+    }
+}

@@ -1,0 +1,211 @@
+package radiosity.output.gltf;
+
+import java.io.IOException;
+import java.lang.reflect.Array;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import radiosity.scene.Camera;
+import radiosity.scene.Lamp;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Vec3;
+import radiosity.solution.EnergyLedger;
+
+/** What a scene file holds, in lines of text. Nothing but its JSON is read. */
+public final class SceneInfo {
+
+    /** Keys of extras.radiosity that have a line of their own. */
+    private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
+            "ledger", "state", "channels", "lamps", "certificate");
+
+    private static final int MOST_NAMES = 20;
+
+    private final SceneFile file;
+    private final JsonCursor root;
+    private final List<String> lines = new ArrayList<>();
+
+    private SceneInfo(SceneFile file) {
+        this.file = file;
+        root = file.root();
+    }
+
+    /** The lines that {@code --info} prints. */
+    public static List<String> lines(Path path) throws IOException {
+        try (SceneFile file = SceneFile.open(path)) {
+            SceneInfo info = new SceneInfo(file);
+            info.line("file", path + ", " + Files.size(path) + " bytes");
+            info.program();
+            info.geometry();
+            info.lamps();
+            info.ledger();
+            info.certificate();
+            info.camera();
+            info.rest();
+            return info.lines;
+        }
+    }
+
+    private void line(String name, String value) {
+        lines.add(String.format(Locale.ROOT, "%-12s %s", name, SceneFormatException.escape(value)));
+    }
+
+    private void program() {
+        Map<String, Object> extras = file.extras();
+        line("format", String.valueOf(extras.get("formatVersion")));
+        line("program", String.valueOf(extras.get("program")));
+        line("shots", value(extras.get("shots")) + " in " + value(extras.get("rounds"))
+                + " rounds; unshot flux added up without its sign: " + value(extras.get("unshotFlux")) + " W");
+        line("state", extras.containsKey("state") ? "kept, the render can go on" : "none, the render cannot go on");
+    }
+
+    private void geometry() throws IOException {
+        Range box = new Range();
+        Range radiosity = new Range();
+        Set<String> surfaces = new LinkedHashSet<>();
+        long elements = 0;
+        long vertices = 0;
+        for (int i = 0; root.optional("meshes").isPresent() && i < root.at("meshes").size(); i++) {
+            JsonCursor primitive = root.at("meshes").at(i).at("primitives").at(0);
+            if (primitive.at("attributes").optional("_RADIOSITY").isEmpty()) {
+                continue;
+            }
+            JsonCursor material = root.at("materials").at(primitive.at("material").integer());
+            surfaces.add(material.at("extras").at("surface").text());
+            elements += accessor(primitive.at("indices")).at("count").integer() / 3;
+            JsonCursor position = accessor(primitive.at("attributes").at("POSITION"));
+            vertices += position.at("count").integer();
+            box.include(position);
+            radiosity.include(accessor(primitive.at("attributes").at("_RADIOSITY")));
+        }
+        line("surfaces", surfaces.size() + ": " + names(surfaces.stream()));
+        line("elements", String.valueOf(elements));
+        line("vertices", String.valueOf(vertices));
+        if (elements > 0) {
+            line("box", text(vec(box.low).plus(file.origin())) + " to " + text(vec(box.high).plus(file.origin())));
+            line("radiosity", text(vec(radiosity.low)) + " to " + text(vec(radiosity.high)) + " W/m2");
+        }
+    }
+
+    private void lamps() throws IOException {
+        List<Lamp> lamps = file.lamps();
+        line("lamps", lamps.isEmpty() ? "not kept apart" : lamps.size() + " kept apart: "
+                + names(lamps.stream().map(Lamp::name)));
+    }
+
+    private static String names(Stream<String> names) {
+        List<String> all = names.toList();
+        return String.join(", ", all.subList(0, Math.min(MOST_NAMES, all.size())))
+                + (all.size() > MOST_NAMES ? ", ..." : "");
+    }
+
+    private static Vec3 vec(double[] v) {
+        return new Vec3(v[0], v[1], v[2]);
+    }
+
+    private JsonCursor accessor(JsonCursor index) throws IOException {
+        return root.at("accessors").at(index.integer());
+    }
+
+    /** The least and the most of three components over accessors. */
+    private static final class Range {
+
+        final double[] low = new double[3];
+        final double[] high = new double[3];
+        private boolean empty = true;
+
+        void include(JsonCursor accessor) throws IOException {
+            double[] min = accessor.at("min").numbers(3);
+            double[] max = accessor.at("max").numbers(3);
+            for (int a = 0; a < 3; a++) {
+                low[a] = empty ? min[a] : Math.min(low[a], min[a]);
+                high[a] = empty ? max[a] : Math.max(high[a], max[a]);
+            }
+            empty = false;
+        }
+    }
+
+    private void ledger() throws IOException {
+        EnergyLedger ledger = file.ledger();
+        line("emitted", watts(ledger.emitted()));
+        line("shot", watts(ledger.shot()));
+        line("received", watts(ledger.received()));
+        line("absorbed", watts(ledger.absorbed()));
+        line("unshot", watts(ledger.unshot()) + " signed: what was shot too much is subtracted");
+        double[] deficit = new double[ledger.shot().length];
+        Arrays.setAll(deficit, ledger::deficit);
+        line("deficit", watts(deficit));
+    }
+
+    private static String watts(double[] flux) {
+        return value(flux) + " W";
+    }
+
+    /** Of the file's certificate, what is about the whole. */
+    private void certificate() {
+        if (file.extras().get("certificate") instanceof Map<?, ?> certificate) {
+            Map<String, Object> whole = new TreeMap<>();
+            certificate.forEach((key, value) -> whole.put(String.valueOf(key), value));
+            whole.remove("surfaces");
+            line("certificate", value(whole));
+        }
+    }
+
+    private void camera() throws IOException {
+        if (file.camera().isEmpty()) {
+            line("camera", "none");
+            return;
+        }
+        Camera camera = file.camera().get();
+        line("camera", "at " + text(camera.position()) + " towards " + text(camera.forward()) + String.format(
+                Locale.ROOT, ", %.1f degrees high, aspect %.3f", 2 * Math.toDegrees(camera.verticalHalfAngle()),
+                camera.aspect()));
+    }
+
+    private static String text(Vec3 v) {
+        return (float) v.x() + "," + (float) v.y() + "," + (float) v.z();
+    }
+
+    private void rest() {
+        new TreeMap<>(file.extras()).forEach((key, value) -> {
+            if (!SHOWN.contains(key)) {
+                line(key, value(value));
+            }
+        });
+    }
+
+    /** A value of the extras as text: real numbers to five digits, lists and arrays by what they contain. */
+    private static String value(Object value) {
+        if (value instanceof Map<?, ?> map) {
+            return map.entrySet().stream().map(entry -> entry.getKey() + "=" + value(entry.getValue()))
+                    .collect(Collectors.joining(", "));
+        }
+        if (value instanceof Collection<?> list) {
+            return list.stream().map(SceneInfo::value).collect(Collectors.joining(", "));
+        }
+        if (value != null && value.getClass().isArray()) {
+            return IntStream.range(0, Array.getLength(value)).mapToObj(i -> value(Array.get(value, i)))
+                    .collect(Collectors.joining(", "));
+        }
+        return value instanceof Double || value instanceof Float || value instanceof BigDecimal
+                ? number(((Number) value).doubleValue()) : String.valueOf(value);
+    }
+
+    private static String number(double value) {
+        return Double.isFinite(value) && value != 0
+                ? new BigDecimal(value).round(new MathContext(5)).stripTrailingZeros().toString().replace("E+", "E")
+                : String.valueOf(value == 0 ? 0 : value);
+    }
+}

@@ -1,0 +1,186 @@
+package radiosity.output.gltf;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import radiosity.output.mesh.Mesh;
+import radiosity.scene.Camera;
+import radiosity.scene.Lamp;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** Reads the default scene of a scene file: the children of its one top node. */
+final class SceneMeshes {
+
+    private static final int FLOAT = 5126;
+    private static final int UNSIGNED_INT = 5125;
+
+    private final GlbReader glb;
+    private final List<Lamp> lamps;
+    private final JsonCursor root;
+    private final JsonCursor top;
+
+    /** @param lamps whose light is kept apart */
+    SceneMeshes(GlbReader glb, List<Lamp> lamps) throws IOException {
+        this.glb = glb;
+        this.lamps = lamps;
+        root = new JsonCursor(glb.name, glb.json);
+        JsonCursor scene = root.at("scenes").at(root.at("scene").integer());
+        top = root.at("nodes").at(scene.at("nodes").at(0).integer());
+    }
+
+    Vec3 origin() throws IOException {
+        return translation(top);
+    }
+
+    private static Vec3 translation(JsonCursor node) throws IOException {
+        Optional<JsonCursor> translation = node.optional("translation");
+        if (translation.isEmpty()) {
+            return Vec3.ZERO;
+        }
+        double[] t = translation.get().numbers(3);
+        return new Vec3(t[0], t[1], t[2]);
+    }
+
+    private List<JsonCursor> children(String with) throws IOException {
+        List<JsonCursor> children = new ArrayList<>();
+        Optional<JsonCursor> list = top.optional("children");
+        for (int i = 0; list.isPresent() && i < list.get().size(); i++) {
+            JsonCursor node = root.at("nodes").at(list.get().at(i).integer());
+            if (node.optional(with).isPresent()) {
+                children.add(node);
+            }
+        }
+        return children;
+    }
+
+    Optional<Camera> camera() throws IOException {
+        List<JsonCursor> nodes = children("camera");
+        if (nodes.isEmpty()) {
+            return Optional.empty();
+        }
+        JsonCursor node = nodes.get(0);
+        JsonCursor perspective = root.at("cameras").at(node.at("camera").integer()).at("perspective");
+        try {
+            return Optional.of(CameraPose.camera(translation(node).plus(origin()), node.at("rotation").numbers(4),
+                    perspective.at("yfov").number(), perspective.at("aspectRatio").number()));
+        } catch (IllegalArgumentException e) {
+            throw perspective.wrong("a perspective");
+        }
+    }
+
+    List<Mesh> read() throws IOException {
+        List<Mesh> meshes = new ArrayList<>();
+        for (JsonCursor node : children("mesh")) {
+            meshes.add(mesh(root.at("meshes").at(node.at("mesh").integer()).at("primitives").at(0)));
+        }
+        return meshes;
+    }
+
+    /** The second scene, if there is one. */
+    List<TexturedMesh> readTextured() throws IOException {
+        List<TexturedMesh> meshes = new ArrayList<>();
+        if (root.at("scenes").size() > 1) {
+            JsonCursor second = root.at("nodes").at(root.at("scenes").at(1).at("nodes").at(0).integer());
+            Optional<JsonCursor> children = second.optional("children");
+            for (int i = 0; children.isPresent() && i < children.get().size(); i++) {
+                JsonCursor node = root.at("nodes").at(children.get().at(i).integer());
+                meshes.add(textured(root.at("meshes").at(node.at("mesh").integer()).at("primitives").at(0)));
+            }
+        }
+        return meshes;
+    }
+
+    private TexturedMesh textured(JsonCursor primitive) throws IOException {
+        JsonCursor attributes = primitive.at("attributes");
+        float[] positions = floats(attributes.at("POSITION"), -1);
+        if (positions.length % 9 != 0) {
+            throw attributes.wrong("3 vertices per triangle");
+        }
+        int texture = root.at("materials").at(primitive.at("material").integer()).at("pbrMetallicRoughness")
+                .at("baseColorTexture").at("index").integer();
+        JsonCursor image = root.at("images").at(root.at("textures").at(texture).at("source").integer());
+        return new TexturedMesh(positions, floats(attributes.at("TEXCOORD_0"), "VEC2", 2, positions.length / 3),
+                glb.view(image.at("bufferView").integer()).array());
+    }
+
+    private Mesh mesh(JsonCursor primitive) throws IOException {
+        JsonCursor attributes = primitive.at("attributes");
+        float[] positions = floats(attributes.at("POSITION"), -1);
+        int n = positions.length / 3;
+        JsonCursor extras = root.at("materials").at(primitive.at("material").integer()).at("extras");
+        return new Mesh(surface(extras), extras.at("back").node().booleanValue(), positions,
+                floats(attributes.at("NORMAL"), n), floats(attributes.at("_IRRADIANCE"), n),
+                floats(attributes.at("_RADIOSITY"), n), reflectance(attributes, n), layers(attributes, n),
+                        corners(primitive.at("indices"), n));
+    }
+
+    private float[] reflectance(JsonCursor attributes, int vertices) throws IOException {
+        Optional<JsonCursor> own = attributes.optional("_REFLECTANCE");
+        return own.isEmpty() ? new float[0] : floats(own.get(), vertices);
+    }
+
+    private List<float[]> layers(JsonCursor attributes, int vertices) throws IOException {
+        List<float[]> layers = new ArrayList<>();
+        for (int layer = 0; layer < lamps.size(); layer++) {
+            layers.add(floats(attributes.at("_IRRADIANCE_" + layer), vertices));
+        }
+        return layers;
+    }
+
+    private static Surface surface(JsonCursor extras) throws IOException {
+        try {
+            return new Surface(extras.at("surface").text(), extras.at("exitance").rgb(),
+                    extras.at("reflectance").rgb(), extras.at("twoSided").node().booleanValue());
+        } catch (IllegalArgumentException e) {
+            throw extras.wrong("a surface");
+        }
+    }
+
+    /** @param vertices how many there must be, or -1 for any number */
+    private float[] floats(JsonCursor accessor, int vertices) throws IOException {
+        return floats(accessor, "VEC3", 3, vertices);
+    }
+
+    private float[] floats(JsonCursor accessor, String type, int components, int vertices) throws IOException {
+        ByteBuffer bytes = bytes(accessor, FLOAT, type, components, vertices);
+        float[] values = new float[bytes.remaining() / 4];
+        bytes.asFloatBuffer().get(values);
+        for (float value : values) {
+            if (!Float.isFinite(value)) {
+                throw accessor.wrong("finite numbers");
+            }
+        }
+        return values;
+    }
+
+    private int[] corners(JsonCursor accessor, int vertices) throws IOException {
+        ByteBuffer bytes = bytes(accessor, UNSIGNED_INT, "SCALAR", 1, -1);
+        int[] corners = new int[bytes.remaining() / 4];
+        bytes.asIntBuffer().get(corners);
+        for (int corner : corners) {
+            if (corner < 0 || corner >= vertices) {
+                throw accessor.wrong("vertices below " + vertices);
+            }
+        }
+        if (corners.length % 3 != 0) {
+            throw accessor.wrong("3 corners per element");
+        }
+        return corners;
+    }
+
+    /** The bytes of an accessor whose components are 4 bytes long. */
+    private ByteBuffer bytes(JsonCursor index, int componentType, String type, int components, int count)
+            throws IOException {
+        JsonCursor accessor = root.at("accessors").at(index.integer());
+        ByteBuffer bytes = glb.view(accessor.at("bufferView").integer());
+        long expected = 4L * components * accessor.at("count").integer();
+        if (accessor.at("componentType").integer() != componentType || !accessor.at("type").text().equals(type)
+                || bytes.remaining() != expected || count >= 0 && expected != 4L * components * count) {
+            throw accessor.wrong("an accessor as this program writes it");
+        }
+        return bytes;
+    }
+}

@@ -1,0 +1,125 @@
+package radiosity.output.image;
+
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import radiosity.scene.Srgb;
+
+/**
+ * An image with the values that its file has, whatever their type: whole numbers as parts of the largest that they can
+ * be, floats as they are. Colours are those that stand under transparency. Colour profiles are not applied: only models
+ * other than grey and red, green, blue (CMYK, CIE Lab) are converted.
+ */
+final class ImageFile {
+
+    /** A larger image is not read: a small crafted file may say that it is of any size. */
+    static final long MOST_PIXELS = 1L << 26;
+
+    private final BufferedImage image;
+    private final Raster samples;
+    private final ColorModel model;
+    /** Whether the samples are the values: not where they are numbers of colours, or of another colour model. */
+    private final boolean direct;
+    private final boolean grey;
+
+    /** @throws IOException where the image has values that are no numbers */
+    ImageFile(BufferedImage image) throws IOException {
+        this.image = image;
+        samples = image.getRaster();
+        model = image.getColorModel();
+        int space = model.getColorSpace().getType();
+        // the colours that Java makes of grey are brighter than the file's values
+        grey = space == ColorSpace.TYPE_GRAY;
+        direct = (grey || space == ColorSpace.TYPE_RGB) && !(model instanceof IndexColorModel);
+        if (isFloating()) {
+            requireNumbers();
+        }
+    }
+
+    private boolean isFloating() {
+        return model.getTransferType() == DataBuffer.TYPE_FLOAT || model.getTransferType() == DataBuffer.TYPE_DOUBLE;
+    }
+
+    private void requireNumbers() throws IOException {
+        double[] row = null;
+        for (int y = 0; y < image.getHeight(); y++) {
+            row = samples.getPixels(0, y, image.getWidth(), 1, row);
+            for (double value : row) {
+                if (!Double.isFinite((float) value)) {
+                    throw new IOException("one with values that are no numbers");
+                }
+            }
+        }
+    }
+
+    /** @throws IOException with a reason for the user if it cannot be read */
+    static ImageFile read(Path path) throws IOException {
+        try (ImageInputStream in = ImageIO.createImageInputStream(path.toFile())) {
+            Iterator<ImageReader> readers = in == null ? null : ImageIO.getImageReaders(in);
+            if (readers == null || !readers.hasNext()) {
+                throw new IOException(in == null ? "a file that cannot be read" : "a format that is not known");
+            }
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(in);
+                long pixels = (long) reader.getWidth(0) * reader.getHeight(0);
+                if (pixels > MOST_PIXELS) {
+                    throw new IOException("one of " + pixels + " pixels, more than " + MOST_PIXELS);
+                }
+                return new ImageFile(reader.read(0));
+            } catch (RuntimeException e) {
+                throw new IOException("a broken one (" + e.getMessage() + ")", e);
+            } finally {
+                reader.dispose();
+            }
+        }
+    }
+
+    int width() {
+        return image.getWidth();
+    }
+
+    int height() {
+        return image.getHeight();
+    }
+
+    /** @param mean of the three channels instead of one */
+    double value(int x, int y, int channel, boolean mean, boolean srgb) {
+        return mean ? (value(x, y, 0, srgb) + value(x, y, 1, srgb) + value(x, y, 2, srgb)) / 3
+                : value(x, y, channel, srgb);
+    }
+
+    private double value(int x, int y, int channel, boolean srgb) {
+        double code = direct ? uncovered(x, y, grey ? 0 : channel)
+                : (image.getRGB(x, y) >> 16 - 8 * channel & 0xFF) / 255.0;
+        return srgb ? Srgb.linear(code) : code;
+    }
+
+    /** The value of a band, which may have been multiplied by that of the last one: its alpha. */
+    private double uncovered(int x, int y, int band) {
+        double value = sample(x, y, band);
+        double alpha = model.isAlphaPremultiplied() && model.hasAlpha() ? sample(x, y, model.getNumComponents() - 1)
+                : 1;
+        return alpha > 0 ? value / alpha : 0;
+    }
+
+    private double sample(int x, int y, int band) {
+        if (isFloating()) {
+            return samples.getSampleDouble(x, y, band);
+        }
+        if (model.getTransferType() == DataBuffer.TYPE_SHORT) {
+            return Math.max(0, samples.getSample(x, y, band)) / (double) Short.MAX_VALUE;
+        }
+        long largest = (1L << model.getComponentSize(band)) - 1;
+        return (samples.getSample(x, y, band) & largest) / (double) largest;
+    }
+}

@@ -1,0 +1,77 @@
+package radiosity.output.image;
+
+import java.util.List;
+import radiosity.output.mesh.Elements;
+import radiosity.output.mesh.Mesh;
+import radiosity.scene.Rgb;
+import radiosity.solution.Solution;
+
+/** How bright the surfaces are that reflect: lamps are left out, they would make everything else black. */
+final class LogAverageLuminance {
+
+    /** Square scene units, of the elements that reflect. */
+    private final double[] area;
+    /** Mean over their corners, W/m²; at least 0. */
+    private final double[] luminance;
+    private int reflecting;
+    private double areas;
+    private double sum;
+    private double brightest;
+
+    private LogAverageLuminance(int elements) {
+        area = new double[elements];
+        luminance = new double[elements];
+    }
+
+    static LogAverageLuminance of(Solution solution) {
+        LogAverageLuminance brightness = new LogAverageLuminance(solution.elements());
+        for (int e = 0; e < solution.elements(); e++) {
+            brightness.add(0.5 * Elements.cross(solution, e).length(), solution.surface(e).emits(),
+                    solution.radiosityAt(e, 0), solution.radiosityAt(e, 1), solution.radiosityAt(e, 2));
+        }
+        return brightness;
+    }
+
+    static LogAverageLuminance of(List<Mesh> meshes) {
+        LogAverageLuminance brightness = new LogAverageLuminance(meshes.stream().mapToInt(Mesh::elements).sum());
+        for (Mesh mesh : meshes) {
+            for (int e = 0; e < mesh.elements(); e++) {
+                brightness.add(0.5 * mesh.cross(e).length(), mesh.surface().emits(), mesh.radiosity(e, 0),
+                        mesh.radiosity(e, 1), mesh.radiosity(e, 2));
+            }
+        }
+        return brightness;
+    }
+
+    /** @param radiosity at the corners */
+    private void add(double itsArea, boolean emits, Rgb... radiosity) {
+        double l = 0;
+        for (Rgb b : radiosity) {
+            l += Math.max(0, ToneMapping.luminance(b)) / 3;
+        }
+        brightest = Math.max(brightest, l);
+        if (!emits) {
+            area[reflecting] = itsArea;
+            luminance[reflecting++] = l;
+            areas += itsArea;
+            sum += itsArea * l;
+        }
+    }
+
+    /**
+     * What radiosity must be multiplied with. Where only lamps shine, the brightest becomes 1; without light 1.
+     *
+     * @param middle the exposed log-average
+     * @param dark   the least luminance that counts, of the mean
+     */
+    double exposure(double middle, double dark) {
+        if (!(sum > 0)) {
+            return brightest > 0 ? 1 / brightest : 1;
+        }
+        double logs = 0;
+        for (int i = 0; i < reflecting; i++) {
+            logs += area[i] * StrictMath.log(Math.max(luminance[i] * areas / sum, dark));
+        }
+        return middle * areas / sum / StrictMath.exp(logs / areas);
+    }
+}

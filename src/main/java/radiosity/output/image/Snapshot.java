@@ -1,0 +1,133 @@
+package radiosity.output.image;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import radiosity.output.mesh.Aabb;
+import radiosity.output.mesh.Elements;
+import radiosity.output.mesh.TJunctions;
+import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+import radiosity.util.ArraySize;
+import radiosity.visibility.RadiosityBounds;
+
+/**
+ * A picture of a solution without a display: rays through the pixels, radiosity interpolated where they meet.
+ *
+ * <p>A surface is seen from its visible side only; from behind one looks through it, as every viewer of the scene file
+ * does. Where nothing is, it is black.
+ */
+public final class Snapshot {
+
+    /** Samples per pixel along each axis. */
+    private static final int SAMPLES = 3;
+    /** The scene in the hierarchy has this diagonal, around the origin. */
+    private static final double SIZE = 1;
+
+    private final Solution solution;
+    private final Vec3 eye;
+    private final Vec3 centre;
+    private final double scale;
+    /** The elements that face the eye: only they can be seen. */
+    private final int[] facing;
+    private final RadiosityBounds bounds;
+
+    private Snapshot(Solution open, Vec3 eye) {
+        solution = TJunctions.close(open);
+        this.eye = eye;
+        Aabb box = Aabb.of(solution.positions());
+        centre = box.centre();
+        scale = box.diagonal() > 0 ? SIZE / box.diagonal() : 1;
+        facing = IntStream.range(0, solution.elements()).filter(this::faces).toArray();
+        bounds = new RadiosityBounds(unitCorners());
+    }
+
+    private boolean faces(int element) {
+        return Elements.cross(solution, element).dot(eye.minus(Elements.corner(solution, element, 0))) > 0;
+    }
+
+    private float[] unitCorners() {
+        float[] corners = new float[9 * facing.length];
+        for (int i = 0; i < 3 * facing.length; i++) {
+            Vec3 p = Elements.corner(solution, facing[i / 3], i % 3).minus(centre).times(scale);
+            corners[3 * i] = (float) p.x();
+            corners[3 * i + 1] = (float) p.y();
+            corners[3 * i + 2] = (float) p.z();
+        }
+        return corners;
+    }
+
+    /**
+     * Writes a picture in the format that the file's name ends in.
+     *
+     * @param width       pixels; the height follows from the camera's aspect
+     * @param toneMapping for png and jpg; a .hdr holds radiosity as it is, in W/m²
+     */
+    public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping)
+            throws IOException {
+        PictureFormat format = PictureFormat.of(file);
+        boolean mapped = format != PictureFormat.HDR;
+        format.write(file, take(solution, camera, width, mapped ? toneMapping::map : UnaryOperator.identity()));
+    }
+
+    /** Height of a picture of this width in pixels, at least 1. */
+    public static long height(Camera camera, int width) {
+        return Math.max(1, Math.round(width / camera.aspect()));
+    }
+
+    /** @param film what becomes of the radiosity of each sample before a pixel's samples are averaged */
+    static Picture take(Solution solution, Camera camera, int width, UnaryOperator<Rgb> film) {
+        long rows = height(camera, width);
+        float[] rgb = new float[ArraySize.of("picture of " + width + "x" + rows + " pixels", 3, width, rows)];
+        int height = (int) rows;
+        Snapshot snapshot = new Snapshot(solution, camera.position());
+        IntStream.range(0, height).parallel().forEach(row -> {
+            for (int column = 0; column < width; column++) {
+                Rgb pixel = snapshot.pixel(camera, column, row, width, height, film);
+                int i = 3 * (row * width + column);
+                rgb[i] = (float) pixel.r();
+                rgb[i + 1] = (float) pixel.g();
+                rgb[i + 2] = (float) pixel.b();
+            }
+        });
+        return new Picture(width, height, rgb);
+    }
+
+    private Rgb pixel(Camera camera, int column, int row, int width, int height, UnaryOperator<Rgb> film) {
+        double r = 0;
+        double g = 0;
+        double b = 0;
+        for (int s = 0; s < SAMPLES * SAMPLES; s++) {
+            double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
+            double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
+            Rgb light = film.apply(along(camera.direction(x, y)));
+            r += light.r();
+            g += light.g();
+            b += light.b();
+        }
+        return new Rgb(r, g, b).times(1.0 / (SAMPLES * SAMPLES));
+    }
+
+    /** Radiosity of what a ray from the eye meets. From far away it begins near the scene, where floats are exact. */
+    private Rgb along(Vec3 direction) {
+        Vec3 from = eye.minus(centre).times(scale);
+        double skipped = Math.max(0, from.length() - SIZE);
+        Vec3 o = from.plus(direction.times(skipped));
+        float[] hit = new float[3];
+        int found = bounds.nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) direction.x(),
+                (float) direction.y(), (float) direction.z(), 4 * (float) SIZE, hit);
+        return found < 0 ? Rgb.BLACK : radiosity(facing[found], hit[1], hit[2]);
+    }
+
+    private Rgb radiosity(int element, double v, double w) {
+        int[] corners = solution.corners();
+        Rgb h = solution.irradianceAt(corners[3 * element]).times(1 - v - w)
+                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
+                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
+        return solution.scene().look(solution.faceOf()[element] >> 1, Elements.point(solution, element, v, w))
+                .radiosity(h);
+    }
+}

@@ -1,0 +1,120 @@
+package radiosity.output.image;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Raster;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+
+/** Reads the images of a scene's surfaces and makes of them what the surfaces reflect and emit, point by point. */
+public final class SurfaceMaps {
+
+    private final boolean srgb;
+    private final Consumer<String> warnings;
+    /** By path; empty where one cannot be read. */
+    private final Map<String, Optional<ImageFile>> images = new HashMap<>();
+
+    private SurfaceMaps(boolean srgb, Consumer<String> warnings) {
+        this.srgb = srgb;
+        this.warnings = warnings;
+    }
+
+    /**
+     * The scene with its images; an image that cannot be read is told, and leaves the base colour.
+     *
+     * @param srgb whether the images' values are made linear, as the scene's colours
+     */
+    public static Scene read(Scene scene, boolean srgb, Consumer<String> warnings) {
+        SurfaceMaps maps = new SurfaceMaps(srgb, warnings);
+        List<Surface> surfaces = scene.surfaces().stream().map(maps::read).toList();
+        return new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(), surfaces, scene.lights(),
+                scene.camera(), scene.textureCoordinates());
+    }
+
+    private Surface read(Surface surface) {
+        return surface.textures().isEmpty() ? surface
+                : surface.with(new Surface.Maps(
+                        raster(surface, ImageMap.Target.EXITANCE, surface.exitance(), Double.MAX_VALUE),
+                        raster(surface, ImageMap.Target.REFLECTANCE, surface.reflectance(), Surface.MAX_REFLECTANCE)));
+    }
+
+    private Optional<Raster> raster(Surface surface, ImageMap.Target target, Rgb base, double most) {
+        List<ImageMap> maps = new ArrayList<>();
+        List<ImageFile> files = new ArrayList<>();
+        for (ImageMap map : surface.textures()) {
+            Optional<ImageFile> image = map.target() == target ? image(map.image()) : Optional.empty();
+            if (image.isPresent()) {
+                maps.add(map);
+                files.add(image.get());
+            }
+        }
+        return maps.isEmpty() || isTooLarge(surface, files) ? Optional.empty()
+                : Optional.of(raster(maps, files, base, most));
+    }
+
+    /** Images of one quantity are brought to one size, which may have far more pixels than any of them. */
+    private boolean isTooLarge(Surface surface, List<ImageFile> files) {
+        long pixels = (long) width(files) * height(files);
+        if (pixels > ImageFile.MOST_PIXELS) {
+            warnings.accept("surface " + surface.name() + ": expected images that together are at most "
+                    + ImageFile.MOST_PIXELS + " pixels, got " + width(files) + "x" + height(files)
+                    + "; the base colour is taken");
+        }
+        return pixels > ImageFile.MOST_PIXELS;
+    }
+
+    private static int width(List<ImageFile> files) {
+        return files.stream().mapToInt(ImageFile::width).max().orElseThrow();
+    }
+
+    private static int height(List<ImageFile> files) {
+        return files.stream().mapToInt(ImageFile::height).max().orElseThrow();
+    }
+
+    private Optional<ImageFile> image(String path) {
+        return images.computeIfAbsent(path, p -> {
+            try {
+                return Optional.of(ImageFile.read(Path.of(p)));
+            } catch (IOException | InvalidPathException e) {
+                warnings.accept(p + ": expected an image, got " + e.getMessage() + "; the base colour is taken");
+                return Optional.empty();
+            }
+        });
+    }
+
+    /** As large as the largest of the images. */
+    private Raster raster(List<ImageMap> maps, List<ImageFile> files, Rgb base, double most) {
+        int width = width(files);
+        int height = height(files);
+        float[] rgb = new float[3 * width * height];
+        for (int i = 0; i < rgb.length; i++) {
+            int x = i / 3 % width;
+            int y = i / 3 / width;
+            double value = base.channel(i % 3);
+            for (int m = 0; m < maps.size(); m++) {
+                ImageFile file = files.get(m);
+                double image = file.value(x * file.width() / width, y * file.height() / height, i % 3, maps.get(m)
+                        .grey(), srgb);
+                value = varied(maps.get(m), value, base.channel(i % 3), i % 3, image);
+            }
+            rgb[i] = (float) Math.max(0, Math.min(Math.min(most, Float.MAX_VALUE), value));
+        }
+        return new Raster(width, height, rgb, maps.get(0).wrapU(), maps.get(0).wrapV(), base);
+    }
+
+    /** Several images for one quantity, as of colour and of diffuse, vary it by their product. */
+    private static double varied(ImageMap map, double before, double base, int channel, double image) {
+        double value = map.negative() ? 1 - image : image;
+        double alone = (1 - map.opacity()) * base + map.opacity() * map.scale().channel(channel) * value;
+        return base > 0 ? before * alone / base : alone;
+    }
+}

@@ -1,0 +1,68 @@
+package radiosity.output.mesh;
+
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+import radiosity.util.BoxTree;
+
+/** Finds the element on which a point lies. */
+public final class ElementSearch {
+
+    /** How far a point may lie from its element, of the size of the box of all elements. */
+    private static final double TOLERANCE = 1e-5;
+    /** The least cosine between the element's normal and the one that is asked for. */
+    private static final double AGREES = 0.5;
+    /** A cosine that falls short of 1 by this counts as much as the whole tolerance of distance. */
+    private static final double TURNED = 1e-4;
+
+    private final Solution solution;
+    private final BoxTree tree;
+    private final double tolerance;
+
+    public ElementSearch(Solution solution) {
+        this.solution = solution;
+        tolerance = TOLERANCE * Aabb.of(solution.positions()).diagonal();
+        double[] boxes = new double[6 * solution.elements()];
+        double[] x = solution.positions();
+        for (int i = 0; i < boxes.length; i++) {
+            int a = i % 3;
+            int[] c = solution.corners();
+            int k = i / 6 * 3;
+            double p = x[3 * c[k] + a];
+            double q = x[3 * c[k + 1] + a];
+            double r = x[3 * c[k + 2] + a];
+            boxes[i] = i % 6 < 3 ? Math.min(p, Math.min(q, r)) : Math.max(p, Math.max(q, r));
+        }
+        tree = new BoxTree(boxes);
+    }
+
+    /**
+     * The element, or -1; between several the nearest whose normal agrees best.
+     *
+     * @param normal unit direction
+     */
+    public int find(Vec3 point, Vec3 normal) {
+        double[] p = {point.x(), point.y(), point.z()};
+        Best best = new Best();
+        tree.near(p, p, tolerance, element -> {
+            double cosine = Elements.normal(solution, element).dot(normal);
+            double distance = cosine > AGREES ? new ClosestPoint(solution, element, point).distance() : tolerance * 2;
+            if (distance <= tolerance) {
+                best.offer(element, distance / tolerance + (1 - cosine) / TURNED);
+            }
+        });
+        return best.element;
+    }
+
+    private static final class Best {
+
+        private int element = -1;
+        private double cost = Double.POSITIVE_INFINITY;
+
+        void offer(int candidate, double itsCost) {
+            if (itsCost < cost || itsCost == cost && candidate < element) {
+                element = candidate;
+                cost = itsCost;
+            }
+        }
+    }
+}

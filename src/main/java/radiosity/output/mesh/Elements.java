@@ -1,0 +1,47 @@
+package radiosity.output.mesh;
+
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+/** The geometry of a solution's elements. */
+public final class Elements {
+
+    private Elements() {
+    }
+
+    public static Vec3 corner(Solution solution, int element, int k) {
+        int p = 3 * solution.corners()[3 * element + k];
+        double[] x = solution.positions();
+        return new Vec3(x[p], x[p + 1], x[p + 2]);
+    }
+
+    /**
+     * @param v weight of corner 1
+     * @param w weight of corner 2
+     */
+    public static Vec3 point(Solution solution, int element, double v, double w) {
+        return corner(solution, element, 0).times(1 - v - w).plus(corner(solution, element, 1).times(v))
+                .plus(corner(solution, element, 2).times(w));
+    }
+
+    /** At right angles to the element on its visible side, twice as long as its area is large. */
+    public static Vec3 cross(Solution solution, int element) {
+        Vec3 a = corner(solution, element, 0);
+        return corner(solution, element, 1).minus(a).cross(corner(solution, element, 2).minus(a));
+    }
+
+    /** Corner k of the original triangle of a face, counter-clockwise seen from the face's visible side. */
+    public static Vec3 corner(Scene scene, int face, int k) {
+        return scene.corner(face >> 1, (face & 1) == 0 ? k : (3 - k) % 3);
+    }
+
+    /** Unit normal on the visible side: that of the original triangle, which is the more exact one. */
+    public static Vec3 normal(Solution solution, int element) {
+        Scene scene = solution.scene();
+        int face = solution.faceOf()[element];
+        Vec3 cross = scene.cross(face >> 1);
+        Vec3 front = cross.length() > 0 ? cross.unit() : new Vec3(0, 1, 0);
+        return (face & 1) == 0 ? front : Vec3.ZERO.minus(front);
+    }
+}

@@ -1,0 +1,241 @@
+package radiosity.output.mesh;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import radiosity.scene.Lamp;
+import radiosity.scene.MaterialSample;
+import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+/**
+ * One side of one surface as the scene file holds it: indexed triangles with light at their vertices.
+ *
+ * @param surface    what it is made of
+ * @param back       whether this is the back of a two-sided surface
+ * @param positions  x, y, z relative to the file's origin, 3 per vertex, scene units
+ * @param normals    unit vectors out of the visible side, 3 per vertex
+ * @param irradiance H for red, green and blue, 3 per vertex, W/m²
+ * @param radiosity  B = E + rho H, 3 per vertex, W/m²
+ * @param reflectance rho, 3 per vertex, where it differs from place to place; else empty, and the surface's everywhere
+ * @param layers     of each lamp its share of the irradiance, 3 per vertex, W/m²; empty where they are not kept apart
+ * @param corners    vertices, 3 per element, counter-clockwise seen from the visible side
+ */
+public record Mesh(Surface surface, boolean back, float[] positions, float[] normals, float[] irradiance,
+                   float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
+
+    public Mesh {
+        layers = List.copyOf(layers);
+    }
+
+    /** Number of vertices. */
+    public int vertices() {
+        return positions.length / 3;
+    }
+
+    /** Number of elements. */
+    public int elements() {
+        return corners.length / 3;
+    }
+
+    /** Where corner k (0, 1 or 2) of an element is, relative to the file's origin, scene units. */
+    public Vec3 position(int element, int k) {
+        int i = 3 * corners[3 * element + k];
+        return new Vec3(positions[i], positions[i + 1], positions[i + 2]);
+    }
+
+    /** At right angles to an element, out of its visible side, twice as long as its area is large. */
+    public Vec3 cross(int element) {
+        Vec3 a = position(element, 0);
+        return position(element, 1).minus(a).cross(position(element, 2).minus(a));
+    }
+
+    /** B at corner k of an element, W/m². */
+    public Rgb radiosity(int element, int k) {
+        return at(radiosity, corners[3 * element + k]);
+    }
+
+    /** H at corner k of an element, W/m². */
+    public Rgb irradiance(int element, int k) {
+        return at(irradiance, corners[3 * element + k]);
+    }
+
+    /**
+     * This surface in the light of lamps that are dimmed or coloured.
+     *
+     * @param lamps   whose layers these are
+     * @param factors of each lamp's light, at least 0
+     */
+    public Mesh mixed(List<Lamp> lamps, List<Rgb> factors) {
+        Surface lit = lit(lamps, factors);
+        float[] h = new float[irradiance.length];
+        float[] b = new float[irradiance.length];
+        for (int i = 0; i < h.length; i++) {
+            double sum = 0;
+            for (int layer = 0; layer < lamps.size(); layer++) {
+                sum += factors.get(layer).channel(i % 3) * layers.get(layer)[i];
+            }
+            h[i] = (float) sum;
+            b[i] = (float) (exitance(i) * dimmed(lit, i % 3) + reflectance(i) * sum);
+        }
+        return new Mesh(lit, back, positions, normals, h, b, reflectance, layers, corners);
+    }
+
+    private double reflectance(int i) {
+        return reflectance.length > 0 ? reflectance[i] : surface.reflectance().channel(i % 3);
+    }
+
+    /** What is not reflected. */
+    private double exitance(int i) {
+        return reflectance.length > 0 ? Math.max(0, radiosity[i] - (double) reflectance[i] * irradiance[i])
+                : surface.exitance().channel(i % 3);
+    }
+
+    private double dimmed(Surface lit, int channel) {
+        double before = surface.exitance().channel(channel);
+        return before == 0 ? 1 : lit.exitance().channel(channel) / before;
+    }
+
+    /** As a lamp that it may be. */
+    private Surface lit(List<Lamp> lamps, List<Rgb> factors) {
+        Rgb exitance = surface.exitance();
+        for (int layer = 0; layer < lamps.size(); layer++) {
+            if (lamps.get(layer).isSurface(surface.name())) {
+                exitance = exitance.times(factors.get(layer));
+            }
+        }
+        return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided(), surface.textures());
+    }
+
+    /** rho at corner k of an element. */
+    public Rgb reflectance(int element, int k) {
+        return reflectance.length > 0 ? at(reflectance, corners[3 * element + k]) : surface.reflectance();
+    }
+
+    private static Rgb at(float[] array, int vertex) {
+        return new Rgb(array[3 * vertex], array[3 * vertex + 1], array[3 * vertex + 2]);
+    }
+
+    /**
+     * The meshes of a solution, surface by surface, front before back; a side without elements has none.
+     *
+     * @param origin what is subtracted from every position
+     */
+    public static List<Mesh> of(Solution solution, Vec3 origin) {
+        int[][] elements = bySide(solution);
+        int[] local = new int[solution.vertices()];
+        Arrays.fill(local, -1);
+        List<Mesh> meshes = new ArrayList<>();
+        for (int side = 0; side < elements.length; side++) {
+            if (elements[side].length > 0) {
+                Surface surface = solution.scene().surfaces().get(side >> 1);
+                meshes.add(of(solution, origin, surface, (side & 1) == 1, elements[side], local));
+            }
+        }
+        return meshes;
+    }
+
+    /** The elements of each side, ascending: 2 * surface for its front, + 1 for its back. */
+    public static int[][] bySide(Solution solution) {
+        int[] count = new int[2 * solution.scene().surfaces().size()];
+        for (int face : solution.faceOf()) {
+            count[side(solution, face)]++;
+        }
+        int[][] elements = Arrays.stream(count).mapToObj(int[]::new).toArray(int[][]::new);
+        Arrays.fill(count, 0);
+        for (int e = 0; e < solution.elements(); e++) {
+            int side = side(solution, solution.faceOf()[e]);
+            elements[side][count[side]++] = e;
+        }
+        return elements;
+    }
+
+    private static int side(Solution solution, int face) {
+        return 2 * solution.scene().surfaceOf()[face >> 1] + (face & 1);
+    }
+
+    /** @param local -1 per vertex of the solution, before and after */
+    private static Mesh of(Solution solution, Vec3 origin, Surface surface, boolean back, int[] elements,
+                           int[] local) {
+        int[] corners = new int[3 * elements.length];
+        int[] vertices = new int[3 * elements.length];
+        int[] firstElement = new int[3 * elements.length];
+        int count = 0;
+        for (int i = 0; i < corners.length; i++) {
+            int v = solution.corners()[3 * elements[i / 3] + i % 3];
+            if (local[v] < 0) {
+                firstElement[count] = elements[i / 3];
+                vertices[count] = v;
+                local[v] = count++;
+            }
+            corners[i] = local[v];
+        }
+        Mesh mesh = new Mesh(surface, back, new float[3 * count], new float[3 * count], new float[3 * count],
+                new float[3 * count], new float[surface.maps().isEmpty() ? 0 : 3 * count],
+                        layers(solution.lamps().size(), 3 * count), corners);
+        MaterialSample[] looks = mesh.looks(solution, elements);
+        for (int i = 0; i < count; i++) {
+            mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]), looks[i]);
+            local[vertices[i]] = -1;
+        }
+        return mesh;
+    }
+
+    private static List<float[]> layers(int count, int length) {
+        return IntStream.range(0, count).mapToObj(layer -> new float[length]).toList();
+    }
+
+    /** 1 per vertex: the mean of the elements around it. */
+    private MaterialSample[] looks(Solution solution, int[] elements) {
+        MaterialSample[] looks = new MaterialSample[vertices()];
+        Arrays.fill(looks, new MaterialSample(surface.exitance(), surface.reflectance()));
+        if (surface.maps().isEmpty()) {
+            return looks;
+        }
+        Arrays.fill(looks, new MaterialSample(Rgb.BLACK, Rgb.BLACK));
+        int[] count = new int[looks.length];
+        for (int i = 0; i < corners.length; i++) {
+            MaterialSample sum = looks[corners[i]];
+            MaterialSample element = solution.look(elements[i / 3]);
+            looks[corners[i]] = new MaterialSample(sum.exitance().plus(element.exitance()), sum.reflectance()
+                    .plus(element.reflectance()));
+            count[corners[i]]++;
+        }
+        for (int v = 0; v < looks.length; v++) {
+            looks[v] = new MaterialSample(looks[v].exitance().times(1.0 / count[v]), looks[v].reflectance()
+                    .times(1.0 / count[v]));
+        }
+        return looks;
+    }
+
+    private void put(int i, Solution solution, int vertex, Vec3 origin, Vec3 normal, MaterialSample look) {
+        double[] x = solution.positions();
+        put(positions, i, x[3 * vertex] - origin.x(), x[3 * vertex + 1] - origin.y(), x[3 * vertex + 2] - origin.z());
+        put(normals, i, normal.x(), normal.y(), normal.z());
+        Rgb h = solution.irradianceAt(vertex);
+        put(irradiance, i, h);
+        put(radiosity, i, look.radiosity(h));
+        if (reflectance.length > 0) {
+            put(reflectance, i, look.reflectance());
+        }
+        for (int layer = 0; layer < layers.size(); layer++) {
+            put(layers.get(layer), i, solution.irradianceAt(vertex, layer));
+        }
+    }
+
+    private static void put(float[] array, int i, Rgb light) {
+        put(array, i, light.r(), light.g(), light.b());
+    }
+
+    private static void put(float[] array, int i, double... xyz) {
+        for (int a = 0; a < 3; a++) {
+            if (Double.isNaN(xyz[a])) {
+                throw new IllegalArgumentException("vertex " + i + ": expected a number, got NaN");
+            }
+            array[3 * i + a] = (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, xyz[a]));
+        }
+    }
+}

@@ -1,0 +1,240 @@
+package radiosity.output.mesh;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import radiosity.solution.Solution;
+import radiosity.util.ArraySize;
+import radiosity.util.BoxTree;
+
+/**
+ * Closes the cracks where an element's edge meets smaller elements: the element is split at their corners.
+ *
+ * <p>In a part (elements connected by vertices) the hanging vertex is shared and brings its own value; from another
+ * part, of the same surface or not, only its position is taken, and the value is that of the edge, so that no light
+ * crosses from one surface to another. Everything happens in the order of ids.
+ */
+public final class TJunctions {
+
+    /*
+     * A crack can only open along an edge that is not shared by exactly two elements, and on both of its sides there
+     * are such edges: so only their ends are sorted into a tree, and only they are searched for vertices. Of n elements
+     * that is about the square root of n where the mesh conforms; n log n at worst.
+     */
+
+    /** What lies nearer than this is one point, of the size of the box of all elements: a few float roundings. */
+    static final double TOLERANCE = 5e-7;
+
+    private final Solution solution;
+    private final OpenEdges open;
+    private final double tolerance;
+    private final DisjointSets parts;
+    /** Vertex at the end of an open edge -> the lowest such vertex at the same point; others -> themselves. */
+    private final int[] same;
+    private final double[] positions;
+    /** The vertex of a part at a point: key is part, {@link #same}. */
+    private final Map<Long, Integer> vertexAt = new HashMap<>();
+    /** x, y, z, then irradiance per channel, of each new vertex. */
+    private final List<double[]> created = new ArrayList<>();
+    private final IntStream.Builder corners = IntStream.builder();
+    private final IntStream.Builder faceOf = IntStream.builder();
+    /** The points at which open edges end. */
+    private final BoxTree tree;
+    /** 1 per point of the tree: the vertex at it that stands for all. */
+    private final int[] ends;
+
+    private TJunctions(Solution solution) {
+        this.solution = solution;
+        positions = solution.positions().clone();
+        open = new OpenEdges(solution.corners());
+        parts = new DisjointSets(solution.vertices(), solution.corners());
+        tolerance = TOLERANCE * Aabb.of(positions).diagonal();
+        same = new int[solution.vertices()];
+        weld(open.ends(solution.vertices()));
+        ends = IntStream.of(open.ends(solution.vertices())).filter(v -> same[v] == v).toArray();
+        tree = tree(ends);
+    }
+
+    private BoxTree tree(int[] vertices) {
+        double[] points = new double[3 * vertices.length];
+        for (int i = 0; i < vertices.length; i++) {
+            System.arraycopy(positions, 3 * vertices[i], points, 3 * i, 3);
+        }
+        return BoxTree.ofPoints(points);
+    }
+
+    /** The same light on elements that meet corner to corner; ids of vertices stay, those of elements may not. */
+    public static Solution close(Solution solution) {
+        return new TJunctions(solution).closed();
+    }
+
+    /**
+     * Makes open vertices that are one point but for rounding agree to the last bit.
+     *
+     * @param open the vertices, ascending; not modified
+     */
+    private void weld(int[] open) {
+        Arrays.setAll(same, v -> v);
+        BoxTree all = tree(open);
+        for (int v : open) {
+            same[v] = same[open[all.lowest(point(v), tolerance)]];
+            System.arraycopy(positions, 3 * same[v], positions, 3 * v, 3);
+            vertexAt.putIfAbsent(key(v, same[v]), v);
+        }
+    }
+
+    private double[] point(int vertex) {
+        return Arrays.copyOfRange(positions, 3 * vertex, 3 * vertex + 3);
+    }
+
+    private long key(int vertexOfPart, int at) {
+        return (long) parts.of(vertexOfPart) << 32 | at;
+    }
+
+    private Solution closed() {
+        int[] c = solution.corners();
+        for (int e = 0; e < solution.elements(); e++) {
+            emit(e, new Polygon(c[3 * e], hanging(e, 0), c[3 * e + 1], hanging(e, 1), c[3 * e + 2], hanging(e, 2)));
+        }
+        return new Solution(solution.scene(), solution.channels(), solution.lamps(), withCreated(positions, 0, 3),
+                withCreated(solution.irradiance(), 3, solution.channels()), corners.build().toArray(),
+                faceOf.build().toArray(), solution.shots(), solution.rounds(), solution.unshotFlux(),
+                solution.ledger(), solution.state());
+    }
+
+    private double[] withCreated(double[] old, int from, int count) {
+        double[] all = Arrays.copyOf(old,
+                ArraySize.of("light at vertices in " + count + " channels", count, old.length / count
+                        + created.size()));
+        for (int i = 0; i < created.size(); i++) {
+            System.arraycopy(created.get(i), from, all, old.length + count * i, count);
+        }
+        return all;
+    }
+
+    /** The vertices strictly inside edge k of an element, from its first end to its last. */
+    private int[] hanging(int e, int k) {
+        int[] c = solution.corners();
+        int a = c[3 * e + k];
+        int b = c[3 * e + (k + 1) % 3];
+        if (!open.contains(a, b)) {
+            return new int[0];
+        }
+        int opposite = same[c[3 * e + (k + 2) % 3]];
+        TreeMap<Double, Integer> inside = new TreeMap<>();
+        tree.near(point(a), point(b), tolerance, i -> {
+            int v = ends[i];
+            double t = along(a, b, v);
+            if (v != same[a] && v != same[b] && v != opposite && t > 0 && t < 1) {
+                inside.merge(t, v, Math::min);
+            }
+        });
+        return inside.isEmpty() ? new int[0] : vertices(a, b, inside);
+    }
+
+    /** Where on the edge a vertex lies, 0 at a and 1 at b; NaN where it lies off the edge. */
+    private double along(int a, int b, int v) {
+        double dot = 0;
+        double square = 0;
+        double distance = 0;
+        for (int i = 0; i < 3; i++) {
+            double d = positions[3 * b + i] - positions[3 * a + i];
+            double p = positions[3 * v + i] - positions[3 * a + i];
+            dot += d * p;
+            square += d * d;
+            distance += p * p;
+        }
+        double t = dot / square;
+        return distance - t * dot <= tolerance * tolerance ? t : Double.NaN;
+    }
+
+    /** This part's vertices at the given points of its edge; they are made where it has none. */
+    private int[] vertices(int a, int b, TreeMap<Double, Integer> inside) {
+        double[] t = inside.keySet().stream().mapToDouble(Double::doubleValue).toArray();
+        int[] at = inside.values().stream().mapToInt(Integer::intValue).toArray();
+        int[] found = new int[at.length];
+        for (int i = 0; i < at.length; i++) {
+            found[i] = vertexAt.getOrDefault(key(a, at[i]), -1);
+        }
+        if (!isAcross(a, found, b)) {
+            Arrays.fill(found, -1);
+        }
+        int[] vertices = found.clone();
+        for (int i = 0; i < at.length; i++) {
+            if (found[i] < 0) {
+                int before = i - 1;
+                int after = i + 1;
+                while (before >= 0 && found[before] < 0) {
+                    before--;
+                }
+                while (after < at.length && found[after] < 0) {
+                    after++;
+                }
+                double from = before < 0 ? 0 : t[before];
+                double to = after == at.length ? 1 : t[after];
+                vertices[i] = add(before < 0 ? a : found[before], after == at.length ? b : found[after],
+                        (t[i] - from) / (to - from), at[i]);
+                vertexAt.put(key(a, at[i]), vertices[i]);
+            }
+        }
+        return vertices;
+    }
+
+    /**
+     * Whether vertices of an edge's part are those of smaller elements across it, and not of what lies behind a wall
+     * that stands on it: those have ends of their own.
+     */
+    private boolean isAcross(int a, int[] found, int b) {
+        int last = a;
+        for (int v : found) {
+            if (v >= 0 && !open.contains(last, v)) {
+                return false;
+            }
+            last = v >= 0 ? v : last;
+        }
+        return last == a || open.contains(last, b);
+    }
+
+    /** A new vertex between two of a part, with the value of the edge between them. */
+    private int add(int from, int to, double share, int at) {
+        double[] vertex = Arrays.copyOf(point(at), 3 + solution.channels());
+        for (int c = 0; c < solution.channels(); c++) {
+            vertex[3 + c] = (1 - share) * irradiance(from, c) + share * irradiance(to, c);
+        }
+        created.add(vertex);
+        return solution.vertices() + created.size() - 1;
+    }
+
+    private double irradiance(int vertex, int channel) {
+        return vertex < solution.vertices() ? solution.irradiance()[vertex * solution.channels() + channel]
+                : created.get(vertex - solution.vertices())[3 + channel];
+    }
+
+    /** An element whose edges carry vertices. */
+    private record Polygon(int a, int[] ab, int b, int[] bc, int c, int[] ca) {
+
+        Polygon turned() {
+            return new Polygon(b, bc, c, ca, a, ab);
+        }
+    }
+
+    /** Halves an element from its middle hanging vertex to the corner opposite, until none is left. */
+    private void emit(int element, Polygon p) {
+        int most = Math.max(p.ab.length, Math.max(p.bc.length, p.ca.length));
+        if (most == 0) {
+            corners.add(p.a).add(p.b).add(p.c);
+            faceOf.add(solution.faceOf()[element]);
+        } else if (p.ab.length < most) {
+            emit(element, p.turned());
+        } else {
+            int m = most / 2;
+            int[] none = {};
+            emit(element, new Polygon(p.a, Arrays.copyOf(p.ab, m), p.ab[m], none, p.c, p.ca));
+            emit(element, new Polygon(p.ab[m], Arrays.copyOfRange(p.ab, m + 1, most), p.b, p.bc, p.c, none));
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package radiosity.output.points;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.channels.Channels;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import radiosity.mesh.face.Faces;
+import radiosity.output.file.AtomicFile;
+import radiosity.output.mesh.ClosestPoint;
+import radiosity.output.mesh.ElementSearch;
+import radiosity.output.mesh.Elements;
+import radiosity.output.mesh.TJunctions;
+import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
+
+/** The light at points on surfaces, interpolated on the element that is there on the side that is asked for. */
+public final class Points {
+
+    private static final String HEADER = "x,y,z,nx,ny,nz,H_r,H_g,H_b,B_r,B_g,B_b\n";
+
+    private final ElementSearch search;
+    private final Solution solution;
+    private final Faces faces;
+    private final Solids solids;
+
+    /** @param solution T-junctions are closed here, as in the scene file */
+    public Points(Solution solution) {
+        this.solution = TJunctions.close(solution);
+        search = new ElementSearch(this.solution);
+        faces = new Faces(solution.scene());
+        solids = new Solids(new RadiosityBounds(faces.occluders()), faces.fronts());
+    }
+
+    /**
+     * Reads a file of points as {@link #write} does, to know before a long render whether it can.
+     *
+     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
+     */
+    public static void check(Path in) throws IOException {
+        PointList.read(in, point -> { });
+    }
+
+    /**
+     * Irradiance and radiosity at a point. Inside a solid no light arrives, though a floor's element may reach there.
+     *
+     * @param normal of any length but 0; says which side is meant
+     */
+    public Light at(Vec3 point, Vec3 normal) {
+        int element = search.find(point, normal.unit());
+        if (element < 0) {
+            Rgb none = Rgb.grey(Double.NaN);
+            return new Light(none, none);
+        }
+        if (isInSolid(point, normal.unit())) {
+            return new Light(Rgb.BLACK, solution.surface(element).exitance());
+        }
+        double[] weight = new ClosestPoint(solution, element, point).weights();
+        Rgb h = Rgb.BLACK;
+        for (int k = 0; k < 3; k++) {
+            h = h.plus(solution.irradianceAt(solution.corners()[3 * element + k]).times(weight[k]));
+        }
+        Vec3 on = Elements.point(solution, element, weight[1], weight[2]);
+        return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
+    }
+
+    private boolean isInSolid(Vec3 point, Vec3 n) {
+        Vec3 p = faces.unit(point);
+        return solids.hold((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
+    }
+
+    /**
+     * The light at a point; not a number where no element is.
+     *
+     * @param irradiance H, W/m²
+     * @param radiosity  B, W/m²
+     */
+    public record Light(Rgb irradiance, Rgb radiosity) {
+    }
+
+    /**
+     * Reads points (columns x, y, z, nx, ny, nz) and writes them with the light at each, in the same order; any number
+     * of them, as each is written before the next is read.
+     *
+     * @return how many of them lie on no surface; their light is written as nan
+     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
+     */
+    public long write(Path in, Path out) throws IOException {
+        long[] missed = {0};
+        AtomicFile.write(out, channel -> {
+            Writer text = new BufferedWriter(new OutputStreamWriter(Channels.newOutputStream(channel),
+                    StandardCharsets.US_ASCII));
+            text.write(HEADER);
+            PointList.read(in, point -> {
+                Light light = at(new Vec3(point[0], point[1], point[2]), new Vec3(point[3], point[4], point[5]));
+                text.append(line(point, light));
+                missed[0] += Double.isNaN(light.irradiance().r()) ? 1 : 0;
+            });
+            text.flush();
+        });
+        return missed[0];
+    }
+
+    private static StringBuilder line(double[] point, Light light) {
+        StringBuilder line = new StringBuilder();
+        for (double x : point) {
+            line.append(x).append(',');
+        }
+        append(line, light.irradiance()).append(',');
+        return append(line, light.radiosity()).append('\n');
+    }
+
+    private static StringBuilder append(StringBuilder text, Rgb light) {
+        return Double.isNaN(light.r()) ? text.append("nan,nan,nan")
+                : text.append(light.r()).append(',').append(light.g()).append(',').append(light.b());
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * The light at points that the user names.
+ */
+package radiosity.output.points;

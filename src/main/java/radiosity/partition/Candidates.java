@@ -1,0 +1,176 @@
+package radiosity.partition;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.PriorityQueue;
+import java.util.stream.IntStream;
+import radiosity.mesh.ElementLight;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.Faces;
+import radiosity.protocol.Answer;
+import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
+import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
+
+/** How things stand with a partition's shooters: sums over their elements, and who has most to shoot. */
+final class Candidates {
+
+    /** Shooters that a thread looks at at a time. */
+    private static final int RUN = 64;
+
+    private final InitialMesh mesh;
+    private final Faces faces;
+    private final double squaredSize;
+    private final RadiosityNodes nodes;
+    private final int[][] shooters;
+    private final ParallelFor crew;
+    /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
+    private final double[] flux;
+    /** Those at which somebody else looks. */
+    private BitSet left = new BitSet();
+    /** Over all shooters; null where something has changed since. */
+    private Answer sums;
+    /** 1 per shooter, as far as they were asked for. */
+    private Shot[] shots;
+
+    /** @param shooters nodes that shoot together */
+    Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, ParallelFor crew) {
+        this.mesh = mesh;
+        faces = mesh.faces;
+        squaredSize = faces.size() * faces.size();
+        this.nodes = nodes;
+        this.shooters = shooters;
+        this.crew = crew;
+        flux = new double[shooters.length];
+    }
+
+    /** What an order wants to know. */
+    Answer answer(Order order) {
+        if (sums == null) {
+            sums = measure();
+            shots = new Shot[shooters.length];
+        }
+        Answer answer = new Answer(faces, mesh.fluxScale());
+        answer.addSums(sums);
+        int[] named = largest(order.most(), order.least());
+        crew.run(named.length, i -> find(named[i]));
+        boolean means = order.kind() == Order.Kind.MEANS;
+        IntStream.of(named).mapToObj(p -> means ? shots[p].mean(mesh.coarse) : shots[p])
+                .forEach(answer.candidates::add);
+        return answer;
+    }
+
+    private void find(int shooter) {
+        if (shots[shooter] == null) {
+            Shot whole = Shot.of(nodes, shooters[shooter], flux[shooter], nodes.light()::unshot);
+            shots[shooter] = mesh.rounding.of(mesh.shootsClusters() ? whole.pruned(mesh.coarse) : whole);
+        }
+    }
+
+    /** Somebody else looks at these shooters. */
+    void leave(BitSet shooters) {
+        left = shooters;
+        changed();
+    }
+
+    /** Something has shot or gathered, or was divided. */
+    void changed() {
+        sums = null;
+        shots = null;
+    }
+
+    private Answer measure() {
+        Answer all = new Answer(faces, mesh.fluxScale());
+        crew.run(shooters.length, RUN, (from, to) -> {
+            Answer some = measure(from, to);
+            synchronized (all) {
+                all.addSums(some);
+            }
+        });
+        return all;
+    }
+
+    /** The sums over some shooters. */
+    private Answer measure(int from, int to) {
+        Answer sums = new Answer(faces, mesh.fluxScale());
+        for (int p = from; p < to; p++) {
+            flux[p] = 0;
+            for (int i = 0; i < shooters[p].length && !left.get(p); i++) {
+                flux[p] += measure(shooters[p][i], sums);
+            }
+        }
+        return sums;
+    }
+
+    /** Adds what lies below a node to the sums; returns its |U| A over the channels, W. */
+    private double measure(int node, Answer sums) {
+        double total = 0;
+        if (!nodes.isElement(node)) {
+            for (int k = 0; k < 4; k++) {
+                total += measure(nodes.child(node) + k, sums);
+            }
+            return total;
+        }
+        for (int layer = 0; layer < faces.layers(); layer++) {
+            total += measure(node, layer, sums);
+        }
+        sums.elements++;
+        sums.negative += hasNegative(node) ? 1 : 0;
+        return total;
+    }
+
+    private boolean hasNegative(int element) {
+        for (int k = 0; k < 3; k++) {
+            if (nodes.isNegative(nodes.corner(element, k))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The same of one layer of an element. */
+    private double measure(int node, int layer, Answer sums) {
+        double total = 0;
+        double area = nodes.area(node) * squaredSize;
+        ElementLight light = nodes.light();
+        for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
+            double bulge = light.bulge(node, c);
+            double u = 0;
+            double h = 0;
+            for (int k = 0; k < 3; k++) {
+                u += light.unshot(node, k, c, bulge);
+                h += light.irradiance(node, k, c);
+            }
+            u *= area / 3;
+            h = (h / 3 + bulge) * area;
+            total += Math.abs(u);
+            sums.unshot[c].add(u);
+            sums.received[c].add(h);
+            sums.absorbed[c].add(h - h * nodes.reflectance(node, c));
+        }
+        sums.unshotFlux[layer].add(total);
+        return total;
+    }
+
+    /** Of those with so much flux at least, W. */
+    private int[] largest(int most, double least) {
+        boolean all = mesh.shootsClusters() || mesh.predicts() && mesh.rooms.count() > 0;
+        PriorityQueue<Integer> best = new PriorityQueue<>((p, q) -> -order(p, q));
+        for (int p = 0; p < flux.length && most > 0; p++) {
+            if ((flux[p] > 0 || all) && flux[p] >= least && (best.size() < most || order(p, best.peek()) < 0)) {
+                best.add(p);
+                if (best.size() > most) {
+                    best.poll();
+                }
+            }
+        }
+        return best.stream().sorted(this::order).mapToInt(Integer::intValue).toArray();
+    }
+
+    private int order(int p, int q) {
+        int order = Double.compare(flux[q], flux[p]);
+        order = order != 0 ? order : Integer.compare(nodes.face(shooters[p][0]), nodes.face(shooters[q][0]));
+        return order != 0 ? order : Long.compare(nodes.path(shooters[p][0]), nodes.path(shooters[q][0]));
+    }
+}

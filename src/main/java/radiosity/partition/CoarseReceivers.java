@@ -1,0 +1,72 @@
+package radiosity.partition;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.stream.IntStream;
+import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.RayCaster;
+import radiosity.formfactor.ShooterHierarchy;
+import radiosity.mesh.Block;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.prediction.CoarseRows;
+import radiosity.prediction.CoarseSystem;
+import radiosity.prediction.RowRecorder;
+import radiosity.protocol.Order;
+import radiosity.protocol.Wire;
+import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
+
+/**
+ * Makes rows of a {@link CoarseSystem}, a part at a time: vertices are dealt to blocks, and those made that fall to
+ * some
+ * of them.
+ */
+final class CoarseReceivers {
+
+    private final InitialMesh mesh;
+    private final Gatherer receivers;
+    private final ParallelFor crew;
+    private final RadiosityNodes nodes;
+    /** Vertices whose rows are made here: of those that stand for themselves. */
+    private final int[] asked;
+
+    CoarseReceivers(InitialMesh mesh, List<Block> blocks, Gatherer receivers, ParallelFor crew) {
+        this.mesh = mesh;
+        this.receivers = receivers;
+        this.crew = crew;
+        nodes = new RadiosityNodes(mesh.coarse, mesh.clusters.clusters);
+        BitSet mine = new BitSet();
+        blocks.forEach(block -> mine.set(block.id()));
+        asked = IntStream.range(0, nodes.vertices())
+                .filter(v -> mesh.fellows.leader(nodes.vertexFace(v)) == nodes.vertexFace(v))
+                .filter(v -> mine.get((int) ((long) v * mesh.blocks.size() / nodes.vertices()))).toArray();
+        receivers.bury(nodes, asked);
+    }
+
+    /** @return number of rows, then each as {@link CoarseRows#take} reads it */
+    byte[] rows(Order order) {
+        ShooterHierarchy[] all = receivers.shooters(order);
+        FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]
+                : new RayCaster(mesh.bounds(), 1, order.tolerance(), 1);
+        byte[][] row = new byte[asked.length][];
+        crew.run(row.length, i -> row[i] = row(asked[i], all, calculator));
+        return Wire.bytes(out -> {
+            out.writeInt(row.length);
+            for (byte[] bytes : row) {
+                out.write(bytes);
+            }
+        });
+    }
+
+    private byte[] row(int v, ShooterHierarchy[] all, FormFactorCalculator calculator) {
+        RowRecorder seen = new RowRecorder();
+        for (int i = 0; i < all.length && !nodes.isBuried(v); i++) {
+            receivers.gather(calculator, all[i], nodes, v, seen);
+        }
+        return Wire.bytes(out -> {
+            out.writeLong(nodes.vertexKey(v));
+            out.writeBoolean(nodes.isBuried(v));
+            seen.write(nodes, out);
+        });
+    }
+}

@@ -1,0 +1,128 @@
+package radiosity.partition;
+
+import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
+import radiosity.formfactor.GatherSink;
+import radiosity.formfactor.ShooterHierarchy;
+import radiosity.mesh.InteriorTest;
+import radiosity.mesh.Patcher;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.UniformRadiosity;
+import radiosity.mesh.Weights;
+import radiosity.mesh.face.Faces;
+import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
+import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
+
+/** How the vertices of a mesh receive what an order lets shoot. */
+final class Gatherer {
+
+    /** Vertices that a thread takes at a time. */
+    static final int RUN = 64;
+
+    private final InitialMesh mesh;
+    private final Faces faces;
+    private final ParallelFor crew;
+    private final InteriorTest burial;
+    /** By the list of what shoots. */
+    private final Map<List<Shot>, ShooterHierarchy[]> kept = new IdentityHashMap<>();
+
+    Gatherer(InitialMesh mesh, ParallelFor crew) {
+        this.mesh = mesh;
+        this.crew = crew;
+        faces = mesh.faces;
+        burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
+    }
+
+    /** Marks which vertices lie inside a solid, from the first on that has not been looked at. */
+    void bury(RadiosityNodes nodes, int first) {
+        crew.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
+    }
+
+    /** The same for some vertices. */
+    void bury(RadiosityNodes nodes, int[] vertices) {
+        crew.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
+    }
+
+    UniformRadiosity ambient(Order order) {
+        return new UniformRadiosity(mesh.rooms, faces.channels(), order.ambient());
+    }
+
+    Weights weights(Order order) {
+        return new Weights(mesh.rooms, faces.channels(), order.weight());
+    }
+
+    ShooterHierarchy[] shooters(Order order) {
+        ShooterHierarchy[] known = kept.get(order.shots());
+        return known == null ? make(order) : known;
+    }
+
+    /** Keeps the shooters of an order that is done again soon. */
+    void keep(Order order) {
+        kept.put(order.shots(), make(order));
+    }
+
+    void forget() {
+        kept.clear();
+    }
+
+    private ShooterHierarchy[] make(Order order) {
+        UniformRadiosity ambient = ambient(order);
+        Weights weights = weights(order);
+        ShooterHierarchy[] made = new ShooterHierarchy[order.shots().size()];
+        crew.run(made.length, i -> made[i] = order.shots().get(i).shooter(faces, weights, ambient));
+        return made;
+    }
+
+    /** One per {@link Patcher#slack}. */
+    FormFactorCalculator[] calculators(Order order) {
+        FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
+        Arrays.setAll(made, slack -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(),
+                order.tolerance() * (1 << slack)));
+        return made;
+    }
+
+    /** Even light of closed rooms, at the beginning of a round. */
+    void receiveAmbient(Order order, RadiosityNodes nodes, int[] vertices) {
+        UniformRadiosity ambient = ambient(order);
+        double[] back = order.givenBack();
+        if (order.begun() || ambient.isDark() && back.length == 0) {
+            return;
+        }
+        int channels = faces.channels();
+        for (int v : vertices) {
+            for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
+                nodes.light().irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
+                        + (back.length == 0 ? 0 : back[c]);
+            }
+        }
+    }
+
+    /** What some neighbouring vertices receive of one shooter is added to their irradiance. */
+    void gather(FormFactorCalculator[] calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int[] run) {
+        int channels = faces.channels();
+        double[] irradiance = nodes.light().irradiance();
+        GatherSink.Irradiance sum = new GatherSink.Irradiance(channels);
+        for (int v : run) {
+            if (!nodes.isBuried(v)) {
+                System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
+                gather(calculator[mesh.patcher.slack(nodes.vertexFace(v))], shooter, nodes, v, sum);
+                System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
+            }
+        }
+    }
+
+    /** What one vertex receives of one shooter. */
+    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v,
+            GatherSink sum) {
+        float[] x = nodes.receivers();
+        int f = faces.plane(nodes.vertexFace(v));
+        calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
+                faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), nodes.vertexKey(v), shooter, sum);
+    }
+}

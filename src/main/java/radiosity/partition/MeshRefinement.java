@@ -1,0 +1,181 @@
+package radiosity.partition;
+
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.Weights;
+import radiosity.mesh.face.Faces;
+import radiosity.util.ParallelFor;
+
+/**
+ * Where the mesh is too coarse for the light on it: where the middle of an edge has not what lies between its ends.
+ *
+ * <p>The middles of a parent's edges are vertices of its children. By how much they differ from the mean of the edge's
+ * ends is the error that the parent would have had; a child that touches such a middle is divided. Decided from the
+ * element's own surroundings only.
+ */
+final class MeshRefinement {
+
+    /** Nodes that a thread looks at at a time. */
+    private static final int RUN = 256;
+    /** Of which it is not decided yet which of its children are divided. */
+    private static final byte UNKNOWN = -1;
+    /** At a sharp shadow the error per element falls with its size only; below this area it is left. Of all area. */
+    private static final double LEAST_AREA = 1e-7;
+
+    private final RadiosityNodes nodes;
+    private final Faces faces;
+    private final Weights weights;
+    private final double meshError;
+    private final double area;
+
+    /**
+     * @param weights   1 / mean radiosity, m²/W
+     * @param meshError error times square root of area that an element may have, relative to mean and whole area
+     */
+    MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
+        this.nodes = nodes;
+        faces = nodes.faces();
+        this.weights = weights;
+        this.meshError = meshError;
+        area = faces.area();
+    }
+
+    /**
+     * Most is decided by all threads before anything is divided; of what is divided now the parts are looked at
+     * afterwards: their parents' middles are known.
+     *
+     * @param round what the new vertices are shared by
+     */
+    void splitAll(int round, ParallelFor crew) {
+        byte[] wanted = new byte[nodes.nodes()];
+        crew.run(wanted.length, RUN, (from, to) -> {
+            for (int node = from; node < to; node++) {
+                wanted[node] = nodes.isElement(node) ? UNKNOWN : wanted(node);
+            }
+        });
+        nodes.beginSplits(count(wanted));
+        for (int node = 0; node < wanted.length; node++) {
+            if (!nodes.isElement(node)) {
+                splitChildren(node, wanted[node] == UNKNOWN ? wanted(node) : wanted[node], round);
+            }
+        }
+        for (int top : nodes.tops()) {
+            if (nodes.isElement(top) && wants(top, ofFace(top))) {
+                nodes.split(top, round);
+            }
+        }
+    }
+
+    private static int count(byte[] wanted) {
+        int count = 0;
+        for (byte children : wanted) {
+            count += children == UNKNOWN ? 0 : Integer.bitCount(children);
+        }
+        return count;
+    }
+
+    /** Which children of a node are to be divided, as bits. */
+    private byte wanted(int parent) {
+        double[] error = ofMiddles(parent);
+        double before = fromAbove(parent);
+        int wanted = 0;
+        for (int k = 0; k < 4; k++) {
+            int child = nodes.child(parent) + k;
+            boolean wants = nodes.isElement(child) && wants(child, Math.max(before, touching(error, k)));
+            wanted |= wants ? 1 << k : 0;
+        }
+        return (byte) wanted;
+    }
+
+    private void splitChildren(int parent, byte wanted, int round) {
+        for (int k = 0; k < 4; k++) {
+            if ((wanted >> k & 1) == 1) {
+                nodes.split(nodes.child(parent) + k, round);
+            }
+        }
+    }
+
+    /** Of a node's three edges. */
+    private double[] ofMiddles(int node) {
+        double[] error = new double[3];
+        for (int k = 0; k < 3; k++) {
+            error[k] = ofMiddle(node, nodes.corner(nodes.child(node) + 3, k), k);
+        }
+        return error;
+    }
+
+    /** The largest error at a middle that child k has as a corner. */
+    private static double touching(double[] error, int k) {
+        double all = Math.max(error[0], Math.max(error[1], error[2]));
+        return k == 3 ? all : Math.max(error[(k + 1) % 3], error[(k + 2) % 3]);
+    }
+
+    /**
+     * What a node's own middles should differ by after what its parent's did: a quarter where light is smooth. At the
+     * edge of a shadow they may happen not to differ at all.
+     */
+    private double fromAbove(int node) {
+        int parent = nodes.parent(node);
+        return parent < 0 ? 0 : touching(ofMiddles(parent), node - nodes.child(parent)) / 4;
+    }
+
+    private boolean wants(int element, double error) {
+        double share = nodes.area(element) / area;
+        return share > LEAST_AREA && error * Math.sqrt(share) > meshError;
+    }
+
+    /** Difference of radiosity between the middle of an edge and the mean of its ends, relative to the scene's mean. */
+    private double ofMiddle(int parent, int middle, int k) {
+        int p = nodes.corner(parent, (k + 1) % 3);
+        int q = nodes.corner(parent, (k + 2) % 3);
+        boolean hidden = nodes.isBuried(middle) || nodes.isBuried(p) || nodes.isBuried(q);
+        double largest = 0;
+        for (int c = 0; c < nodes.channels(); c++) {
+            double difference = hidden ? ofVisible(parent, c)
+                    : Math.abs(at(middle, c) - (at(p, c) + at(q, c)) / 2);
+            largest = Math.max(largest, weigh(parent, c, difference));
+        }
+        return largest;
+    }
+
+    /**
+     * What lies partly under something takes its light from the corners that do not: half the difference between those,
+     * and half of what is there where only one is left to tell.
+     */
+    private double ofVisible(int parent, int c) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = 0;
+        int seen = 0;
+        for (int k = 0; k < 6; k++) {
+            int v = k < 3 ? nodes.corner(parent, k) : nodes.corner(nodes.child(parent) + 3, k - 3);
+            if (!nodes.isBuried(v)) {
+                seen++;
+                low = Math.min(low, at(v, c));
+                high = Math.max(high, at(v, c));
+            }
+        }
+        return seen > 1 ? (high - low) / 2 : high / 2;
+    }
+
+    /** An original triangle has no parent: a quarter of the difference between its corners. */
+    private double ofFace(int node) {
+        double largest = 0;
+        for (int c = 0; c < nodes.channels(); c++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = 0;
+            for (int k = 0; k < 3; k++) {
+                low = Math.min(low, nodes.light().irradiance(node, k, c));
+                high = Math.max(high, nodes.light().irradiance(node, k, c));
+            }
+            largest = Math.max(largest, weigh(node, c, (high - low) / 4));
+        }
+        return largest;
+    }
+
+    private double weigh(int node, int c, double irradiance) {
+        return irradiance * faces.importance(nodes.face(node), c) * weights.at(nodes.face(node), c);
+    }
+
+    private double at(int vertex, int c) {
+        return nodes.light().irradiance()[nodes.channels() * vertex + c];
+    }
+}

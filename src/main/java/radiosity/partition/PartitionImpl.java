@@ -1,0 +1,309 @@
+package radiosity.partition;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.LightSources;
+import radiosity.formfactor.ShooterHierarchy;
+import radiosity.mesh.AdaptiveMeshing;
+import radiosity.mesh.Block;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.Faces;
+import radiosity.protocol.Answer;
+import radiosity.protocol.BlockState;
+import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
+import radiosity.protocol.Wire;
+import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
+
+/**
+ * A partition in this process (section 4.5.5 of the paper).
+ *
+ * <p>Its threads share out runs of neighbouring vertices, then patches. A vertex reads only itself, the shots and the
+ * original triangles, so neither threads nor the dealing of blocks have a part in the result.
+ */
+public final class PartitionImpl implements Partition {
+
+    private final InitialMesh mesh;
+    private final Faces faces;
+    private final int channels;
+    private final List<Block> mine;
+    private final ParallelFor crew;
+    private final Gatherer receivers;
+    private final LightSources lights;
+    private final AdaptiveMeshing meshing;
+    private final RadiosityNodes nodes;
+    private final BlockCosts costs;
+    /** Nodes that shoot together: single patches in the paper's schedule, else a block's part of a cluster. */
+    private final int[][] shooters;
+    private final Map<Shot.Place, List<Integer>> parts;
+    private final Candidates candidates;
+    private GhostVertices border;
+    /** Those of the coarse mesh while their rows are made; else null. */
+    private CoarseReceivers coarse;
+
+    public PartitionImpl(InitialMesh mesh, List<Block> mine, int threads) {
+        this(mesh, mine, threads, false);
+    }
+
+    /** @param restored whether the states of all blocks will be given to {@link #restore}, so none has to be found */
+    public PartitionImpl(InitialMesh mesh, List<Block> mine, int threads, boolean restored) {
+        this.mesh = mesh;
+        this.mine = mine;
+        faces = mesh.faces;
+        channels = faces.channels();
+        crew = new ParallelFor(threads);
+        receivers = new Gatherer(mesh, crew);
+        meshing = new AdaptiveMeshing(mesh.settings.meshing());
+        lights = new LightSources(faces, mesh.bounds());
+        nodes = new RadiosityNodes(mesh.patcher, mine);
+        costs = new BlockCosts(nodes, mine);
+        shooters = mesh.shootsClusters() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
+        parts = mesh.clusters.parts(nodes);
+        candidates = new Candidates(mesh, nodes, shooters, crew);
+        if (!restored) {
+            receivers.bury(nodes, 0);
+            light(IntStream.range(0, nodes.vertices()).toArray());
+        }
+    }
+
+    private int[][] patches() {
+        return IntStream.range(0, nodes.patches()).mapToObj(i -> new int[] {nodes.patch(i)}).toArray(int[][]::new);
+    }
+
+    @Override
+    public byte[] round(byte[] bytes) {
+        try {
+            return round(Order.decode(bytes));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** @param order with all that is shot */
+    public byte[] round(Order order) {
+        return switch (order.kind()) {
+            case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
+            case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
+            case ROWS -> rows(order);
+            default -> Wire.bytes(answer(order)::write);
+        };
+    }
+
+    /** The same for orders of which the answer is how things stand then. */
+    public Answer answer(Order order) {
+        if (order.changes()) {
+            candidates.changed();
+        }
+        switch (order.kind()) {
+            case SHOOT -> shoot(order);
+            case SPLIT -> split(order);
+            case DISCARD -> discard();
+            case GATHER -> gather(order, ownPoints(order));
+            default -> { }
+        }
+        return order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
+    }
+
+    /** Mark what has shot, gather, subdivide. */
+    private void shoot(Order order) {
+        order.shots().forEach(shot -> shot.markShot(nodes, parts));
+        gather(order, ownPoints(order));
+        if (!order.more()) {
+            subdivide(order.number());
+        }
+    }
+
+    /** What it has in common with other hosts. */
+    public GhostVertices border() {
+        border = border == null ? new GhostVertices(nodes) : border;
+        return border;
+    }
+
+    /** See {@link GhostVertices#name}; what was left to the master before is not any more. */
+    public byte[] nameBorder(boolean anew) {
+        if (anew) {
+            candidates.leave(new BitSet());
+        }
+        return border().name(anew);
+    }
+
+    /** Leaves the patches between this host and others to the master. */
+    public byte[] leaveSeam() {
+        Seam seam = new Seam(nodes, border());
+        candidates.leave(seam.patches());
+        return seam.report();
+    }
+
+    /** Whether other hosts gather where this one does not. */
+    public boolean isShared() {
+        return border != null && border.isAgreed();
+    }
+
+    /** Whether others gather at some points in this step. */
+    public boolean takes(Order order) {
+        return border().isTaking() && (order.kind() != Order.Kind.GATHER || border.takesAny(points(order)));
+    }
+
+    /** See {@link GhostVertices#take}. */
+    public boolean take(DataInputStream gift) throws IOException {
+        candidates.changed();
+        return border().take(gift);
+    }
+
+    /** See {@link GhostVertices#takeOver}. */
+    public boolean takeOver(DataInputStream irradiance) throws IOException {
+        candidates.changed();
+        return border().takeOver(irradiance);
+    }
+
+    /** What this step does will be done again soon, at what was handed over. */
+    public void keep(Order order) {
+        receivers.keep(order);
+    }
+
+    /** Nothing is handed over any more. */
+    public void endHandOver() {
+        border().endHandOver();
+        receivers.forget();
+    }
+
+    /** Does so. */
+    public void catchUp(List<Order> orders) {
+        orders.forEach(order -> gatherAt(order, border.handedIn()));
+        border.takeOver();
+        receivers.forget();
+    }
+
+    /** What this step does at some points. */
+    public void gatherAt(Order order, BitSet points) {
+        candidates.changed();
+        gather(order, IntStream.of(points(order)).filter(points::get).toArray());
+    }
+
+    /**
+     * Where is gathered, here or by others: in a round that gathers only, at the points that the round before has made
+     * or
+     * where it has discarded what they had.
+     */
+    private int[] points(Order order) {
+        return order.kind() != Order.Kind.GATHER ? IntStream.range(0, nodes.vertices()).toArray()
+                : IntStream.concat(IntStream.of(nodes.verticesMade(order.number() - 1)),
+                        IntStream.of(nodes.discarded()))
+                .toArray();
+    }
+
+    private int[] ownPoints(Order order) {
+        if (border == null) {
+            return points(order);
+        }
+        return order.kind() == Order.Kind.GATHER ? border.own(points(order)) : border.own();
+    }
+
+    /** Subdivide where it pays. */
+    private void split(Order order) {
+        int known = nodes.vertices();
+        nodes.keepAll();
+        new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number(), crew);
+        costs.split(order.number());
+        receivers.bury(nodes, known);
+        Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
+        light(IntStream.range(known, nodes.vertices()).toArray());
+    }
+
+    private void discard() {
+        nodes.discardNegative();
+        light(nodes.discarded());
+    }
+
+    /** What has no geometry shoots first. */
+    private void light(int[] vertices) {
+        if (!lights.isEmpty()) {
+            crew.run(vertices.length, i -> {
+                if (!nodes.isBuried(vertices[i])) {
+                    lights.light(nodes, vertices[i]);
+                }
+            });
+        }
+    }
+
+    /** What each shooter has ever shot. */
+    public List<Shot> totals() {
+        Shot[] totals = new Shot[shooters.length];
+        crew.run(totals.length, i -> totals[i] = Shot.total(nodes, shooters[i]));
+        return List.of(totals);
+    }
+
+    private List<Shot> trees() {
+        return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
+    }
+
+    /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
+    private void gather(Order order, int[] vertices) {
+        if (order.kind() == Order.Kind.GATHER) {
+            costs.split(order.number() - 1);
+        }
+        if (vertices.length == 0) {
+            return;
+        }
+        receivers.receiveAmbient(order, nodes, vertices);
+        ShooterHierarchy[] source = receivers.shooters(order);
+        FormFactorCalculator[] calculator = receivers.calculators(order);
+        costs.begin(vertices);
+        crew.run(vertices.length, Gatherer.RUN, (from, to) -> {
+            int[] run = Arrays.copyOfRange(vertices, from, to);
+            long begin = BlockCosts.now();
+            for (ShooterHierarchy shooter : source) {
+                receivers.gather(calculator, shooter, nodes, run);
+            }
+            costs.add(run, BlockCosts.now() - begin);
+        });
+    }
+
+    /** Rows of the coarse system for the vertices that this partition's blocks have in it, or parts of them. */
+    private byte[] rows(Order order) {
+        CoarseReceivers asked = coarse == null ? new CoarseReceivers(mesh, mine, receivers, crew) : coarse;
+        coarse = order.more() ? asked : null;
+        return asked.rows(order);
+    }
+
+    private void subdivide(int round) {
+        if (!meshing.isOn()) {
+            return;
+        }
+        int known = nodes.vertices();
+        nodes.beginSplits(0);
+        for (int node = 0, last = nodes.nodes(); node < last; node++) {
+            if (meshing.wants(nodes, node)) {
+                nodes.split(node, round);
+            }
+        }
+        receivers.bury(nodes, known);
+    }
+
+    @Override
+    public byte[] block(int id) {
+        return BlockState.write(nodes, subtrees(id));
+    }
+
+    @Override
+    public void restore(int id, byte[] state) {
+        candidates.changed();
+        BlockState.restore(nodes, subtrees(id), state);
+    }
+
+    public BlockCosts costs() {
+        return costs;
+    }
+
+    private int[] subtrees(int id) {
+        return nodes.tops(mine.stream().filter(block -> block.id() == id).findFirst().orElseThrow());
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * One part of the elements (sections 4.5.4 and 4.5.5 of the paper): gathers, refines, names the best shooters.
+ *
+ * <p>A block of elements belongs to exactly one partition, which alone writes the light on it.
+ */
+package radiosity.partition;

@@ -1,0 +1,214 @@
+package radiosity.prediction;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import radiosity.mesh.Block;
+import radiosity.mesh.PatchTree;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.Subdivision;
+import radiosity.mesh.room.ClosedRooms;
+import radiosity.protocol.Shot;
+import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
+
+/**
+ * The linear system of a coarse mesh (equation 2), by which is foreseen what light will become of unshot light.
+ *
+ * <p>Unknowns are irradiances at vertices: H = K (U + rho H), where U is given on patches. Each row of K is made by the
+ * partition that owns the vertex, once; the system is solved here as often as there is a round.
+ */
+public final class CoarseSystem {
+
+    /** What sweeps may leave over: where rows are good to some per cent, and where all that is left over would show. */
+    private static final double ROUGHLY = 1e-5;
+    private static final double EXACTLY = 1e-9;
+
+    private final InitialMesh mesh;
+    private final ParallelFor crew;
+    private final Faces faces;
+    private final ClosedRooms rooms;
+    private final List<Block> blocks;
+    private final RadiosityNodes nodes;
+    private final boolean single;
+    private final int channels;
+    private final CoarseRows rows;
+    /** Of irradiance by reflected irradiance; null until it is needed. */
+    private GaussSeidel equations;
+
+    public CoarseSystem(InitialMesh mesh, ParallelFor crew) {
+        this.mesh = mesh;
+        this.crew = crew;
+        faces = mesh.faces;
+        rooms = mesh.rooms;
+        channels = faces.channels();
+        blocks = mesh.clusters.clusters;
+        single = mesh.solvesAtOnce();
+        nodes = new RadiosityNodes(mesh.coarse, blocks);
+        rows = new CoarseRows(nodes, mesh.fellows, crew);
+    }
+
+    /**
+     * The next part of all rows: what is seen of the shots of {@link #importance} that come next.
+     *
+     * @param shots how many
+     * @param parts of each partition, see {@link CoarseRows#take}
+     */
+    public void take(int shots, List<byte[]> parts) throws IOException {
+        rows.take(shots, parts);
+    }
+
+    /** Whether all rows are known as a whole. */
+    public boolean isMade() {
+        return rows.taken() == (single ? nodes.patches() : blocks.size());
+    }
+
+    /** All of the initial mesh as shots, with what it matters for light to come as radiosity. */
+    public List<Shot> importance() {
+        Importance importance = new Importance(mesh);
+        return shooters().map(tops -> importance.of(nodes, tops)).toList();
+    }
+
+    /** Nodes that shoot together: those of a block, or single ones where clusters would not be exact enough. */
+    private Stream<int[]> shooters() {
+        return single ? IntStream.range(0, nodes.patches()).mapToObj(p -> new int[] {nodes.patch(p)})
+                : blocks.stream().map(nodes::tops);
+    }
+
+    /**
+     * Irradiance that will come of unshot radiosity.
+     *
+     * @param unshot channels per node of the initial mesh, for patches, W/m²; not modified
+     * @param goOn   asked now and then
+     * @return channels per vertex, W/m²; null where it was not to go on
+     */
+    public double[] irradiance(double[] unshot, BooleanSupplier goOn) {
+        if (equations == null) {
+            rows.close(rooms);
+            equations = rows.equations(isRough() ? ROUGHLY : EXACTLY);
+        }
+        return equations.solve(rows.direct(unshot), goOn);
+    }
+
+    private boolean isRough() {
+        return !single && !mesh.rounding.exact();
+    }
+
+    /** A buried corner takes the mean of the others. */
+    private double corner(int patch, int k, double[] h, int c) {
+        if (!nodes.isBuried(nodes.corner(patch, k))) {
+            return h[channels * rows.unknown(nodes.corner(patch, k)) + c];
+        }
+        double sum = 0;
+        int seen = 0;
+        for (int j = 0; j < 3; j++) {
+            int v = nodes.corner(patch, j);
+            if (!nodes.isBuried(v)) {
+                sum += h[channels * rows.unknown(v) + c];
+                seen++;
+            }
+        }
+        return seen == 0 ? 0 : sum / seen;
+    }
+
+    /**
+     * Flux that matters where this irradiance arrives: {@link Faces#importance} times what arrives, scene units.
+     *
+     * @param counts which faces count
+     */
+    public double weighted(double[] h, int c, IntPredicate counts) {
+        double sum = 0;
+        for (int p = 0; p < nodes.patches(); p++) {
+            int patch = nodes.patch(p);
+            if (!counts.test(nodes.face(patch))) {
+                continue;
+            }
+            double importance = faces.importance(nodes.face(patch), c);
+            for (int k = 0; k < 3; k++) {
+                sum += nodes.area(patch) * importance * corner(patch, k, h, c) / 3;
+            }
+        }
+        return sum * faces.size() * faces.size();
+    }
+
+    /**
+     * Shots with what their patches will reflect of an irradiance, linear between the vertices.
+     *
+     * @param first whether nothing was shot before
+     */
+    public List<Shot> with(List<Shot> shots, double[] h, boolean first) {
+        return new ShotsOnDemand(shots.size(), i -> with(shots.get(i), h, first), crew);
+    }
+
+    private Shot with(Shot shot, double[] h, boolean first) {
+        Shot made = new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
+        return first ? mesh.rounding.finely(made) : mesh.rounding.of(made);
+    }
+
+    private PatchTree with(PatchTree tree, double[] h) {
+        double[] radiosity = tree.radiosity().clone();
+        spread(tree, 0, nodes.find(tree.face(), tree.path()), null, h, radiosity);
+        return new PatchTree(tree.face(), tree.path(), tree.child(), radiosity);
+    }
+
+    /**
+     * @param coarse node of the coarse mesh, or -1 below a patch
+     * @param values below a patch: 3 x channels at the corners
+     */
+    private void spread(PatchTree tree, int node, int coarse, double[] values, double[] h, double[] radiosity) {
+        double[] here = values;
+        boolean patch = coarse >= 0 && nodes.isElement(coarse);
+        if (patch) {
+            here = new double[3 * channels];
+            for (int i = 0; i < here.length; i++) {
+                here[i] = nodes.reflectance(coarse, i % channels) * corner(coarse, i / channels, h, i % channels);
+            }
+        }
+        int first = tree.child()[node];
+        if (first < 0) {
+            for (int i = 0; i < 3 * channels; i++) {
+                radiosity[3 * channels * node + i] += here[i];
+            }
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            spread(tree, first + k, coarse < 0 || patch ? -1 : nodes.child(coarse) + k,
+                    here == null ? null : Subdivision.values(here, channels, k), h, radiosity);
+        }
+    }
+
+    /**
+     * The mean of what is shot on the patches of the coarse mesh: channels per node, W/m².
+     *
+     * @param shots each from other patches
+     */
+    public double[] unshot(List<Shot> shots) {
+        double[] unshot = new double[channels * nodes.nodes()];
+        crew.run(shots.size(), i -> restrict(shots.get(i), unshot));
+        return unshot;
+    }
+
+    private void restrict(Shot shot, double[] unshot) {
+        for (PatchTree tree : shot.trees()) {
+            restrict(tree, 0, nodes.find(tree.face(), tree.path()), unshot);
+        }
+    }
+
+    private void restrict(PatchTree tree, int node, int coarse, double[] unshot) {
+        if (!nodes.isElement(coarse)) {
+            for (int k = 0; k < 4; k++) {
+                restrict(tree, tree.child()[node] + k, nodes.child(coarse) + k, unshot);
+            }
+            return;
+        }
+        double[] mean = new double[channels];
+        tree.addMean(node, 1, mean);
+        for (int c = 0; c < channels; c++) {
+            unshot[channels * coarse + c] += mean[c];
+        }
+    }
+}

@@ -1,0 +1,188 @@
+package radiosity.prediction;
+
+import java.util.function.BooleanSupplier;
+import radiosity.util.NoNumberException;
+
+/**
+ * Solves H = D + M H for several channels, which are colours in layers, by Gauss-Seidel sweeps (section 2.1 of the
+ * paper); M is sparse.
+ *
+ * <p>In white rooms, and in long ones, sweeps alone take thousands of turns. What the last few of them changed tells
+ * where they lead: the combination of them is taken that leaves the smallest change (D. Anderson, Iterative procedures
+ * for nonlinear integral equations, 1965).
+ */
+public final class GaussSeidel {
+
+    private static final int MOST_SWEEPS = 500;
+    /** Sweeps that are remembered. */
+    private static final int MEMORY = 6;
+    /** A change that is this much of another in its own right tells nothing new. */
+    private static final double NOTHING_NEW = 1e-13;
+
+    private final int channels;
+    private final int colours;
+    private final int[][] column;
+    private final float[][] entry;
+    private final double enough;
+
+    /**
+     * @param column per row: the unknowns in it
+     * @param entry  per row: one per colour for each of them; the same in all layers
+     * @param enough a sweep that changes no more of all is the last
+     */
+    GaussSeidel(int channels, int colours, int[][] column, float[][] entry, double enough) {
+        this.channels = channels;
+        this.colours = colours;
+        this.column = column;
+        this.entry = entry;
+        this.enough = enough;
+    }
+
+    /**
+     * @param direct D, channels per row; not modified
+     * @param goOn   asked before every sweep
+     * @return H, channels per row; null where it was not to go on
+     */
+    double[] solve(double[] direct, BooleanSupplier goOn) {
+        double[] h = new double[direct.length];
+        double[][] steps = new double[MEMORY][];
+        double[][] changes = new double[MEMORY][];
+        double[] before = null;
+        double[] changedBefore = null;
+        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+            if (!goOn.getAsBoolean()) {
+                return null;
+            }
+            double[] next = h.clone();
+            if (sweep(direct, next)) {
+                return next;
+            }
+            double[] changed = difference(next, h);
+            if (before != null) {
+                steps[sweep % MEMORY] = difference(h, before);
+                changes[sweep % MEMORY] = difference(changed, changedBefore);
+            }
+            before = h;
+            changedBefore = changed;
+            h = next;
+            for (int c = 0; c < channels && sweep > 0; c++) {
+                combine(c, h, changed, steps, changes);
+            }
+        }
+        return h;
+    }
+
+    private static double[] difference(double[] a, double[] b) {
+        double[] d = new double[a.length];
+        for (int i = 0; i < d.length; i++) {
+            d[i] = a[i] - b[i];
+        }
+        return d;
+    }
+
+    /** Takes from the result of a sweep what earlier ones show to be on the way only; least squares by elimination. */
+    private void combine(int c, double[] h, double[] changed, double[][] steps, double[][] changes) {
+        double[][] a = new double[MEMORY][MEMORY + 1];
+        for (int i = 0; i < MEMORY; i++) {
+            for (int j = 0; j < MEMORY && changes[i] != null; j++) {
+                a[i][j] = changes[j] == null ? 0 : dot(changes[i], changes[j], c);
+            }
+            a[i][MEMORY] = changes[i] == null ? 0 : dot(changes[i], changed, c);
+        }
+        double[] share = eliminate(a);
+        for (int i = 0; i < MEMORY; i++) {
+            for (int k = c; k < h.length && share[i] != 0; k += channels) {
+                h[k] -= share[i] * (steps[i][k] + changes[i][k]);
+            }
+        }
+    }
+
+    private double dot(double[] x, double[] y, int c) {
+        double sum = 0;
+        for (int k = c; k < x.length; k += channels) {
+            sum += x[k] * y[k];
+        }
+        return sum;
+    }
+
+    /** @param a modified: a symmetric matrix and a right side; what tells nothing new is left out */
+    private static double[] eliminate(double[][] a) {
+        int n = a.length;
+        double[] x = new double[n];
+        double[] size = new double[n];
+        for (int i = 0; i < n; i++) {
+            size[i] = a[i][i];
+        }
+        for (int i = 0; i < n; i++) {
+            if (a[i][i] <= NOTHING_NEW * size[i]) {
+                a[i][i] = 0;
+                continue;
+            }
+            for (int r = i + 1; r < n; r++) {
+                double times = a[r][i] / a[i][i];
+                for (int k = i; k <= n; k++) {
+                    a[r][k] -= times * a[i][k];
+                }
+            }
+        }
+        for (int i = n - 1; i >= 0; i--) {
+            double sum = a[i][n];
+            for (int k = i + 1; k < n; k++) {
+                sum -= a[i][k] * x[k];
+            }
+            x[i] = a[i][i] == 0 ? 0 : sum / a[i][i];
+        }
+        return x;
+    }
+
+    /** @return whether that changed next to nothing */
+    private boolean sweep(double[] direct, double[] h) {
+        double[] sum = new double[channels];
+        double[] change = new double[channels];
+        double[] size = new double[channels];
+        for (int v = 0; v < column.length; v++) {
+            row(v, direct, h, sum);
+            for (int c = 0; c < channels; c++) {
+                change[c] += Math.abs(sum[c] - h[channels * v + c]);
+                size[c] += Math.abs(sum[c]);
+                h[channels * v + c] = sum[c];
+            }
+        }
+        boolean done = true;
+        for (int c = 0; c < channels; c++) {
+            if (!Double.isFinite(size[c])) {
+                throw new NoNumberException("light that is foreseen: expected numbers, got " + size[c]
+                        + "; surfaces may emit too much");
+            }
+            done &= change[c] <= enough * size[c];
+        }
+        return done;
+    }
+
+    /** @param sum modified: D + M H in a row */
+    private void row(int v, double[] direct, double[] h, double[] sum) {
+        System.arraycopy(direct, channels * v, sum, 0, channels);
+        int[] unknown = column[v];
+        float[] m = entry[v];
+        if (channels == 3 && colours == 3) {
+            double r = sum[0];
+            double g = sum[1];
+            double b = sum[2];
+            for (int i = 0; i < unknown.length; i++) {
+                int j = 3 * unknown[i];
+                r += m[3 * i] * h[j];
+                g += m[3 * i + 1] * h[j + 1];
+                b += m[3 * i + 2] * h[j + 2];
+            }
+            sum[0] = r;
+            sum[1] = g;
+            sum[2] = b;
+            return;
+        }
+        for (int i = 0; i < unknown.length; i++) {
+            for (int c = 0; c < channels; c++) {
+                sum[c] += m[colours * i + c % colours] * h[channels * unknown[i] + c];
+            }
+        }
+    }
+}

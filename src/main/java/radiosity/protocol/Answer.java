@@ -1,0 +1,108 @@
+package radiosity.protocol;
+
+import java.io.DataInputStream;
+import java.io.DataOutput;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import radiosity.mesh.face.Faces;
+import radiosity.util.ExactSum;
+
+/** What a partition says after a round: its best candidates for the next one, and its part of the ledger. */
+public final class Answer {
+
+    /** Largest unshot flux first. */
+    public final List<Shot> candidates = new ArrayList<>();
+    /** One per layer: sum of |U| A over elements and colours, W. */
+    public final ExactSum[] unshotFlux;
+    /** One per channel, W: what arrived. */
+    public final ExactSum[] received;
+    /** One per channel, W: the part of it that was not reflected. */
+    public final ExactSum[] absorbed;
+    /** One per channel, W: signed. */
+    public final ExactSum[] unshot;
+    public int elements;
+    /** Elements with a vertex whose irradiance is negative. */
+    public int negative;
+
+    /** @param scale flux that is emitted, W */
+    public Answer(Faces faces, double scale) {
+        int channels = faces.channels();
+        unshotFlux = sums(faces.layers(), scale);
+        received = sums(channels, scale);
+        absorbed = sums(channels, scale);
+        unshot = sums(channels, scale);
+    }
+
+    private static ExactSum[] sums(int count, double scale) {
+        ExactSum[] sums = new ExactSum[count];
+        Arrays.setAll(sums, i -> new ExactSum(scale));
+        return sums;
+    }
+
+    private List<ExactSum[]> sums() {
+        return List.of(unshotFlux, received, absorbed, unshot);
+    }
+
+    /** Adds other partitions' answers; keeps the best candidates of all. */
+    public void add(List<Answer> others, int most) {
+        others.forEach(other -> {
+            candidates.addAll(other.candidates);
+            addSums(other);
+        });
+        Collections.sort(candidates);
+        if (candidates.size() > most) {
+            candidates.subList(most, candidates.size()).clear();
+        }
+    }
+
+    /** The same without those candidates whose place is that of one of these. */
+    public Answer without(List<Shot> shots, Faces faces, double scale) {
+        Set<Shot.Place> places = shots.stream().map(Shot::place).collect(Collectors.toSet());
+        Answer rest = new Answer(faces, scale);
+        rest.addSums(this);
+        candidates.stream().filter(shot -> !places.contains(shot.place())).forEach(rest.candidates::add);
+        return rest;
+    }
+
+    public void addSums(Answer other) {
+        for (int q = 0; q < sums().size(); q++) {
+            for (int i = 0; i < sums().get(q).length; i++) {
+                sums().get(q)[i].add(other.sums().get(q)[i]);
+            }
+        }
+        elements += other.elements;
+        negative += other.negative;
+    }
+
+    public void write(DataOutput out) throws IOException {
+        Wire.write(candidates, received.length, out);
+        for (ExactSum[] sums : sums()) {
+            for (ExactSum sum : sums) {
+                write(out, sum);
+            }
+        }
+        out.writeInt(elements);
+        out.writeInt(negative);
+    }
+
+    private static void write(DataOutput out, ExactSum sum) throws IOException {
+        out.writeLong(sum.high());
+        out.writeLong(sum.low());
+    }
+
+    public void read(DataInputStream in) throws IOException {
+        candidates.addAll(Wire.shots(in));
+        for (ExactSum[] sums : sums()) {
+            for (ExactSum sum : sums) {
+                sum.with(in.readLong(), in.readLong());
+            }
+        }
+        elements = in.readInt();
+        negative = in.readInt();
+    }
+}

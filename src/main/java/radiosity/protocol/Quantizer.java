@@ -1,0 +1,106 @@
+package radiosity.protocol;
+
+import java.io.DataInputStream;
+import java.io.DataOutput;
+import java.io.IOException;
+
+/**
+ * What the radiosities of a tree are counted in, so that each fits into a byte: a power of two for each channel of some
+ * neighbouring nodes, as what is dark keeps its digits beside what is bright.
+ *
+ * @param unit channels per run of nodes, W/m²; 0 where there is nothing
+ */
+record Quantizer(int channels, double[] unit) {
+
+    /** Binary digits of the largest of a run: with its sign it fits into a byte. */
+    private static final int DIGITS = 7;
+    /** So many nodes are a run, as a power of two; the four parts of a triangle are in the same. */
+    private static final int RUN = 4;
+
+    /** Where nothing is counted in them. */
+    static Quantizer none(int nodes, int channels) {
+        return new Quantizer(channels, new double[channels * ((nodes + 2 >> RUN) + 1)]);
+    }
+
+    /** @param radiosity of a tree, 3 x channels per node */
+    static Quantizer of(double[] radiosity, int channels) {
+        int perNode = 3 * channels;
+        Quantizer units = none(radiosity.length / perNode, channels);
+        double[] unit = units.unit;
+        for (int node = 0; node < radiosity.length / perNode; node++) {
+            int run = units.run(node);
+            for (int i = perNode * node; i < perNode * (node + 1); i += channels) {
+                for (int c = 0; c < channels; c++) {
+                    double size = Math.abs(radiosity[i + c]);
+                    unit[run + c] = size > unit[run + c] ? size : unit[run + c];
+                }
+            }
+        }
+        for (int i = 0; i < unit.length; i++) {
+            unit[i] = unit[i] == 0 ? 0 : unit(unit[i]);
+        }
+        return units;
+    }
+
+    private static double unit(double largest) {
+        double unit = Math.max(Double.MIN_NORMAL, Math.scalb(1.0, Math.getExponent(largest) - DIGITS + 1));
+        return Math.rint(largest / unit) < 1 << DIGITS ? unit : 2 * unit;
+    }
+
+    /** Where a node's units are, one per channel. */
+    private int run(int node) {
+        return channels * (node + 3 >> RUN);
+    }
+
+    double at(int node, int channel) {
+        return unit[run(node) + channel];
+    }
+
+    /** The nearest multiples. */
+    double[] rounded(double[] radiosity) {
+        double[] rounded = new double[radiosity.length];
+        int perNode = 3 * channels;
+        for (int node = 0; node < radiosity.length / perNode; node++) {
+            int run = run(node);
+            for (int i = perNode * node; i < perNode * (node + 1); i += channels) {
+                for (int c = 0; c < channels; c++) {
+                    double u = unit[run + c];
+                    rounded[i + c] = u == 0 ? 0 : Math.rint(radiosity[i + c] / u) * u + 0.0;
+                }
+            }
+        }
+        return rounded;
+    }
+
+    /** Whether these are multiples. */
+    boolean fit(double[] radiosity) {
+        double[] rounded = rounded(radiosity);
+        for (int i = 0; i < rounded.length; i++) {
+            if (rounded[i] != radiosity[i]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    void write(DataOutput out) throws IOException {
+        for (double u : unit) {
+            out.writeShort(Math.getExponent(u));
+        }
+    }
+
+    static Quantizer read(DataInputStream in, int nodes, int channels) throws IOException {
+        Quantizer units = none(nodes, channels);
+        if ((long) Short.BYTES * units.unit.length > in.available()) {
+            throw new IOException("shot: expected " + units.unit.length + " units, got " + in.available() + " bytes");
+        }
+        for (int i = 0; i < units.unit.length; i++) {
+            int exponent = in.readShort();
+            if (exponent < Double.MIN_EXPONENT - 1 || exponent > Double.MAX_EXPONENT) {
+                throw new IOException("shot: expected the exponent of a number, got " + exponent);
+            }
+            units.unit[i] = exponent < Double.MIN_EXPONENT ? 0 : Math.scalb(1.0, exponent);
+        }
+        return units;
+    }
+}

@@ -1,0 +1,47 @@
+package radiosity.protocol;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.util.List;
+import radiosity.partition.GhostVertices;
+import radiosity.partition.Partition;
+
+/**
+ * What a host answers to a round.
+ *
+ * @param answer  as a {@link Partition} gives it
+ * @param cpu     processor time that the round took, s
+ * @param seconds wall time that the round took
+ * @param work    1 per block that the host owns, in the order of their ids
+ * @param given   for other hosts, see {@link GhostVertices}; or empty
+ */
+public record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work, byte[] given) {
+
+    public byte[] encode() {
+        return Wire.bytes(out -> {
+            out.writeDouble(cpu);
+            out.writeDouble(seconds);
+            out.writeInt(work.size());
+            for (BlockWork block : work) {
+                block.write(out);
+            }
+            Wire.write(out, answer);
+            Wire.write(out, given);
+        });
+    }
+
+    public static Reply decode(byte[] bytes) throws IOException {
+        DataInputStream in = Wire.input(bytes);
+        double cpu = in.readDouble();
+        double seconds = in.readDouble();
+        BlockWork[] work = new BlockWork[Wire.count(in, BlockWork.BYTES)];
+        for (int b = 0; b < work.length; b++) {
+            work[b] = BlockWork.read(in);
+        }
+        return new Reply(Wire.bytes(in), cpu, seconds, List.of(work), Wire.bytes(in));
+    }
+
+    public int elements() {
+        return work.stream().mapToInt(BlockWork::elements).sum();
+    }
+}

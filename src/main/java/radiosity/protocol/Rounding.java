@@ -1,0 +1,53 @@
+package radiosity.protocol;
+
+import java.util.function.Function;
+import java.util.stream.DoubleStream;
+import radiosity.mesh.PatchTree;
+
+/**
+ * Radiosities to be shot, as they are sent: with fewer digits they take less room, and what rounding leaves over is not
+ * shot and so not lost.
+ *
+ * @param exact    whether what is left over would show: among white surfaces it would be a part of what is emitted
+ * @param together whether neighbours are counted in one unit: many of them, which are shot again if need be.
+ *                 Not where lamps are to be mixed: each alone is then as it is among others to the digits of a float
+ */
+public record Rounding(boolean exact, boolean together) {
+
+    /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
+    private static final double LEAST = 1e-30;
+    /** Likewise for what is counted in units. */
+    private static final double LEAST_UNITS = 1e-290;
+
+    public Shot of(Shot shot) {
+        return exact ? shot : together ? rounded(shot, Rounding::together) : finely(shot);
+    }
+
+    /** Of what is nearly all that will ever be shot, and is said of few elements. */
+    public Shot finely(Shot shot) {
+        return exact ? shot : rounded(shot, tree -> DoubleStream.of(tree.radiosity()).map(Rounding::toFloat).toArray());
+    }
+
+    private static Shot rounded(Shot shot, Function<PatchTree, double[]> values) {
+        return new Shot(shot.trees().stream().map(tree -> new PatchTree(tree.face(), tree.path(), tree.child(),
+                values.apply(tree))).toList(), shot.flux());
+    }
+
+    private static double toFloat(double x) {
+        return isNear(Math.abs(x), LEAST) ? (float) x : x;
+    }
+
+    /** Whether neither a size nor its inverse is below the least. */
+    private static boolean isNear(double size, double least) {
+        return size >= least && size <= 1 / least;
+    }
+
+    private static double[] together(PatchTree tree) {
+        double[] values = tree.radiosity();
+        double largest = 0;
+        for (double x : values) {
+            largest = Math.max(largest, Math.abs(x));
+        }
+        return isNear(largest, LEAST_UNITS) ? Quantizer.of(values, tree.channels()).rounded(values) : values;
+    }
+}

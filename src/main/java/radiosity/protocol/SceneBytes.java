@@ -1,0 +1,184 @@
+package radiosity.protocol;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Light;
+import radiosity.scene.Raster;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.settings.FormFactors;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+
+/**
+ * What a host must know of a scene, and the settings, as bytes: original triangles, surfaces with what has become of
+ * their images, and lights. Names and the camera stay with the master.
+ */
+public final class SceneBytes {
+
+    private static final int SURFACE_BYTES = 51;
+    private static final int LIGHT_BYTES = 145;
+
+    private SceneBytes() { }
+
+    /** A scene and how to compute it. */
+    public record Task(Scene scene, RadiositySettings settings) { }
+
+    public static byte[] write(Scene scene, RadiositySettings settings) {
+        return Wire.bytes(out -> {
+            write(out, settings);
+            out.writeInt(scene.points().length);
+            for (double x : scene.points()) {
+                out.writeDouble(x);
+            }
+            writeInts(out, scene.corners());
+            writeInts(out, scene.surfaceOf());
+            out.writeInt(scene.surfaces().size());
+            for (Surface surface : scene.surfaces()) {
+                write(out, surface.exitance());
+                write(out, surface.reflectance());
+                out.writeBoolean(surface.twoSided());
+                write(out, surface.maps().exitance());
+                write(out, surface.maps().reflectance());
+            }
+            writeFloats(out, scene.surfaces().stream().allMatch(surface -> surface.maps().isEmpty()) ? new float[0]
+                    : scene.textureCoordinates());
+            out.writeInt(scene.lights().size());
+            for (Light light : scene.lights()) {
+                write(out, light);
+            }
+        });
+    }
+
+    public static Task read(byte[] bytes) throws IOException {
+        DataInputStream in = Wire.input(bytes);
+        RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
+                constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean(),
+                constant(FormFactors.values(), in.readByte()));
+        double[] points = new double[Wire.count(in, Double.BYTES)];
+        for (int i = 0; i < points.length; i++) {
+            points[i] = in.readDouble();
+        }
+        int[] corners = readInts(in);
+        int[] surfaceOf = readInts(in);
+        List<Surface> surfaces = new ArrayList<>();
+        for (int n = Wire.count(in, SURFACE_BYTES), i = 0; i < n; i++) {
+            surfaces.add(new Surface("surface " + i, rgb(in), rgb(in), in.readBoolean(), List.of(),
+                    new Surface.Maps(raster(in), raster(in))));
+        }
+        float[] textureCoordinates = readFloats(in);
+        List<Light> lights = new ArrayList<>();
+        for (int n = Wire.count(in, LIGHT_BYTES), i = 0; i < n; i++) {
+            lights.add(new Light("light " + i, constant(Light.Kind.values(), in.readByte()), rgb(in), vec(in), vec(in),
+                    vec(in), vec(in), in.readDouble(), in.readDouble(), in.readDouble()));
+        }
+        return new Task(new Scene("the master's scene", points, corners, surfaceOf, surfaces, lights,
+                Optional.empty(), textureCoordinates), settings);
+    }
+
+    private static void write(DataOutputStream out, RadiositySettings settings) throws IOException {
+        out.writeDouble(settings.patchArea());
+        out.writeInt(settings.rays());
+        out.writeDouble(settings.meshing());
+        out.writeByte(settings.schedule().ordinal());
+        out.writeDouble(settings.tolerance());
+        out.writeDouble(settings.meshError());
+        out.writeBoolean(settings.layers());
+        out.writeByte(settings.factors().ordinal());
+    }
+
+    private static void write(DataOutputStream out, Light light) throws IOException {
+        out.writeByte(light.kind().ordinal());
+        write(out, light.power());
+        for (Vec3 v : List.of(light.position(), light.direction(), light.right(), light.up())) {
+            out.writeDouble(v.x());
+            out.writeDouble(v.y());
+            out.writeDouble(v.z());
+        }
+        out.writeDouble(light.range());
+        out.writeDouble(light.cone());
+        out.writeDouble(light.edge());
+    }
+
+    private static void write(DataOutputStream out, Rgb value) throws IOException {
+        for (int c = 0; c < 3; c++) {
+            out.writeDouble(value.channel(c));
+        }
+    }
+
+    private static void write(DataOutputStream out, Optional<Raster> raster) throws IOException {
+        out.writeBoolean(raster.isPresent());
+        if (raster.isPresent()) {
+            Raster r = raster.get();
+            out.writeInt(r.width());
+            out.writeInt(r.height());
+            writeFloats(out, r.rgb());
+            out.writeByte(r.wrapU().ordinal());
+            out.writeByte(r.wrapV().ordinal());
+            write(out, r.outside());
+        }
+    }
+
+    private static Optional<Raster> raster(DataInputStream in) throws IOException {
+        try {
+            return !in.readBoolean() ? Optional.empty()
+                    : Optional.of(new Raster(in.readInt(), in.readInt(), readFloats(in),
+                    constant(ImageMap.Wrap.values(), in.readByte()), constant(ImageMap.Wrap.values(), in.readByte()),
+                            rgb(in)));
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
+        }
+    }
+
+    private static void writeFloats(DataOutputStream out, float[] values) throws IOException {
+        out.writeInt(values.length);
+        for (float value : values) {
+            out.writeFloat(value);
+        }
+    }
+
+    private static float[] readFloats(DataInputStream in) throws IOException {
+        float[] values = new float[Wire.count(in, Float.BYTES)];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = in.readFloat();
+        }
+        return values;
+    }
+
+    private static void writeInts(DataOutputStream out, int[] values) throws IOException {
+        out.writeInt(values.length);
+        for (int value : values) {
+            out.writeInt(value);
+        }
+    }
+
+    private static int[] readInts(DataInputStream in) throws IOException {
+        int[] values = new int[Wire.count(in, Integer.BYTES)];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = in.readInt();
+        }
+        return values;
+    }
+
+    private static Rgb rgb(DataInputStream in) throws IOException {
+        return new Rgb(in.readDouble(), in.readDouble(), in.readDouble());
+    }
+
+    private static Vec3 vec(DataInputStream in) throws IOException {
+        return new Vec3(in.readDouble(), in.readDouble(), in.readDouble());
+    }
+
+    private static <E> E constant(E[] all, int number) throws IOException {
+        if (number < 0 || number >= all.length) {
+            throw new IOException("scene: expected a constant below " + all.length + ", got " + number);
+        }
+        return all[number];
+    }
+}

@@ -1,0 +1,137 @@
+package radiosity.protocol;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutput;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import radiosity.settings.RadiositySettings;
+
+/** To bytes and back. */
+public final class Wire {
+
+    private static final int MOST_CHANNELS = 3 * RadiositySettings.MOST_LAMPS;
+
+    private Wire() { }
+
+    /** Writes to memory, which cannot fail. */
+    public interface Writer {
+        void write(DataOutputStream out) throws IOException;
+    }
+
+    public static byte[] bytes(Writer writer) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(bytes)) {
+            writer.write(out);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+
+    public static byte[] utf8(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    public static String utf8(byte[] bytes) {
+        return new String(bytes, StandardCharsets.UTF_8);
+    }
+
+    public static DataInputStream input(byte[] bytes) {
+        return new DataInputStream(new ByteArrayInputStream(bytes));
+    }
+
+    public static void write(List<Shot> shots, int channels, DataOutput out) throws IOException {
+        out.writeInt(channels);
+        out.writeInt(shots.size());
+        for (Shot shot : shots) {
+            shot.write(channels, out);
+        }
+    }
+
+    public static void writeTrees(List<Shot> shots, int channels, DataOutput out) throws IOException {
+        out.writeInt(channels);
+        out.writeInt(shots.size());
+        for (Shot shot : shots) {
+            shot.writeTrees(out);
+        }
+    }
+
+    public static byte[] exactly(DataInputStream in, int count) throws IOException {
+        if (count > in.available()) {
+            throw new EOFException("message: expected " + count + " bytes, got " + in.available());
+        }
+        byte[] bytes = new byte[count];
+        in.readFully(bytes);
+        return bytes;
+    }
+
+    /** A number of bytes, then the bytes. */
+    public static void write(DataOutputStream out, byte[] bytes) throws IOException {
+        out.writeInt(bytes.length);
+        out.write(bytes);
+    }
+
+    public static void write(DataOutputStream out, List<byte[]> all) throws IOException {
+        for (byte[] bytes : all) {
+            write(out, bytes);
+        }
+    }
+
+    /** What {@link #write} wrote. */
+    public static byte[] bytes(DataInputStream in) throws IOException {
+        return exactly(in, count(in, 1));
+    }
+
+    /** All of a message that is made of such. */
+    public static List<byte[]> list(byte[] message) throws IOException {
+        List<byte[]> all = new ArrayList<>();
+        for (DataInputStream in = input(message); in.available() > 0;) {
+            all.add(bytes(in));
+        }
+        return all;
+    }
+
+    /**
+     * A count that was sent ahead of what it counts, before anything is made for it.
+     *
+     * @param size bytes that one of them takes at least
+     */
+    public static int count(DataInputStream in, int size) throws IOException {
+        int count = in.readInt();
+        if (count < 0 || (long) count * size > in.available()) {
+            throw new IOException("message: expected " + count + " times " + size + " bytes, got " + in.available());
+        }
+        return count;
+    }
+
+    /** Shots with what they shoot. */
+    public static List<Shot> shots(DataInputStream in) throws IOException {
+        List<Shot> shots = trees(in);
+        for (Shot shot : shots) {
+            if (!shot.isWhole()) {
+                throw new IOException("shot: expected radiosities, got none");
+            }
+        }
+        return shots;
+    }
+
+    /** Shots, or their trees only. */
+    public static List<Shot> trees(DataInputStream in) throws IOException {
+        int channels = in.readInt();
+        if (channels < 0 || channels > MOST_CHANNELS) {
+            throw new IOException("message: expected up to " + MOST_CHANNELS + " channels, got " + channels);
+        }
+        List<Shot> shots = new ArrayList<>();
+        for (int n = count(in, Shot.LEAST_BYTES); n > 0; n--) {
+            shots.add(Shot.read(in, channels));
+        }
+        return shots;
+    }
+}

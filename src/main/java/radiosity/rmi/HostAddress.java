@@ -1,0 +1,40 @@
+package radiosity.rmi;
+
+import java.rmi.registry.Registry;
+
+/**
+ * Where a host listens.
+ *
+ * @param host its name or address
+ * @param port its registry's port
+ */
+public record HostAddress(String host, int port) {
+
+    /** Where nothing else is said. */
+    public static final int DEFAULT_PORT = Registry.REGISTRY_PORT;
+    private static final int MOST = 65535;
+
+    public HostAddress {
+        if (host.isBlank() || port < 1 || port > MOST) {
+            throw new IllegalArgumentException("expected host or host:port, got " + host + ":" + port);
+        }
+    }
+
+    /** Reads {@code host}, {@code host:port}, {@code [address]} or {@code [address]:port}. */
+    public static HostAddress parse(String text) {
+        int colon = text.lastIndexOf(':');
+        boolean bare = colon < 0 || text.endsWith("]") || text.indexOf(':') != colon && !text.startsWith("[");
+        String host = bare ? text : text.substring(0, colon);
+        try {
+            int port = bare ? DEFAULT_PORT : Integer.parseInt(text.substring(colon + 1));
+            return new HostAddress(host.replaceAll("^\\[|]$", ""), port);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("expected host or host:port, got " + text, e);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return port == DEFAULT_PORT ? host : host + ":" + port;
+    }
+}

@@ -1,0 +1,143 @@
+package radiosity.rmi;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.rmi.server.RMISocketFactory;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import javax.net.ssl.SSLServerSocket;
+import javax.net.ssl.SSLSocket;
+
+/**
+ * The sockets of all remote calls of this process.
+ *
+ * <p>Connecting fails fast; what is open to a host can be closed, which ends the calls that wait for it. With a key
+ * both ends must prove that they have it. The JDK has one such factory per process and sets it once; in a stub it would
+ * have to be known to every registry.
+ */
+public final class RmiSockets extends RMISocketFactory {
+
+    private static final int CONNECT_MILLISECONDS = 2000;
+    /** For the answer to a handshake: a stopped host still accepts connections. */
+    private static final int HANDSHAKE_MILLISECONDS = 3000;
+    /** For idle connections: longer than rounds are apart. */
+    private static final int IDLE_MILLISECONDS = 600_000;
+    private static final RmiSockets ALL = new RmiSockets();
+
+    private final Map<HostAddress, Set<Socket>> open = new ConcurrentHashMap<>();
+    private final Map<HostAddress, HostKey> keys = new ConcurrentHashMap<>();
+    private final Map<Integer, Listening> listening = new ConcurrentHashMap<>();
+
+    /**
+     * How to listen on a port.
+     *
+     * @param address null for all of this machine's
+     * @param key     null for none
+     */
+    private record Listening(InetAddress address, HostKey key) { }
+
+    private RmiSockets() { }
+
+    /** The factory, in use from now on. */
+    public static synchronized RmiSockets inUse() throws IOException {
+        if (RMISocketFactory.getSocketFactory() != ALL) {
+            System.setProperty("sun.rmi.transport.tcp.handshakeTimeout", "" + HANDSHAKE_MILLISECONDS);
+            System.setProperty("sun.rmi.transport.connectionTimeout", "" + IDLE_MILLISECONDS);
+            RMISocketFactory.setSocketFactory(ALL);
+        }
+        return ALL;
+    }
+
+    /** Connects to a host with this key, or without one where it is null. */
+    public void use(HostAddress address, HostKey key) {
+        if (key == null) {
+            keys.remove(address);
+        } else {
+            keys.put(address, key);
+        }
+    }
+
+    /** Listens so on a port. */
+    public void listen(int port, InetAddress address, HostKey key) {
+        listening.put(port, new Listening(address, key));
+    }
+
+    @Override
+    public Socket createSocket(String host, int port) throws IOException {
+        HostAddress address = new HostAddress(host, port);
+        HostKey key = keys.get(address);
+        Socket socket = key == null ? new Socket() : key.context().getSocketFactory().createSocket();
+        try {
+            socket.connect(new InetSocketAddress(host, port), CONNECT_MILLISECONDS);
+            socket.setTcpNoDelay(true);
+            socket.setKeepAlive(true);
+            if (socket instanceof SSLSocket secure) {
+                secure.setSoTimeout(HANDSHAKE_MILLISECONDS);
+                secure.startHandshake();
+                secure.setSoTimeout(0);
+            }
+        } catch (IOException e) {
+            socket.close();
+            throw e;
+        }
+        Set<Socket> others = open.computeIfAbsent(address, a -> ConcurrentHashMap.newKeySet());
+        others.removeIf(Socket::isClosed);
+        others.add(socket);
+        return socket;
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int port) throws IOException {
+        Listening how = listening.get(port);
+        if (how == null) {
+            return new ServerSocket(port);
+        }
+        if (how.key() == null) {
+            return new OriginHidingServerSocket(port, how.address());
+        }
+        SSLServerSocket socket = (SSLServerSocket) how.key().context().getServerSocketFactory()
+                .createServerSocket(port, 0, how.address());
+        socket.setNeedClientAuth(true);
+        return socket;
+    }
+
+    /**
+     * Accepts connections without their origin. The JDK's registry lets callers from an address of this machine bind
+     * and
+     * unbind names; callers of unknown origin may only look names up. With a key no caller without it gets that far.
+     */
+    private static final class OriginHidingServerSocket extends ServerSocket {
+
+        OriginHidingServerSocket(int port, InetAddress address) throws IOException {
+            super(port, 0, address);
+        }
+
+        @Override
+        public Socket accept() throws IOException {
+            Socket accepted = new Socket() {
+                @Override
+                public InetAddress getInetAddress() {
+                    return null;
+                }
+            };
+            implAccept(accepted);
+            return accepted;
+        }
+    }
+
+    /** Closes everything that is open to a host. */
+    public void cut(HostAddress address) {
+        for (Socket socket : open.getOrDefault(address, Set.of())) {
+            try {
+                socket.close();
+            } catch (IOException e) {
+                // it is as good as closed
+            }
+        }
+        open.remove(address);
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * Remote method invocation: addresses, sockets, keys, filters against hostile objects, retries.
+ */
+package radiosity.rmi;

@@ -1,0 +1,109 @@
+package radiosity.setup;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.Set;
+import radiosity.mesh.Block;
+import radiosity.mesh.JoinedTree;
+import radiosity.mesh.Partitioner;
+import radiosity.mesh.PatchTree;
+import radiosity.mesh.Patcher;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.NodePath;
+import radiosity.protocol.Shot;
+import radiosity.util.ParallelFor;
+
+/**
+ * Patches that shoot together where clusters do, each cut into blocks that may have several owners. A cluster is large,
+ * as every receiving point looks at every one; a block is small, so that owners can be given equal work.
+ */
+public final class Clusters {
+
+    public final List<Block> clusters;
+    final List<Block> blocks = new ArrayList<>();
+    /** Number of a block by its first subtree. */
+    private final Map<Shot.Place, Integer> number = new HashMap<>();
+    /** 1 per cluster and one more: its first block. */
+    private final int[] first;
+    /** Subtrees of clusters of which blocks have parts only. */
+    private final Set<Shot.Place> cut = new HashSet<>();
+
+    /**
+     * @param wanted about how many clusters
+     * @param fine   about how many blocks
+     */
+    Clusters(Patcher patcher, int wanted, int fine) {
+        clusters = Partitioner.blocks(patcher, wanted);
+        first = new int[clusters.size() + 1];
+        for (Block cluster : clusters) {
+            List<Block> within = Partitioner.within(cluster, patcher, fine, blocks.size());
+            within.forEach(block -> number.put(place(block, 0), block.id()));
+            blocks.addAll(within);
+            first[cluster.id() + 1] = blocks.size();
+            cut.addAll(places(cluster));
+            within.forEach(block -> places(block).forEach(cut::remove));
+        }
+    }
+
+    private static Shot.Place place(Block block, int subtree) {
+        return new Shot.Place(block.face()[subtree], block.path()[subtree]);
+    }
+
+    private static List<Shot.Place> places(Block block) {
+        List<Shot.Place> places = new ArrayList<>();
+        for (int i = 0; i < block.face().length; i++) {
+            places.add(place(block, i));
+        }
+        return places;
+    }
+
+    /** Tops of some blocks by the subtree of a cluster of which they are parts. */
+    public Map<Shot.Place, List<Integer>> parts(RadiosityNodes nodes) {
+        Map<Shot.Place, List<Integer>> parts = new HashMap<>();
+        for (int top : nodes.tops()) {
+            for (long path = nodes.path(top) >> 2; path >= NodePath.FACE && !cut.isEmpty(); path >>= 2) {
+                Shot.Place whole = new Shot.Place(nodes.face(top), path);
+                if (cut.contains(whole)) {
+                    parts.computeIfAbsent(whole, p -> new ArrayList<>()).add(top);
+                }
+            }
+        }
+        return parts;
+    }
+
+    /**
+     * @param shots one of each block, in any order
+     * @return one of each cluster, most flux first
+     */
+    public List<Shot> join(List<Shot> shots, ParallelFor crew) {
+        Shot[] ofBlock = new Shot[blocks.size()];
+        shots.forEach(shot -> ofBlock[number.get(shot.place())] = shot);
+        Shot[] joined = new Shot[clusters.size()];
+        crew.run(joined.length,
+                c -> joined[c] = join(clusters.get(c), Arrays.asList(ofBlock).subList(first[c], first[c + 1])));
+        List<Shot> sorted = new ArrayList<>(List.of(joined));
+        Collections.sort(sorted);
+        return sorted;
+    }
+
+    private static Shot join(Block cluster, List<Shot> parts) {
+        Queue<PatchTree> trees = new ArrayDeque<>();
+        double flux = 0;
+        for (Shot part : parts) {
+            trees.addAll(part.trees());
+            flux += part.flux();
+        }
+        List<PatchTree> whole = new ArrayList<>();
+        for (int i = 0; i < cluster.face().length; i++) {
+            whole.add(JoinedTree.of(cluster.face()[i], cluster.path()[i], trees));
+        }
+        return new Shot(whole, flux);
+    }
+}

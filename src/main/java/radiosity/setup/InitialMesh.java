@@ -1,0 +1,264 @@
+package radiosity.setup;
+
+import com.fasterxml.jackson.core.io.NumberOutput;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import radiosity.formfactor.FormFactorCalculators;
+import radiosity.mesh.Block;
+import radiosity.mesh.InteriorTest;
+import radiosity.mesh.Patcher;
+import radiosity.mesh.RepresentativeFaces;
+import radiosity.mesh.cut.DiscontinuityMesher;
+import radiosity.mesh.cut.QuadSplitter;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.room.ClosedRooms;
+import radiosity.protocol.Rounding;
+import radiosity.scene.Light;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Vec3;
+import radiosity.settings.Accuracy;
+import radiosity.settings.FormFactors;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.util.Hash;
+import radiosity.visibility.RadiosityBounds;
+
+/** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
+public final class InitialMesh {
+
+    /** Patches of a scene for which no patch area is given: for the paper's schedule, its others, and prediction. */
+    private static final int PATCHES = 6000;
+    private static final int FEW_PATCHES = 2000;
+    private static final int COARSE_PATCHES = 600;
+    /** Where a fingerprint is split into scene and options. */
+    private static final String PARTS = ",? (?=-)";
+    /** What is shared out: where borders cost time, and where every point is computed once. */
+    private static final int BLOCKS = 256;
+    private static final int FINE_BLOCKS = 1024;
+    /** What shoots together. */
+    private static final int CLUSTERS = 128;
+    /** Reflectance above which the rounding of floats would show. */
+    private static final double WHITE = 0.98;
+    /** Sample points per shooter where no number is given, likewise. */
+    private static final int RAYS = 4;
+    private static final int FEW_RAYS = 1;
+
+    /** With its long quadrangles cut. */
+    public final Scene scene;
+    public final RadiositySettings settings;
+    public final Faces faces;
+    /** Closed rooms. */
+    public final ClosedRooms rooms;
+    public final Patcher patcher;
+    public final Clusters clusters;
+    /** What is shared out. */
+    public final List<Block> blocks;
+    /** A mesh that goes no deeper than is needed to foresee what light will become. */
+    public final Patcher coarse;
+    /** Whose light stands for whose in that. */
+    public final RepresentativeFaces fellows;
+    /** Flux that surfaces emit, one per channel, W. */
+    public final double[] emitted;
+
+    /** How a radiosity to be shot is sent. */
+    public final Rounding rounding;
+
+    private RadiosityBounds bounds;
+
+    public InitialMesh(Scene scene, RadiositySettings settings) {
+        this.settings = settings;
+        this.scene = predicts() ? QuadSplitter.cut(scene, settings.patchArea() > 0 ? settings.patchArea()
+                : scene.area() / COARSE_PATCHES) : scene;
+        Faces whole = new Faces(this.scene, settings.layers());
+        faces = predicts() ? DiscontinuityMesher.cut(whole) : whole;
+        rooms = new ClosedRooms(faces, this::isBuried);
+        faces.darken(rooms::isHidden);
+        double squared = faces.size() * faces.size();
+        double area = settings.patchArea() > 0 ? settings.patchArea() / squared
+                : Patcher.areaFor(faces, patches());
+        patcher = new Patcher(faces, area, predicts());
+        clusters = new Clusters(patcher, predicts() ? CLUSTERS : BLOCKS, predicts() ? FINE_BLOCKS : BLOCKS);
+        blocks = clusters.blocks;
+        coarse = solvesAtOnce() ? patcher : patcher.coarser(clusters.clusters, COARSE_PATCHES);
+        fellows = new RepresentativeFaces(coarse, clusters.clusters);
+        boolean white = scene.surfaces().stream()
+                .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
+        rounding = new Rounding(white, shootsClusters() && !settings.layers());
+        emitted = new double[faces.channels()];
+        for (int f = 0; f < faces.count(); f++) {
+            for (int c = 0; c < emitted.length; c++) {
+                emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
+            }
+        }
+    }
+
+    /** Whether the middle of a face lies inside a solid. */
+    private boolean isBuried(int face) {
+        float[] middle = new float[3];
+        for (int i = 0; i < 9; i++) {
+            middle[i % 3] += faces.corner(face, i / 3, i % 3) / 3;
+        }
+        return new InteriorTest(faces, bounds(), f -> false).isBuried(middle, 0, face);
+    }
+
+    /** What stands between two points; made when it is first asked for, as a master without elements never does. */
+    public synchronized RadiosityBounds bounds() {
+        if (bounds == null) {
+            bounds = new RadiosityBounds(faces.occluders());
+        }
+        return bounds;
+    }
+
+    private int patches() {
+        return predicts() ? COARSE_PATCHES : settings.schedule().isForSmallScenes() ? FEW_PATCHES : PATCHES;
+    }
+
+    /** Whether the coarse mesh is the mesh itself, and the coarse system the only one. */
+    public boolean solvesAtOnce() {
+        return settings.schedule() == Schedule.MATRIX;
+    }
+
+    /** Whether the patches of a cluster shoot together; a projection would take long for so many at a time. */
+    public boolean shootsClusters() {
+        return predicts() && settings.factors() == FormFactors.RAYCAST;
+    }
+
+    /**
+     * Whether at a point that several hosts have only one gathers, for all: where no elements are divided between
+     * rounds.
+     */
+    public boolean gathersOnce() {
+        return (predicts() || settings.schedule() == Schedule.PAPER) && Double.isInfinite(settings.meshing());
+    }
+
+    /** Whether then the master looks at patches between hosts: where everybody looks at all of them in every round. */
+    public boolean hasSeams() {
+        return gathersOnce() && !predicts();
+    }
+
+    /** Whether all flux that is shot must be received. */
+    public boolean conserves() {
+        return predicts() && rooms.isPlain();
+    }
+
+    public boolean predicts() {
+        return settings.schedule() == Schedule.PREDICT;
+    }
+
+    /** Entries of the coarse system's rows that come of one shot, about. */
+    public int entriesPerShot() {
+        double all = (double) coarse.patches() * coarse.patches();
+        return (int) (all / (solvesAtOnce() ? coarse.patches() : clusters.clusters.size()));
+    }
+
+    /** Sample points per shooting node, or cells, see {@link FormFactors}. */
+    public int rays() {
+        return settings.rays() > 0 ? settings.rays()
+                : FormFactorCalculators.defaultRays(settings.factors(), predicts() ? FEW_RAYS : RAYS);
+    }
+
+    /** Largest area of a patch, square scene units. */
+    public double patchArea() {
+        return patcher.patchArea() * faces.size() * faces.size();
+    }
+
+    /** About as much flux as there is, W: what sums of flux are counted in. */
+    public double fluxScale() {
+        double sum = 0;
+        for (double e : emitted) {
+            sum += e;
+        }
+        for (Light light : scene.lights()) {
+            double range = light.kind() == Light.Kind.POINT || light.kind() == Light.Kind.SPOT ? light.range() : 0;
+            sum += light.power().max() * (faces.area() * faces.size() * faces.size() + 4 * Math.PI * range * range);
+        }
+        return sum;
+    }
+
+    /** What two calculations must have in common for one to go on from the other. */
+    public String fingerprint() {
+        return String.format(Locale.ROOT, "scene %016x in %d blocks, -pa %s -nr %d -mt %s --schedule %s", digest(),
+                blocks.size(), text(patchArea()), rays(), text(settings.meshing()),
+                settings.schedule().name().toLowerCase(Locale.ROOT))
+                + (settings.layers() ? " --layers" : "")
+                + (settings.factors() == FormFactors.RAYCAST ? ""
+                : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT))
+                + (predicts() ? accuracy() : "");
+    }
+
+    /** In per cent, and as the two numbers that follow from that. */
+    private String accuracy() {
+        return String.format(Locale.ROOT, " --accuracy %.6g%% (tolerance %s, mesh error %s)",
+                100 * Accuracy.of(settings.tolerance()), tolerance(), meshError());
+    }
+
+    /** With prediction: irradiance that one ray may carry, relative to the mean. */
+    public double tolerance() {
+        return settings.tolerance() > 0 ? settings.tolerance() : Accuracy.tolerance(Accuracy.DEFAULT);
+    }
+
+    /** With prediction: error of interpolation that one element may add to the whole. */
+    public double meshError() {
+        return settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
+    }
+
+    /**
+     * Checks that a calculation with another mesh's fingerprint can go on with this one.
+     *
+     * @throws SceneFormatException that names the differences
+     */
+    public void checkFingerprint(String saved) throws SceneFormatException {
+        List<String> own = List.of(fingerprint().split(PARTS));
+        List<String> others = List.of(saved.split(PARTS));
+        if (!own.equals(others)) {
+            throw new SceneFormatException("the saved calculation", "", "the same scene and settings ("
+                    + difference(own, others) + ")", difference(others, own));
+        }
+    }
+
+    private static String difference(List<String> of, List<String> from) {
+        String parts = of.stream().filter(part -> !from.contains(part)).collect(Collectors.joining(" "));
+        return parts.isEmpty() ? "none" : parts;
+    }
+
+    /** The shortest digits for a number; those of Double.toString differ between JDK 17 and JDK 19. */
+    private static String text(double number) {
+        return NumberOutput.toString(number, true);
+    }
+
+    /** By what it shines, not by its name, which hosts are not told. */
+    private static long digest(long before, Light light) {
+        long digest = Hash.mix(before, light.kind().ordinal());
+        Vec3 power = new Vec3(light.power().r(), light.power().g(), light.power().b());
+        Vec3 shape = new Vec3(light.range(), light.cone(), light.edge());
+        for (Vec3 v : List.of(power, light.position(), light.direction(), light.right(), light.up(), shape)) {
+            digest = Hash.mix(digest, Double.doubleToLongBits(v.x()));
+            digest = Hash.mix(digest, Double.doubleToLongBits(v.y()));
+            digest = Hash.mix(digest, Double.doubleToLongBits(v.z()));
+        }
+        return digest;
+    }
+
+    private long digest() {
+        long digest = 0;
+        for (double x : scene.points()) {
+            digest = Hash.mix(digest, Double.doubleToLongBits(x));
+        }
+        for (int p : scene.corners()) {
+            digest = Hash.mix(digest, p);
+        }
+        for (Light light : scene.lights()) {
+            digest = digest(digest, light);
+        }
+        for (int f = 0; f < faces.count(); f++) {
+            digest = Hash.mix(digest, faces.side(f));
+            for (int c = 0; c < faces.channels(); c++) {
+                digest = Hash.mix(digest, Double.doubleToLongBits(faces.exitance(f, c)));
+                digest = Hash.mix(digest, Double.doubleToLongBits(faces.reflectance(f, c)));
+            }
+        }
+        return digest;
+    }
+}

@@ -1,0 +1,159 @@
+package radiosity.solution;
+
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.SequenceInputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HexFormat;
+import java.util.List;
+import radiosity.solver.ProgressiveRadiosity;
+
+/**
+ * What {@link ProgressiveRadiosity#resume} needs, as opaque bytes; immutable.
+ *
+ * <p>The bytes are held in pieces of any lengths, because a state has more bytes than one array can hold from about 15
+ * million elements on. Two states are equal where their bytes are, however they are cut into pieces.
+ */
+public final class SavedState {
+
+    /** No bytes: a solution that cannot be continued. */
+    public static final SavedState NONE = new SavedState(List.of());
+
+    /** Bytes per piece of a state that is read from a file. */
+    private static final int PIECE = 1 << 24;
+    /** Bytes written at a time: a file channel copies what it is given once more outside of the heap. */
+    private static final int WRITTEN_AT_ONCE = 1 << 20;
+
+    /** In their order; not modified. */
+    private final List<byte[]> pieces;
+    private final long length;
+    /** Null until it is first wanted. */
+    private String sha256;
+
+    private SavedState(List<byte[]> pieces) {
+        this.pieces = pieces;
+        length = pieces.stream().mapToLong(piece -> piece.length).sum();
+    }
+
+    /**
+     * The bytes of several arrays, one after the other.
+     *
+     * @param pieces not copied, not to be modified afterwards
+     */
+    public static SavedState of(List<byte[]> pieces) {
+        return new SavedState(List.copyOf(pieces));
+    }
+
+    /**
+     * Reads a state and computes its SHA-256 on the way.
+     *
+     * @param length of the state in bytes, at least 0
+     * @throws EOFException where the input ends earlier
+     */
+    public static SavedState read(InputStream in, long length) throws IOException {
+        return read(in, length, PIECE);
+    }
+
+    /** @param most bytes per piece, at least 1 */
+    static SavedState read(InputStream in, long length, int most) throws IOException {
+        MessageDigest digest = digest();
+        List<byte[]> pieces = new ArrayList<>();
+        for (long read = 0; read < length;) {
+            byte[] piece = in.readNBytes((int) Math.min(most, length - read));
+            if (piece.length == 0) {
+                throw new EOFException("state: expected " + length + " bytes, got " + read);
+            }
+            digest.update(piece);
+            pieces.add(piece);
+            read += piece.length;
+        }
+        SavedState state = new SavedState(pieces);
+        state.sha256 = HexFormat.of().formatHex(digest.digest());
+        return state;
+    }
+
+    private static MessageDigest digest() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
+    }
+
+    /** Number of bytes. */
+    public long length() {
+        return length;
+    }
+
+    public boolean isEmpty() {
+        return length == 0;
+    }
+
+    /** All bytes from the first on; {@code available} says how many are left, or {@link Integer#MAX_VALUE}. */
+    public InputStream open() {
+        return new SequenceInputStream(Collections.enumeration(
+                pieces.stream().<InputStream>map(ByteArrayInputStream::new).toList())) {
+
+            private long left = length;
+
+            @Override
+            public int read() throws IOException {
+                int value = super.read();
+                left -= value < 0 ? 0 : 1;
+                return value;
+            }
+
+            @Override
+            public int read(byte[] to, int at, int most) throws IOException {
+                int count = super.read(to, at, most);
+                left -= Math.max(0, count);
+                return count;
+            }
+
+            @Override
+            public int available() {
+                return (int) Math.min(Integer.MAX_VALUE, left);
+            }
+        };
+    }
+
+    /** Writes all bytes; does not close. */
+    public void writeTo(OutputStream out) throws IOException {
+        for (byte[] piece : pieces) {
+            for (int at = 0; at < piece.length; at += WRITTEN_AT_ONCE) {
+                out.write(piece, at, Math.min(WRITTEN_AT_ONCE, piece.length - at));
+            }
+        }
+    }
+
+    /** SHA-256 of all bytes, in hexadecimal digits; computed once. */
+    public synchronized String sha256() {
+        if (sha256 == null) {
+            MessageDigest digest = digest();
+            pieces.forEach(digest::update);
+            sha256 = HexFormat.of().formatHex(digest.digest());
+        }
+        return sha256;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof SavedState state && length == state.length && sha256().equals(state.sha256());
+    }
+
+    @Override
+    public int hashCode() {
+        return sha256().hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "state of " + length + " bytes in " + pieces.size() + " pieces";
+    }
+}

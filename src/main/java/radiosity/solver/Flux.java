@@ -1,0 +1,140 @@
+package radiosity.solver;
+
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import radiosity.mesh.face.Faces;
+import radiosity.protocol.Answer;
+import radiosity.protocol.Shot;
+import radiosity.settings.StopRule;
+import radiosity.setup.InitialMesh;
+import radiosity.solution.EnergyLedger;
+import radiosity.util.ExactSum;
+
+/** Flux that was emitted and shot so far; with what partitions answer, where all of it went. */
+final class Flux {
+
+    private final Faces faces;
+    /** Square scene units that 1 is in the faces. */
+    private final double squared;
+    /** One per channel: flux that left shooters, lights among them, W. */
+    private final double[] shot;
+    /** One per channel: flux of surfaces and lights, W. A light emits what arrives of it. */
+    private final double[] emitted;
+    private final InitialMesh mesh;
+
+    Flux(InitialMesh mesh) {
+        this.mesh = mesh;
+        faces = mesh.faces;
+        squared = faces.size() * faces.size();
+        shot = new double[faces.channels()];
+        emitted = mesh.emitted.clone();
+    }
+
+    /** Before the first shot of a patch, what was received came from lights. */
+    void countLights(Answer first) {
+        for (int c = 0; c < shot.length && !mesh.scene.lights().isEmpty(); c++) {
+            shot[c] = first.received[c].value();
+            emitted[c] = mesh.emitted[c] + shot[c];
+        }
+    }
+
+    void count(Shot patch) {
+        double[] flux = patch.flux(faces);
+        for (int c = 0; c < shot.length; c++) {
+            shot[c] += flux[c] * squared;
+        }
+    }
+
+    /**
+     * Unshot flux, relative to the emitted, that is only rounding; of several layers, of the one that was shot most.
+     */
+    double rounding() {
+        double most = 1;
+        for (int layer = 0; layer < faces.layers(); layer++) {
+            double all = ofLayer(emitted, layer);
+            most = Math.max(most, all == 0 ? 0 : ofLayer(shot, layer) / all);
+        }
+        return StopRule.ROUNDING * most;
+    }
+
+    private double ofLayer(double[] flux, int layer) {
+        int colours = faces.colours();
+        return DoubleStream.of(flux).skip((long) layer * colours).limit(colours).sum();
+    }
+
+    /** Unshot flux relative to the emitted; of several layers, of the one that has most left. */
+    double unsent(Answer answer) {
+        double most = 0;
+        for (int layer = 0; layer < answer.unshotFlux.length; layer++) {
+            double all = ofLayer(emitted, layer);
+            most = Math.max(most, all == 0 ? 0 : answer.unshotFlux[layer].value() / all);
+        }
+        return most;
+    }
+
+    /**
+     * What was shot and not received, or received twice: where all must be, as even light it is given back, so that
+     * flux
+     * is conserved. W/m², one per channel.
+     */
+    double[] missing(Answer answer) {
+        double area = IntStream.range(0, faces.count()).filter(f -> !mesh.rooms.isHidden(f)).mapToDouble(faces::area)
+                .sum();
+        double[] missing = shot.clone();
+        for (int c = 0; c < missing.length; c++) {
+            missing[c] = (missing[c] - answer.received[c].value()) / (area * squared);
+        }
+        return missing;
+    }
+
+    /** One value per channel, layer by layer. */
+    EnergyLedger byChannel(Answer answer) {
+        return new EnergyLedger(emitted.clone(), shot.clone(), values(answer.received), values(answer.absorbed),
+                values(answer.unshot));
+    }
+
+    /** One value per colour. */
+    EnergyLedger ofAllLayers(Answer answer) {
+        EnergyLedger all = byChannel(answer);
+        return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),
+                ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()));
+    }
+
+    private double[] ofAllLayers(double[] flux) {
+        double[] sum = new double[faces.colours()];
+        for (int c = 0; c < flux.length; c++) {
+            sum[c % sum.length] += flux[c];
+        }
+        return sum;
+    }
+
+    private static double[] values(ExactSum[] sums) {
+        return Stream.of(sums).mapToDouble(ExactSum::value).toArray();
+    }
+
+    static double sum(ExactSum[] sums) {
+        double all = 0;
+        for (ExactSum sum : sums) {
+            all += sum.value();
+        }
+        return all;
+    }
+
+    void write(DataOutput out) throws IOException {
+        for (int c = 0; c < shot.length; c++) {
+            out.writeDouble(shot[c]);
+            out.writeDouble(emitted[c]);
+        }
+    }
+
+    void read(DataInput in) throws IOException {
+        for (int c = 0; c < shot.length; c++) {
+            shot[c] = in.readDouble();
+            emitted[c] = in.readDouble();
+        }
+    }
+}

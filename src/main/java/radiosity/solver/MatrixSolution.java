@@ -1,0 +1,50 @@
+package radiosity.solver;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import radiosity.prediction.CoarseSystem;
+import radiosity.protocol.Answer;
+import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
+
+/**
+ * The whole linear system (equation 2 and section 2.1 of the paper), solved by Gauss-Seidel, for small scenes.
+ *
+ * <p>Its rows are made once. Then every patch shoots what it will have in the end, until nothing is left but rounding:
+ * {@link Prediction} with the mesh itself as its coarse mesh.
+ */
+final class MatrixSolution implements Planner {
+
+    private final CoarseSystem system;
+    private final double[] weight;
+
+    MatrixSolution(World world) {
+        system = new CoarseSystem(world.mesh, world.crew);
+        weight = new double[world.channels()];
+        Arrays.fill(weight, 1);
+    }
+
+    @Override
+    public Order next(Answer last, double unsent, BooleanSupplier goOn) {
+        if (last.candidates.isEmpty()) {
+            return null;
+        }
+        if (!system.isMade()) {
+            return order(Order.Kind.ROWS, system.importance());
+        }
+        double[] h = system.irradiance(system.unshot(last.candidates), goOn);
+        return h == null ? null
+                : order(Order.Kind.SHOOT, system.with(last.candidates, h, false));
+    }
+
+    private Order order(Order.Kind kind, List<Shot> shots) {
+        return Order.of(kind, shots, Double.POSITIVE_INFINITY, weight, 0, Integer.MAX_VALUE);
+    }
+
+    @Override
+    public void take(int shots, List<byte[]> rows) throws IOException {
+        system.take(shots, rows);
+    }
+}

@@ -1,0 +1,144 @@
+package radiosity.solver;
+
+import java.util.Arrays;
+import java.util.List;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.protocol.BlockState;
+import radiosity.setup.InitialMesh;
+import radiosity.solution.EnergyLedger;
+import radiosity.solution.SavedState;
+import radiosity.solution.Solution;
+import radiosity.util.ArraySize;
+import radiosity.util.Hash;
+import radiosity.util.LongIndex;
+
+/** Merges the blocks of all partitions into one mesh, in the order of their ids (figure 7: merge patch trees). */
+final class Merger {
+
+    private final InitialMesh mesh;
+    private final int dark;
+    private final int channels;
+    private final LongIndex index = new LongIndex(1024);
+    private double[] position = new double[3 * 1024];
+    /** channels per vertex: sum over its copies. */
+    private double[] irradiance;
+    /** 1 per vertex: copies that blocks have of it, buried ones left out. */
+    private int[] copies = new int[1024];
+    private int[] corner = new int[3 * 1024];
+    private int[] faceOf = new int[1024];
+    private int elements;
+
+    /**
+     * @param dark the round whose new or discarded vertices have not gathered yet: they take what stands beside them; 0
+     *             where there is none
+     */
+    Merger(InitialMesh mesh, List<byte[]> states, int dark) {
+        this.mesh = mesh;
+        this.dark = dark;
+        channels = mesh.faces.channels();
+        irradiance = new double[channels * 1024];
+        for (int b = 0; b < states.size(); b++) {
+            RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(b)));
+            BlockState.restore(nodes, nodes.tops(), states.get(b));
+            add(nodes);
+        }
+    }
+
+    private void add(RadiosityNodes nodes) {
+        int[] number = new int[nodes.vertices()];
+        Arrays.fill(number, -1);
+        for (int node = 0; node < nodes.nodes(); node++) {
+            if (!nodes.isElement(node)) {
+                continue;
+            }
+            if (elements == faceOf.length) {
+                int room = ArraySize.room("corners of elements", elements + 1L, 2L * elements, 3);
+                faceOf = Arrays.copyOf(faceOf, room);
+                corner = Arrays.copyOf(corner, 3 * room);
+            }
+            for (int k = 0; k < 3; k++) {
+                int v = nodes.corner(node, k);
+                if (number[v] < 0 || nodes.isPoint(node)) {
+                    number[v] = vertex(nodes, node, k);
+                }
+                corner[3 * elements + k] = number[v];
+            }
+            faceOf[elements++] = mesh.faces.side(nodes.face(node));
+        }
+    }
+
+    private int vertex(RadiosityNodes nodes, int node, int k) {
+        int from = nodes.corner(node, k);
+        long key = nodes.vertexKey(from);
+        int v = index.findOrAdd(nodes.isPoint(node) ? Hash.mix(key, k) : key, index.size());
+        if (v == copies.length) {
+            int room = ArraySize.room("light at vertices in " + channels + " channels", v + 1L, 2L * v,
+                    Math.max(3, channels));
+            copies = Arrays.copyOf(copies, room);
+            position = Arrays.copyOf(position, 3 * room);
+            irradiance = Arrays.copyOf(irradiance, channels * room);
+        }
+        nodes.position(node, k, position, 3 * v);
+        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark && !nodes.isDiscarded(from))) {
+            copies[v]++;
+            for (int c = 0; c < channels; c++) {
+                irradiance[channels * v + c] += nodes.light().irradiance()[channels * from + c];
+            }
+        }
+        return v;
+    }
+
+    Solution solution(int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
+        int vertices = index.size();
+        for (int i = 0; i < channels * vertices; i++) {
+            irradiance[i] /= Math.max(1, copies[i / channels]);
+        }
+        fillBuried();
+        return new Solution(mesh.scene, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),
+                Arrays.copyOf(irradiance, channels * vertices), Arrays.copyOf(corner, 3 * elements),
+                Arrays.copyOf(faceOf, elements), shots, rounds, unshotFlux, ledger, state);
+    }
+
+    /**
+     * A buried vertex takes the mean of those that it shares elements with, so that no dark seam shows; then those
+     * deeper
+     * inside from these, as one of them may stand on the edge of a larger element that is seen.
+     */
+    private void fillBuried() {
+        boolean[] known = new boolean[index.size()];
+        for (int v = 0; v < known.length; v++) {
+            known[v] = copies[v] > 0;
+        }
+        boolean more = true;
+        while (more) {
+            more = fillBeside(known);
+        }
+    }
+
+    /** @return whether any was filled; those are known then */
+    private boolean fillBeside(boolean[] known) {
+        double[] sum = new double[channels * known.length];
+        int[] terms = new int[known.length];
+        for (int i = 0; i < 3 * elements; i++) {
+            int v = corner[i];
+            for (int k = 0; k < 3 && !known[v]; k++) {
+                int other = corner[3 * (i / 3) + k];
+                if (known[other]) {
+                    terms[v]++;
+                    for (int c = 0; c < channels; c++) {
+                        sum[channels * v + c] += irradiance[channels * other + c];
+                    }
+                }
+            }
+        }
+        boolean filled = false;
+        for (int v = 0; v < known.length; v++) {
+            for (int c = 0; c < channels && terms[v] > 0; c++) {
+                irradiance[channels * v + c] = sum[channels * v + c] / terms[v];
+            }
+            filled |= terms[v] > 0;
+            known[v] |= terms[v] > 0;
+        }
+        return filled;
+    }
+}

@@ -1,0 +1,292 @@
+package radiosity.solver;
+
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import radiosity.mesh.Weights;
+import radiosity.mesh.face.Faces;
+import radiosity.prediction.AmbientLevel;
+import radiosity.prediction.CoarseSystem;
+import radiosity.protocol.Answer;
+import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
+
+/**
+ * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
+ *
+ * <p>The linear system of a coarse mesh is made once; it turns unshot radiosity into the radiosity that will come of
+ * it. What is shot is both together (overshooting: M. Feda, W. Purgathofer, Accelerating radiosity by overshooting,
+ * 1992), so what is left after a round is small, and signed, at any reflectance. As soon as it is, the mesh is
+ * subdivided where the light on it requires it, and the new vertices gather all that was shot before.
+ */
+final class Prediction implements Planner {
+
+    /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
+    private static final double SETTLED = 0.05;
+    private static final int MOST_SPLITS = 12;
+    private static final int MOST_DISCARDS = 12;
+    /** For the unshot flux before the last shots: whatever is left, there are no more. */
+    private static final double ENDED = Double.NEGATIVE_INFINITY;
+    /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
+    private static final double ROW_TOLERANCE = 0.02;
+
+    /** Patches of the coarse mesh up to which there is foresight: its system grows with their square. */
+    private static final int MOST_FORESEEN = 20_000;
+
+    /** Everybody. */
+    private static final Order ALL = Order.plain(Order.Kind.ASK, Integer.MAX_VALUE);
+
+    /** Flux that is foreseen to matter on some of the faces, W. */
+    private interface ForeseenFlux {
+        double of(IntPredicate counts, int channel);
+    }
+
+    /** What the last round was. */
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, DISCARD }
+
+    private final World world;
+    /** Of the scene, scene units squared. */
+    private final double area;
+    /** Null where the scene is too large for it. */
+    private final CoarseSystem coarse;
+    private final double tolerance;
+    private final double meshError;
+    /** See {@link Weights}: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
+    private final double[] weight;
+    private Stage stage = Stage.NOTHING;
+    private int splits;
+    private int discards;
+    private int elements;
+    private boolean refined;
+    /** Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. */
+    private double left = Double.POSITIVE_INFINITY;
+
+    Prediction(World world) {
+        this.world = world;
+        area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
+        tolerance = world.mesh.tolerance();
+        meshError = world.mesh.meshError();
+        weight = new double[Weights.count(world.mesh.rooms, world.channels())];
+        Arrays.fill(weight, 1);
+        coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN
+                ? new CoarseSystem(world.mesh, world.crew) : null;
+    }
+
+    /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
+    private Order rows() {
+        double[] equal = new double[world.channels()];
+        Arrays.fill(equal, 1);
+        return Order.of(Order.Kind.ROWS, coarse.importance(), ROW_TOLERANCE, equal, 0, 0);
+    }
+
+    @Override
+    public void take(int shots, List<byte[]> rows) throws IOException {
+        coarse.take(shots, rows);
+    }
+
+    @Override
+    public Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        boolean look = !refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent <= SETTLED;
+        if (look) {
+            return split(last);
+        }
+        if (stage == Stage.SPLIT) {
+            refined = last.elements == elements || splits == MOST_SPLITS;
+            if (last.elements > elements) {
+                return gather(true);
+            }
+        }
+        if (stage == Stage.DISCARD) {
+            return gather(false);
+        }
+        if (stage == Stage.SHOOT && refined && last.negative > 0) {
+            return discard(unsent);
+        }
+        boolean isLast = left == ENDED ? last.negative == 0 || discards == MOST_DISCARDS : stage == Stage.SHOOT;
+        return refined && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
+    }
+
+    /**
+     * What later shots take back goes along other rays than what came before, and where little arrives more may be
+     * taken
+     * back than had come: such a point gathers anew all that was ever shot, along the same rays.
+     */
+    private Order discard(double unsent) {
+        stage = Stage.DISCARD;
+        discards++;
+        if (unsent >= left || discards == MOST_DISCARDS) {
+            left = ENDED;
+        }
+        return order(Order.Kind.DISCARD, List.of(), new double[0]);
+    }
+
+    private Order split(Answer last) {
+        stage = Stage.SPLIT;
+        splits++;
+        elements = last.elements;
+        return order(Order.Kind.SPLIT, List.of(), new double[0]);
+    }
+
+    /**
+     * @param evenly whether what surfaces of a closed room have in common comes without rays; else nothing is
+     * subtracted
+     */
+    private Order gather(boolean evenly) throws IOException {
+        stage = Stage.GATHER;
+        List<Shot> totals = world.totals();
+        return order(Order.Kind.GATHER, totals, evenly ? AmbientLevel.of(world.mesh, totals) : new double[0]);
+    }
+
+    private Order shoot(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        if (coarse != null && !coarse.isMade()) {
+            return rows();
+        }
+        List<Shot> shots = coarse == null ? unforeseen(last) : foreseen(last, goOn);
+        if (shots.isEmpty()) {
+            return null;
+        }
+        stage = Stage.SHOOT;
+        left = unsent;
+        return order(Order.Kind.SHOOT, shots, AmbientLevel.of(world.mesh, shots));
+    }
+
+    /**
+     * All that have something to shoot, or will have if that is foreseen; in closed rooms all, as what they have in
+     * common
+     * is taken off.
+     */
+    private List<Shot> candidates(Answer answer) {
+        return world.joined(answer.candidates).stream()
+                .filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0 || coarse != null && reflects(shot))
+                        .toList();
+    }
+
+    private boolean reflects(Shot shot) {
+        Faces faces = world.mesh.faces;
+        return shot.trees().stream().anyMatch(tree -> IntStream.range(0, faces.channels())
+                .anyMatch(c -> faces.reflectance(tree.face(), c) > 0));
+    }
+
+    /** With what will become of them, which is reckoned while they are on their way; none where it was not to go on. */
+    private List<Shot> foreseen(Answer last, BooleanSupplier goOn) throws IOException {
+        World.Begun means = world.begin(Order.plain(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
+        World.Begun all = world.begin(ALL, World.NOBODY);
+        double[] h = coarse.irradiance(coarse.unshot(world.joined(means.answer(World.NOBODY).candidates)), goOn);
+        List<Shot> candidates = candidates(all.answer(World.NOBODY));
+        if (h == null || candidates.isEmpty()) {
+            return List.of();
+        }
+        if (stage == Stage.NOTHING) {
+            weigh(last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
+        }
+        return coarse.with(candidates, h, stage == Stage.NOTHING);
+    }
+
+    /** In a scene of too many patches every block shoots what it has. */
+    private List<Shot> unforeseen(Answer last) throws IOException {
+        List<Shot> candidates = candidates(world.answer(ALL));
+        if (stage == Stage.NOTHING) {
+            weigh(last, candidates, this::interreflected);
+        }
+        return candidates.stream().map(world.mesh.rounding::of).toList();
+    }
+
+    /** Flux that would be reflected, as counted by {@link Faces#importance}, if every surface saw every other alike. */
+    private double interreflected(IntPredicate counts, int c) {
+        Faces faces = world.mesh.faces;
+        double whole = 0;
+        double emitted = 0;
+        double reflected = 0;
+        double counted = 0;
+        for (int f = 0; f < faces.count(); f++) {
+            double a = counts.test(f) ? faces.area(f) : 0;
+            whole += a;
+            emitted += a * faces.exitance(f, c);
+            reflected += a * faces.reflectance(f, c);
+            counted += a * faces.importance(f, c);
+        }
+        return emitted == 0 ? 0 : emitted * counted / (whole - reflected) * area / faces.area();
+    }
+
+    /** By the radiosity that is there and is foreseen, over all area; a channel without light does not count. */
+    private void weigh(Answer last, List<Shot> unshot, ForeseenFlux foreseen) {
+        int channels = world.channels();
+        for (int c = 0; c < channels; c++) {
+            double received = last.received[c].value();
+            double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - last.absorbed[c].value());
+            double lit = foreseen.of(f -> true, c) + reflected;
+            weight[c] = lit > 0 ? area / lit : 0;
+        }
+        for (int i = weight.length - 1; i >= 0 && weight.length > channels; i--) {
+            weight[i] = weightIn(i / channels - 1, i % channels, unshot, foreseen);
+        }
+    }
+
+    /**
+     * The same over the faces of a closed room, or of none; no less than that of the whole, and that where no light was
+     * seen.
+     */
+    private double weightIn(int room, int c, List<Shot> unshot, ForeseenFlux foreseen) {
+        Faces faces = world.mesh.faces;
+        IntPredicate counts = f -> world.mesh.rooms.room(f) == room;
+        double emitted = 0;
+        double within = 0;
+        for (int f = 0; f < faces.count(); f++) {
+            within += counts.test(f) ? faces.area(f) : 0;
+            emitted += counts.test(f) ? faces.area(f) * faces.exitance(f, c) : 0;
+        }
+        double[] leaving = new double[world.channels()];
+        unshot.stream().flatMap(shot -> shot.trees().stream()).filter(tree -> counts.test(tree.face()))
+                .forEach(tree -> tree.addFlux(faces, leaving));
+        double unit = area / faces.area();
+        double lit = foreseen.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
+        return lit > 0 ? Math.max(weight[c], unit * within / lit) : weight[c];
+    }
+
+    /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
+    private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
+        return new Order(kind, 0, false, shots, tolerance, weight, meshError, even, new double[0], false, 0, 0);
+    }
+
+    /** It asks when it knows the coarse system. */
+    @Override
+    public int wanted() {
+        return 0;
+    }
+
+    @Override
+    public boolean isEnough(Answer last, double unsent, double wanted) {
+        return refined && unsent <= wanted && last.negative == 0;
+    }
+
+    @Override
+    public void write(DataOutput out) throws IOException {
+        out.writeByte(stage.ordinal());
+        out.writeInt(splits);
+        out.writeInt(discards);
+        out.writeInt(elements);
+        out.writeBoolean(refined);
+        out.writeDouble(left);
+        for (double w : weight) {
+            out.writeDouble(w);
+        }
+    }
+
+    @Override
+    public void read(DataInput in) throws IOException {
+        stage = Stage.values()[in.readByte()];
+        splits = in.readInt();
+        discards = in.readInt();
+        elements = in.readInt();
+        refined = in.readBoolean();
+        left = in.readDouble();
+        for (int c = 0; c < weight.length; c++) {
+            weight[c] = in.readDouble();
+        }
+    }
+}

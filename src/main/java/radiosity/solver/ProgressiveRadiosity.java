@@ -1,0 +1,339 @@
+package radiosity.solver;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import radiosity.certificate.Audit;
+import radiosity.protocol.Answer;
+import radiosity.protocol.Order;
+import radiosity.protocol.Wire;
+import radiosity.scene.SceneFormatException;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.Certificate;
+import radiosity.solution.EnergyLedger;
+import radiosity.solution.Progress;
+import radiosity.solution.SavedState;
+import radiosity.solution.Solution;
+
+/**
+ * The loop of figure 7: who has unshot flux shoots, everybody receives, until little enough is left.
+ *
+ * <p>Who shoots is the schedule's choice, see {@link Schedule}.
+ *
+ * <p>Whatever is asked for meanwhile ({@link #progress}, {@link #ledger}, {@link #state}, {@link #solution}) only
+ * reads:
+ * the calculation goes on to the same bits whenever and however often a listener asks.
+ */
+public final class ProgressiveRadiosity {
+
+    private final World world;
+    /** Shots after which the listener is to be asked. */
+    private final List<Integer> pauses = new ArrayList<>();
+    private final StopRule stop;
+    private final SolveCounters tally;
+    private final RoundQueue agenda = new RoundQueue();
+    private final StepSizer pace;
+    private final LatestStatus last;
+    private Planner planner;
+
+    public ProgressiveRadiosity(World world, StopRule stop) {
+        this(world, stop, StepSizer.STEP_SECONDS);
+    }
+
+    /** @param stepSeconds how long a step may take; without influence on the result */
+    public ProgressiveRadiosity(World world, StopRule stop, double stepSeconds) {
+        this.world = world;
+        this.stop = stop;
+        pace = new StepSizer(stepSeconds / world.stepsAhead());
+        last = new LatestStatus(world, pace);
+        tally = new SolveCounters(world.mesh);
+    }
+
+    /**
+     * Shoots until the stop rule holds or the listener asks to stop.
+     *
+     * @throws IOException where a partition cannot be reached
+     */
+    public void run(RoundListener listener) throws IOException {
+        prepare();
+        last.askFirst(Order.plain(Order.Kind.ASK, planner.wanted()));
+        tally.begin(last.newest());
+        boolean goOn = true;
+        while (goOn && !isDone()) {
+            if (agenda.isEmpty()) {
+                Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
+                if (next == null) {
+                    return;
+                }
+                agenda.add(next, unsent());
+            }
+            step();
+            goOn = listener.afterRound(progress());
+        }
+        last.know();
+    }
+
+    /** What was left to shoot after the last round of which the answer was read, relative to what was emitted. */
+    private double unsent() {
+        return tally.flux.unsent(last.afterRound());
+    }
+
+    /** Asks the listener as often as between steps. */
+    private BooleanSupplier nowAndThen(RoundListener listener) {
+        long[] asked = {world.now()};
+        return () -> {
+            if ((world.now() - asked[0]) * 1e-9 < StepSizer.STEP_SECONDS) {
+                return true;
+            }
+            asked[0] = world.now();
+            return listener.afterRound(progress());
+        };
+    }
+
+    /**
+     * Ends steps at every multiple of a number of shots, so that the listener is called there.
+     *
+     * @param shots at least 1
+     * @throws IllegalArgumentException where the number is below 1
+     */
+    public void pauseEvery(int shots) {
+        if (shots < 1) {
+            throw new IllegalArgumentException("pause: expected a number of shots of at least 1, got " + shots);
+        }
+        pauses.add(shots);
+    }
+
+    private void prepare() {
+        if (planner == null) {
+            planner = planner(world);
+        }
+    }
+
+    private static Planner planner(World world) {
+        return switch (world.settings().schedule()) {
+            case PREDICT -> new Prediction(world);
+            case PAPER -> new ShootAndSort(world.patches(), world.channels());
+            case SHOOTING -> new CyclicSchedule(world.channels(), false);
+            case GATHERING -> new CyclicSchedule(world.channels(), true);
+            case MATRIX -> new MatrixSolution(world);
+        };
+    }
+
+    private boolean isDone() {
+        double left = agenda.isEmpty() ? unsent() : agenda.unsent();
+        return tally.shots() >= stop.shots() || agenda.isBetweenRounds()
+                && planner.isEnough(last.afterRound(), left, Math.max(stop.unsent(), tally.flux.rounding()));
+    }
+
+    /** Whether more is unshot than the stop rule asks for, but only as {@linkplain StopRule#ROUNDING rounding}. */
+    public boolean isOnlyRoundingLeft() {
+        double left = tally.flux.unsent(last.newest());
+        return left > stop.unsent() && left <= tally.flux.rounding();
+    }
+
+    /*---- Rounds that overlap ----*/
+
+    /** All of a round was begun: what comes then may be chosen before the round is over. */
+    private void lookAhead(Order done) throws IOException {
+        if (agenda.isEmpty() && done.changes() && planner.looksAhead()) {
+            last.catchUpToRoundBefore();
+            choose();
+        }
+    }
+
+    /** By the answer before the last round; where that names nobody who is left, partitions are asked. */
+    private void choose() throws IOException {
+        double left = unsent();
+        Answer known = last.afterRound().without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale());
+        Order next = planner.next(known, left, () -> true);
+        agenda.add(next == null ? Order.plain(Order.Kind.ASK, planner.wanted()) : next, left);
+    }
+
+    /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
+    private void step() throws IOException {
+        if (agenda.isBetweenRounds()) {
+            begin();
+        }
+        Order pending = agenda.round();
+        int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : last.newest().elements;
+        int size = Math.min(pending.shots().size(), pace.size(pending.kind(), receive, pending.shots().size()));
+        if (pending.kind() == Order.Kind.SHOOT) {
+            size = Math.min(size, stop.shots() - tally.shots());
+            for (int every : pauses) {
+                size = Math.min(size, every - tally.shots() % every);
+            }
+        }
+        Order now = pending.first(size);
+        if (now.more() && !last.isOld()) {
+            now = now.naming(-1);
+        }
+        Answer before = last.afterRound();
+        world.expect(pending.shots().size());
+        carryOut(now);
+        tally.count(now, before, last.afterRound());
+        agenda.done(size);
+        if (!now.more()) {
+            lookAhead(now);
+        }
+    }
+
+    private void begin() throws IOException {
+        if (!planner.looksAhead()) {
+            pace.rest();
+        }
+        Order next = agenda.round();
+        next = next.changes() ? next.numbered(tally.nextRound()) : next;
+        agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next, planner.looksAhead());
+    }
+
+    private void carryOut(Order now) throws IOException {
+        if (!now.changes()) {
+            await(now);
+            return;
+        }
+        last.begun(now, world.begin(now, pace::took));
+        if (now.isAnswered() && (now.more() || !planner.looksAhead())) {
+            last.catchUp();
+        }
+    }
+
+    private void await(Order now) throws IOException {
+        world.finish(pace::took);
+        last.catchUp();
+        long begin = world.now();
+        if (now.kind() == Order.Kind.ROWS) {
+            world.rows(now, planner);
+        } else {
+            last.ask(now);
+        }
+        pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
+    }
+
+    /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
+    private double[] missing() {
+        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(last.afterRound()) : new double[0];
+    }
+
+    /**
+     * Where the calculation stands by the newest answer; waits for nobody. To be asked for once {@link #run} has begun.
+     */
+    public Progress progress() {
+        return tally.progress(last.newest());
+    }
+
+    /**
+     * Where the light went so far. May be asked for whenever the listener is called, and after {@link #run}.
+     *
+     * @throws UncheckedIOException where a partition cannot be reached
+     */
+    public EnergyLedger ledger() {
+        try {
+            last.know();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return tally.flux.ofAllLayers(tally.shown(last.newest()));
+    }
+
+    /**
+     * Everything so far, merged from all partitions. May be asked for whenever the listener is called, and after
+     * {@link #run}.
+     *
+     * @throws IOException where a partition cannot be reached
+     */
+    public Solution solution() throws IOException {
+        last.know();
+        List<byte[]> blocks = world.blocks();
+        return new Merger(world.mesh, blocks, tally.dark()).solution(tally.shots(), tally.rounds(),
+                Flux.sum(tally.shown(last.newest()).unshotFlux), ledger(), state(blocks));
+    }
+
+    /**
+     * How far the solution so far can be trusted; takes a small part of the time that the solution took.
+     *
+     * @param threads at least 1
+     * @throws IllegalArgumentException where the number of threads is below 1
+     * @return nothing where some vertices have not gathered yet, nobody has shot, or all is dark
+     */
+    public Optional<Certificate> certificate(int threads) throws IOException {
+        if (tally.dark() != 0 || tally.shots() == 0) {
+            return Optional.empty();
+        }
+        last.know();
+        Answer now = last.newest();
+        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements, threads)
+                .certificate(Flux.sum(now.unshotFlux))).filter(certificate -> certificate.points() > 0);
+    }
+
+    /**
+     * What {@link #resume} takes; for whoever wants to go on later. May be asked for whenever the listener is called,
+     * and after {@link #run}.
+     *
+     * @throws IOException where a partition cannot be reached
+     */
+    public SavedState state() throws IOException {
+        last.catchUp();
+        return state(world.blocks());
+    }
+
+    /** Whether the round after the present one is chosen by an answer that nobody can be asked for again. */
+    private boolean isChosenAhead() {
+        return planner.looksAhead() && agenda.changes();
+    }
+
+    /** @param blocks states of all blocks, by id; not copied */
+    private SavedState state(List<byte[]> blocks) {
+        List<byte[]> pieces = new ArrayList<>();
+        pieces.add(Wire.bytes(out -> {
+            out.writeUTF(world.mesh.fingerprint());
+            tally.write(out);
+            planner.write(out);
+            agenda.write(out);
+            if (isChosenAhead()) {
+                last.write(out, agenda.shooters());
+            }
+        }));
+        for (byte[] block : blocks) {
+            pieces.add(Wire.bytes(out -> out.writeInt(block.length)));
+            pieces.add(block);
+        }
+        return SavedState.of(pieces);
+    }
+
+    /**
+     * Goes on from where an earlier calculation stopped: the same scene and settings give the same bits as without a
+     * stop. To be called before {@link #run}.
+     *
+     * @param state of the earlier {@link Solution}
+     * @throws SceneFormatException where scene or settings are others
+     */
+    public void resume(SavedState state) throws IOException {
+        try (DataInputStream in = new DataInputStream(state.open())) {
+            world.mesh.checkFingerprint(in.readUTF());
+            tally.read(in);
+            prepare();
+            planner.read(in);
+            agenda.read(in);
+            if (isChosenAhead()) {
+                last.read(in);
+            }
+            List<byte[]> blocks = new ArrayList<>();
+            for (int b = 0; b < world.mesh.blocks.size(); b++) {
+                blocks.add(Wire.bytes(in));
+            }
+            world.restore(blocks);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+    }
+
+    /** Patches that have shot. */
+    public int shots() {
+        return tally.shots();
+    }
+}

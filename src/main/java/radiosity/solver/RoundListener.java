@@ -1,0 +1,14 @@
+package radiosity.solver;
+
+import radiosity.solution.Progress;
+
+/** Told after every round; may ask to stop. */
+@FunctionalInterface
+public interface RoundListener {
+
+    /**
+     * @param progress where the calculation stands
+     * @return whether to go on
+     */
+    boolean afterRound(Progress progress);
+}

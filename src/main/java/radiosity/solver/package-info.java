@@ -1,0 +1,7 @@
+/**
+ * Figure 7 of the paper: the loop of rounds, its schedules, and the world of elements in this process.
+ *
+ * <p>Rounds, stop rule and the choice of shooters belong to {@link radiosity.solver.ProgressiveRadiosity}. A listener
+ * reads; it never advances the calculation.
+ */
+package radiosity.solver;

@@ -1,0 +1,264 @@
+package radiosity.util;
+
+import java.util.function.IntConsumer;
+import java.util.function.IntPredicate;
+
+/**
+ * Boxes sorted into a balanced binary tree: which of them come near a segment or reach into a region.
+ *
+ * <p>In double, because what it finds decides which values are written. The same boxes give the same tree.
+ */
+public final class BoxTree {
+
+    private static final int LEAF = 8;
+
+    /** 6 per box: low x, y, z, high x, y, z. */
+    private final double[] boxes;
+    private final int[] order;
+    /** 6 per node, as {@link #boxes}; the children of node i are 2i + 1 and 2i + 2. */
+    private final double[] bounds;
+    /** 1 per node: the lowest number of a box below it. */
+    private final int[] lowest;
+
+    /** Where boxes are searched for. */
+    public interface Region {
+
+        /**
+         * Whether a box may reach into the region; a box that holds one which does reaches into it too.
+         *
+         * @param boxes low x, y, z and high x, y, z, 6 from {@code at}; not modified
+         */
+        boolean meets(double[] boxes, int at);
+    }
+
+    /** @param boxes low x, y, z and high x, y, z, 6 per box; not modified, kept */
+    public BoxTree(double[] boxes) {
+        this.boxes = boxes;
+        int n = boxes.length / 6;
+        order = new int[n];
+        for (int i = 0; i < n; i++) {
+            order[i] = i;
+        }
+        bounds = new double[6 * nodesAbove(n)];
+        lowest = new int[nodesAbove(n)];
+        if (n > 0) {
+            build(0, 0, n);
+        }
+    }
+
+    /**
+     * A tree over points.
+     *
+     * @param points x, y, z, 3 per point; not modified, not kept
+     */
+    public static BoxTree ofPoints(double[] points) {
+        double[] boxes = new double[2 * points.length];
+        for (int i = 0; i < points.length / 3; i++) {
+            System.arraycopy(points, 3 * i, boxes, 6 * i, 3);
+            System.arraycopy(points, 3 * i, boxes, 6 * i + 3, 3);
+        }
+        return new BoxTree(boxes);
+    }
+
+    private static int nodesAbove(int n) {
+        int levels = 1;
+        for (int run = n; run > LEAF; run = (run + 1) / 2) {
+            levels++;
+        }
+        return (1 << levels) - 1;
+    }
+
+    private void build(int node, int from, int to) {
+        bound(node, from, to);
+        if (to - from > LEAF) {
+            int middle = (from + to + 1) >>> 1;
+            select(from, to - 1, middle, widestAxis(node));
+            build(2 * node + 1, from, middle);
+            build(2 * node + 2, middle, to);
+        }
+    }
+
+    private void bound(int node, int from, int to) {
+        lowest[node] = Integer.MAX_VALUE;
+        for (int i = from; i < to; i++) {
+            lowest[node] = Math.min(lowest[node], order[i]);
+        }
+        for (int a = 0; a < 3; a++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = from; i < to; i++) {
+                low = Math.min(low, boxes[6 * order[i] + a]);
+                high = Math.max(high, boxes[6 * order[i] + 3 + a]);
+            }
+            bounds[6 * node + a] = low;
+            bounds[6 * node + 3 + a] = high;
+        }
+    }
+
+    private int widestAxis(int node) {
+        int widest = 0;
+        for (int a = 1; a < 3; a++) {
+            if (width(node, a) > width(node, widest)) {
+                widest = a;
+            }
+        }
+        return widest;
+    }
+
+    private double width(int node, int axis) {
+        return bounds[6 * node + 3 + axis] - bounds[6 * node + axis];
+    }
+
+    private double centre(int box, int axis) {
+        return boxes[6 * box + axis] + boxes[6 * box + 3 + axis];
+    }
+
+    /** Quickselect: afterwards nothing before {@code k} lies beyond anything from {@code k} on. */
+    private void select(int from, int to, int k, int axis) {
+        int left = from;
+        int right = to;
+        while (left < right) {
+            double pivot = centre(order[(left + right) >>> 1], axis);
+            int i = left;
+            int j = right;
+            while (i <= j) {
+                while (centre(order[i], axis) < pivot) {
+                    i++;
+                }
+                while (centre(order[j], axis) > pivot) {
+                    j--;
+                }
+                if (i <= j) {
+                    int swap = order[i];
+                    order[i++] = order[j];
+                    order[j--] = swap;
+                }
+            }
+            if (k > j && k < i) {
+                return;
+            }
+            if (k <= j) {
+                right = j;
+            } else {
+                left = i;
+            }
+        }
+    }
+
+    /**
+     * Names every box that a segment comes near, and now and then one that it just misses.
+     *
+     * @param a     first end, 3 coordinates
+     * @param b     other end; may equal a
+     * @param near  distance along each axis
+     * @param found is given the boxes' numbers, in no order that means anything
+     */
+    public void near(double[] a, double[] b, double near, IntConsumer found) {
+        if (order.length > 0) {
+            double[] segment = new double[6];
+            for (int i = 0; i < 3; i++) {
+                segment[i] = 0.5 * (a[i] + b[i]);
+                segment[3 + i] = 0.5 * (b[i] - a[i]);
+            }
+            visit(0, 0, order.length, segment, near, found);
+        }
+    }
+
+    private void visit(int node, int from, int to, double[] segment, double near, IntConsumer found) {
+        if (apart(bounds, 6 * node, segment, near)) {
+            return;
+        }
+        if (to - from > LEAF) {
+            int middle = (from + to + 1) >>> 1;
+            visit(2 * node + 1, from, middle, segment, near, found);
+            visit(2 * node + 2, middle, to, segment, near, found);
+            return;
+        }
+        for (int i = from; i < to; i++) {
+            if (!apart(boxes, 6 * order[i], segment, near)) {
+                found.accept(order[i]);
+            }
+        }
+    }
+
+    /**
+     * The lowest number of a box that a point comes near, or -1. However many boxes are near, few of them are looked
+     * at.
+     *
+     * @param p    3 coordinates; not modified
+     * @param near distance along each axis
+     */
+    public int lowest(double[] p, double near) {
+        double[] segment = {p[0], p[1], p[2], 0, 0, 0};
+        int found = order.length == 0 ? Integer.MAX_VALUE
+                : lowest(0, 0, order.length, segment, near, Integer.MAX_VALUE);
+        return found == Integer.MAX_VALUE ? -1 : found;
+    }
+
+    /** @return the lowest number below a node that is near and lower than {@code best}, or {@code best} */
+    private int lowest(int node, int from, int to, double[] segment, double near, int best) {
+        if (lowest[node] >= best || apart(bounds, 6 * node, segment, near)) {
+            return best;
+        }
+        int found = best;
+        if (to - from > LEAF) {
+            int middle = (from + to + 1) >>> 1;
+            int one = 2 * node + 1;
+            int other = 2 * node + 2;
+            if (lowest[one] < lowest[other]) {
+                found = lowest(one, from, middle, segment, near, found);
+                return lowest(other, middle, to, segment, near, found);
+            }
+            found = lowest(other, middle, to, segment, near, found);
+            return lowest(one, from, middle, segment, near, found);
+        }
+        for (int i = from; i < to; i++) {
+            if (order[i] < found && !apart(boxes, 6 * order[i], segment, near)) {
+                found = order[i];
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Whether one of the boxes that meet a region is wanted.
+     *
+     * @param wanted is given the boxes' numbers, in no order that means anything, until it wants one
+     */
+    public boolean any(Region region, IntPredicate wanted) {
+        return order.length > 0 && any(0, 0, order.length, region, wanted);
+    }
+
+    private boolean any(int node, int from, int to, Region region, IntPredicate wanted) {
+        if (!region.meets(bounds, 6 * node)) {
+            return false;
+        }
+        if (to - from > LEAF) {
+            int middle = (from + to + 1) >>> 1;
+            return any(2 * node + 1, from, middle, region, wanted) || any(2 * node + 2, middle, to, region, wanted);
+        }
+        for (int i = from; i < to; i++) {
+            if (region.meets(boxes, 6 * order[i]) && wanted.test(order[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The six axes of a segment and a box: C. Ericson, Real-Time Collision Detection, 2005, 5.3.3. */
+    private static boolean apart(double[] box, int k, double[] segment, double near) {
+        double ex = 0.5 * (box[k + 3] - box[k]) + near;
+        double ey = 0.5 * (box[k + 4] - box[k + 1]) + near;
+        double ez = 0.5 * (box[k + 5] - box[k + 2]) + near;
+        double cx = segment[0] - 0.5 * (box[k + 3] + box[k]);
+        double cy = segment[1] - 0.5 * (box[k + 4] + box[k + 1]);
+        double cz = segment[2] - 0.5 * (box[k + 5] + box[k + 2]);
+        double ax = Math.abs(segment[3]);
+        double ay = Math.abs(segment[4]);
+        double az = Math.abs(segment[5]);
+        return Math.abs(cx) > ex + ax || Math.abs(cy) > ey + ay || Math.abs(cz) > ez + az
+                || Math.abs(segment[4] * cz - segment[5] * cy) > ey * az + ez * ay
+                || Math.abs(segment[5] * cx - segment[3] * cz) > ex * az + ez * ax
+                || Math.abs(segment[3] * cy - segment[4] * cx) > ex * ay + ey * ax;
+    }
+}

@@ -1,0 +1,15 @@
+package radiosity.util;
+
+/** Keys that depend on what a thing is, never on who owns it or when it was made. */
+public final class Hash {
+
+    private Hash() { }
+
+    /** Mixes a value into a key. Source: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom generators, 2014. */
+    public static long mix(long key, long value) {
+        long z = key * 0x9E3779B97F4A7C15L + value;
+        z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
+        z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
+        return z ^ (z >>> 31);
+    }
+}

@@ -1,0 +1,65 @@
+package radiosity.util;
+
+import java.util.Arrays;
+
+/** Numbers 0, 1, 2 ... for distinct keys, in the order of their first appearance. Open addressing, no boxing. */
+public final class LongIndex {
+
+    private long[] keys;
+    private int[] numbers;
+    private int size;
+
+    public LongIndex(int expected) {
+        int capacity = Integer.highestOneBit(Math.max(8, expected)) * 4;
+        keys = new long[capacity];
+        numbers = new int[capacity];
+        Arrays.fill(numbers, -1);
+    }
+
+    public int size() {
+        return size;
+    }
+
+    /** The key's number, or -1. */
+    public int find(long key) {
+        return numbers[slot(key)];
+    }
+
+    /** The key's number; a new key gets {@code next}. */
+    public int findOrAdd(long key, int next) {
+        int slot = slot(key);
+        if (numbers[slot] < 0) {
+            keys[slot] = key;
+            numbers[slot] = next;
+            if (++size > keys.length / 2) {
+                grow();
+            }
+            return next;
+        }
+        return numbers[slot];
+    }
+
+    private int slot(long key) {
+        int mask = keys.length - 1;
+        int slot = (int) Hash.mix(0, key) & mask;
+        while (numbers[slot] >= 0 && keys[slot] != key) {
+            slot = (slot + 1) & mask;
+        }
+        return slot;
+    }
+
+    private void grow() {
+        long[] oldKeys = keys;
+        int[] oldNumbers = numbers;
+        keys = new long[2 * oldKeys.length];
+        numbers = new int[keys.length];
+        Arrays.fill(numbers, -1);
+        for (int i = 0; i < oldKeys.length; i++) {
+            if (oldNumbers[i] >= 0) {
+                int slot = slot(oldKeys[i]);
+                keys[slot] = oldKeys[i];
+                numbers[slot] = oldNumbers[i];
+            }
+        }
+    }
+}

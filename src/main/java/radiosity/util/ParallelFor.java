@@ -1,0 +1,104 @@
+package radiosity.util;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.IntConsumer;
+
+/** Threads that share out numbered pieces of work; which does which has no influence on the result. */
+public final class ParallelFor {
+
+    /** Threads that have nothing to do, which end after a minute of it: to start one takes longer than many a step. */
+    private static final ExecutorService IDLE = Executors.newCachedThreadPool(work -> {
+        Thread thread = new Thread(work, "radiosity");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    /** At least so many for each thread. */
+    private static final int RUNS = 16;
+
+    private final int threads;
+
+    /**
+     * @param threads at least 1; more than there are processors are not used
+     * @throws IllegalArgumentException where the number is below 1
+     */
+    public ParallelFor(int threads) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("threads: expected at least 1, got " + threads);
+        }
+        this.threads = Math.min(threads, Math.max(1, Runtime.getRuntime().availableProcessors()));
+    }
+
+    /** Does the pieces 0 to count - 1 and returns when all are done; what a piece throws is thrown on. */
+    public void run(int count, IntConsumer piece) {
+        if (threads == 1 || count <= 1) {
+            for (int i = 0; i < count; i++) {
+                piece.accept(i);
+            }
+            return;
+        }
+        AtomicInteger next = new AtomicInteger();
+        AtomicReference<Throwable> failure = new AtomicReference<>();
+        Runnable work = () -> {
+            try {
+                for (int i = next.getAndIncrement(); i < count; i = next.getAndIncrement()) {
+                    piece.accept(i);
+                }
+            } catch (RuntimeException | Error e) {
+                failure.compareAndSet(null, e);
+                next.set(count);
+            }
+        };
+        List<Future<?>> others = new ArrayList<>();
+        for (int i = 1; i < Math.min(threads, count); i++) {
+            others.add(IDLE.submit(work));
+        }
+        work.run();
+        others.forEach(ParallelFor::await);
+        Throwable thrown = failure.get();
+        if (thrown instanceof Error error) {
+            throw error;
+        }
+        if (thrown != null) {
+            throw (RuntimeException) thrown;
+        }
+    }
+
+    /**
+     * The same in runs of up to so many neighbouring pieces; of fewer where some threads would soon have no more to do.
+     */
+    public void run(int count, int most, Run run) {
+        int size = threads == 1 ? most : Math.max(1, Math.min(most, count / (threads * RUNS)));
+        run((count + size - 1) / size, i -> run.of(i * size, Math.min(count, (i + 1) * size)));
+    }
+
+    /** Does the pieces from one up to another one, which is left out. */
+    public interface Run {
+        void of(int from, int to);
+    }
+
+    /** An interrupt is kept for the caller: a piece of work is not left half done. */
+    private static void await(Future<?> work) {
+        boolean interrupted = false;
+        for (boolean done = false; !done;) {
+            try {
+                work.get();
+                done = true;
+            } catch (InterruptedException e) {
+                interrupted = true;
+            } catch (ExecutionException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

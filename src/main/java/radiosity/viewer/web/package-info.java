@@ -1,0 +1,4 @@
+/**
+ * The page in which one walks through a scene, in a browser.
+ */
+package radiosity.viewer.web;

@@ -1,0 +1,154 @@
+package radiosity.visibility;
+
+/**
+ * A triangle as rays test it: three planes in floats, which answer all but close calls, and its corners in double,
+ * which answer those.
+ *
+ * <p>Distance from the triangle's plane, and the weights of corners 1 and 2, are linear in space: D. Baldwin, M. Weber,
+ * Fast ray-triangle intersections by coordinate transformation, 2016. Close calls: T. Moeller, B. Trumbore, Fast,
+ * minimum storage ray/triangle intersection, 1997. A filter in floats before an exact test: J. Shewchuk, Adaptive
+ * precision floating-point arithmetic and fast robust geometric predicates, 1997.
+ */
+final class PackedTriangle {
+
+    /**
+     * Numbers per triangle: distance from the plane, weight of corner 1, weight of corner 2, each a x + b y + c z + d;
+     * by how much a weight changes at most over a distance of 1; as bits, the triangle's number; two unused.
+     */
+    static final int SIZE = 16;
+    private static final int STEEPNESS = 12;
+    private static final int NUMBER = 13;
+    /** How far a triangle reaches beyond its edges, of its own size. */
+    static final float EDGE = 1e-5f;
+    /** Nearer to a plane than this a point lies on it, of the scene's size. */
+    private static final double OFF_PLANE = 2e-7;
+
+    private PackedTriangle() {
+    }
+
+    /** A triangle's surface, both sides together halved: |a x b| of its edges a and b. */
+    static float area(float[] corners, int k) {
+        double[] n = cross(edge(corners, k, 3), edge(corners, k, 6));
+        return (float) length(n);
+    }
+
+    /** Writes a triangle; one without area stays zeros, which every ray finds to be a close call. */
+    static void put(float[] corners, int k, float[] data, int at) {
+        double[] a = edge(corners, k, 3);
+        double[] b = edge(corners, k, 6);
+        double[] n = cross(a, b);
+        double square = dot(n, n);
+        data[at + NUMBER] = Float.intBitsToFloat(k / 9);
+        if (square > 0) {
+            putPlane(n, length(n), corners, k, data, at);
+            putPlane(cross(b, n), square, corners, k, data, at + 4);
+            putPlane(cross(n, a), square, corners, k, data, at + 8);
+            data[at + STEEPNESS] = (float) ((length(a) + length(b)) / Math.sqrt(square));
+        }
+    }
+
+    private static void putPlane(double[] g, double scale, float[] corners, int k, float[] data, int at) {
+        double d = 0;
+        for (int a = 0; a < 3; a++) {
+            data[at + a] = (float) (g[a] / scale);
+            d -= g[a] / scale * corners[k + a];
+        }
+        data[at + 3] = (float) d;
+    }
+
+    /** Its place in the corners, over 9. */
+    static int number(float[] data, int at) {
+        return Float.floatToRawIntBits(data[at + NUMBER]);
+    }
+
+    /**
+     * Whether a segment meets a triangle in its inside, its ends clear of the plane.
+     *
+     * @param mx    its middle, and so on
+     * @param hx    from its middle to one end, no longer than the scene, and so on
+     * @param slack how far rounding may shift a point of the segment, at least
+     * @param clear how far an end must be from the plane
+     * @return -1 no, 1 yes, 0 a close call
+     */
+    static int meets(float[] p, int k, float mx, float my, float mz, float hx, float hy, float hz, float slack,
+                     float clear) {
+        float above = p[k] * mx + p[k + 1] * my + p[k + 2] * mz + p[k + 3];
+        float rise = p[k] * hx + p[k + 1] * hy + p[k + 2] * hz;
+        float reach = Math.abs(rise) - Math.abs(above);
+        if (reach < -slack) {
+            return -1;
+        }
+        float slope = 1 / rise;
+        float at = -above * slope;
+        float x = mx + at * hx;
+        float y = my + at * hy;
+        float z = mz + at * hz;
+        float error = p[k + STEEPNESS] * slack * (1 + Math.abs(slope));
+        float u = p[k + 4] * x + p[k + 5] * y + p[k + 6] * z + p[k + 7];
+        if (u < -error - EDGE) {
+            return -1;
+        }
+        float v = p[k + 8] * x + p[k + 9] * y + p[k + 10] * z + p[k + 11];
+        float w = 1 - u - v;
+        if (v < -error - EDGE || w < -error - EDGE) {
+            return -1;
+        }
+        return u > error && v > error && w > error && reach > clear ? 1 : 0;
+    }
+
+    /**
+     * Where a line meets a triangle, in double.
+     *
+     * @param origin    of the line; not modified
+     * @param direction of the line; not modified
+     * @param hit       modified where it does: distance in units of the direction, weights of corners 1 and 2
+     */
+    static boolean cuts(float[] corners, int k, double[] origin, double[] direction, double[] hit) {
+        double[] a = edge(corners, k, 3);
+        double[] b = edge(corners, k, 6);
+        double[] p = cross(direction, b);
+        double det = dot(a, p);
+        double[] s = {origin[0] - corners[k], origin[1] - corners[k + 1], origin[2] - corners[k + 2]};
+        double[] q = cross(s, a);
+        double u = dot(s, p) / det;
+        double v = dot(direction, q) / det;
+        if (!(Math.min(Math.min(u, v), 1 - u - v) >= -EDGE)) {
+            return false;
+        }
+        hit[0] = dot(b, q) / det;
+        hit[1] = u;
+        hit[2] = v;
+        return true;
+    }
+
+    /**
+     * Whether a triangle's plane truly lies between the ends of a segment: both must be off it by more than float
+     * coordinates are. Otherwise a point near a wall would not see that wall, where the ray's end lies on it but for
+     * rounding, nor what is seen from a long triangle at a small angle.
+     */
+    static boolean parts(float[] corners, int k, double[] origin, double[] direction) {
+        double[] n = cross(edge(corners, k, 3), edge(corners, k, 6));
+        double[] s = {origin[0] - corners[k], origin[1] - corners[k + 1], origin[2] - corners[k + 2]};
+        double from = dot(n, s);
+        double to = from + dot(n, direction);
+        double least = OFF_PLANE * length(n);
+        return from > least && to < -least || from < -least && to > least;
+    }
+
+    private static double[] edge(float[] c, int k, int to) {
+        return new double[] {(double) c[k + to] - c[k], (double) c[k + to + 1] - c[k + 1],
+            (double) c[k + to + 2] - c[k + 2]};
+    }
+
+    private static double[] cross(double[] a, double[] b) {
+        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
+
+    private static double length(double[] a) {
+        return Math.sqrt(dot(a, a));
+    }
+
+    static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+}

@@ -1,0 +1,262 @@
+package radiosity.worker;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.LocalTime;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import radiosity.partition.ProcessorTime;
+import radiosity.protocol.BlockTakeover;
+import radiosity.protocol.Greeting;
+import radiosity.protocol.Reply;
+import radiosity.protocol.SceneBytes;
+import radiosity.protocol.Wire;
+import radiosity.rmi.Build;
+import radiosity.rmi.RemotePartition;
+import radiosity.rmi.SessionEndedException;
+import radiosity.setup.InitialMesh;
+
+/**
+ * What a host has for its master: one session at a time, with the scene, some blocks, and the last answer.
+ *
+ * <p>A session whose master is silent for {@value #LEASE_SECONDS} s is over; its number is refused from then on.
+ */
+public final class ServedPartition implements RemotePartition {
+
+    /** How long a master may be silent: more than its heartbeat takes to be noticed as missing, and no longer. */
+    static final int LEASE_SECONDS = 12;
+    /** How long before another master, or the same one started anew, may have the host. */
+    private static final int TAKEOVER_SECONDS = 4;
+    /** Bytes of block states in one answer; one state may be larger. */
+    private static final int ANSWER_BYTES = 8 << 20;
+
+    /** At least as many as a master has under way. */
+    private static final int ANSWERS_KEPT = 4;
+    private static final int LOOK_MILLISECONDS = 200;
+
+    private final int threads;
+    private final Consumer<String> log;
+    private final LongSupplier clock;
+    private final ProcessorTime processor;
+
+    /** Everything below is guarded by {@code this}, and touched for moments only. */
+    private Session current;
+
+    /** What belongs to one session; computing is guarded by it. */
+    private static final class Session {
+        final long id;
+        final String master;
+        final String since = LocalTime.now().format(DateTimeFormatter.ofPattern("HH:mm"));
+        volatile long heard;
+        ByteArrayOutputStream inbox = new ByteArrayOutputStream();
+        HostedBlocks blocks;
+        InitialMesh mesh;
+        /** Of the last round that was begun. */
+        long number;
+        /** To the last rounds, by their numbers: the call may have been lost, and be made again. */
+        final TreeMap<Long, byte[]> answers = new TreeMap<>();
+
+        Session(long id, String master) {
+            this.id = id;
+            this.master = master;
+        }
+    }
+
+    /** @param log told about sessions, one line each */
+    public ServedPartition(int threads, Consumer<String> log) {
+        this(threads, log, System::nanoTime);
+    }
+
+    /** @param clock nanoseconds */
+    ServedPartition(int threads, Consumer<String> log, LongSupplier clock) {
+        this.threads = threads;
+        this.log = log;
+        this.clock = clock;
+        processor = new ProcessorTime(threads);
+    }
+
+    @Override
+    public synchronized byte[] greet() {
+        expire(TAKEOVER_SECONDS);
+        String busy = current == null ? "" : "busy for " + current.master + " since " + current.since;
+        return new Greeting(Build.version(), Build.id(), threads, Runtime.getRuntime().maxMemory(), busy).encode();
+    }
+
+    @Override
+    public synchronized void open(long id, byte[] master) {
+        expire(TAKEOVER_SECONDS);
+        if (current != null) {
+            throw new IllegalStateException("busy for " + current.master + " since " + current.since);
+        }
+        current = new Session(id, new String(master, StandardCharsets.UTF_8).replaceAll("[^\\w.@-]", "?"));
+        current.heard = clock.getAsLong();
+        log.accept("working for " + current.master);
+    }
+
+    /** Frees what a master that is gone has left behind. */
+    void expire() {
+        expire(LEASE_SECONDS);
+    }
+
+    private synchronized void expire(int seconds) {
+        if (current != null && clock.getAsLong() - current.heard > seconds * 1_000_000_000L) {
+            log.accept(current.master + " is gone");
+            current = null;
+        }
+    }
+
+    private synchronized Session session(long id) throws SessionEndedException {
+        if (current == null || current.id != id) {
+            throw new SessionEndedException();
+        }
+        current.heard = clock.getAsLong();
+        return current;
+    }
+
+    private synchronized void check(Session session) throws SessionEndedException {
+        if (current != session) {
+            throw new SessionEndedException();
+        }
+    }
+
+    @Override
+    public void ping(long id) throws SessionEndedException {
+        session(id);
+    }
+
+    @Override
+    public void send(long id, byte[] part) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            session.inbox.writeBytes(part);
+        }
+    }
+
+    private static byte[] message(Session session) {
+        byte[] message = session.inbox.toByteArray();
+        session.inbox = new ByteArrayOutputStream();
+        return message;
+    }
+
+    /** What is computed for a session. */
+    private interface Work<T> {
+        T on(Session session) throws IOException;
+    }
+
+    private <T> T inSession(long id, Work<T> work) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            try {
+                return work.on(session);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    @Override
+    public byte[] mesh(long id) throws SessionEndedException {
+        return inSession(id, session -> {
+            SceneBytes.Task task = SceneBytes.read(message(session));
+            session.mesh = new InitialMesh(task.scene(), task.settings());
+            session.blocks = new HostedBlocks(session.mesh, threads);
+            return session.mesh.fingerprint().getBytes(StandardCharsets.UTF_8);
+        });
+    }
+
+    @Override
+    public byte[] take(long id) throws SessionEndedException {
+        return inSession(id, session -> {
+            List<byte[]> answers = session.blocks.take(BlockTakeover.decode(message(session)));
+            return Wire.bytes(out -> Wire.write(out, answers));
+        });
+    }
+
+    @Override
+    public void know(long id) throws SessionEndedException {
+        inSession(id, session -> {
+            session.blocks.know(Wire.shots(Wire.input(message(session))));
+            return null;
+        });
+    }
+
+    @Override
+    public byte[] border(long id, boolean anew) throws SessionEndedException {
+        return inSession(id, session -> session.blocks.border(anew));
+    }
+
+    @Override
+    public byte[] share(long id) throws SessionEndedException {
+        return inSession(id, session -> session.blocks.share(Wire.input(message(session))));
+    }
+
+    @Override
+    public byte[] round(long id, long number, byte[] order) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            awaitTurn(session, number);
+            if (number > session.number) {
+                session.number = number;
+                session.answers.headMap(number - ANSWERS_KEPT).clear();
+                session.answers.put(number, round(session.blocks, order));
+                session.notifyAll();
+            }
+            if (!session.answers.containsKey(number)) {
+                throw new IllegalStateException("round " + number + ": expected to be asked for once, as it failed");
+            }
+            return session.answers.get(number);
+        }
+    }
+
+    /** Several rounds may be on their way, on as many connections: they are done in their order. */
+    private void awaitTurn(Session session, long number) throws SessionEndedException {
+        try {
+            while (number > session.number + 1) {
+                check(session);
+                session.wait(LOOK_MILLISECONDS);
+            }
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private byte[] round(HostedBlocks blocks, byte[] order) {
+        long begin = System.nanoTime();
+        double cpu = processor.seconds();
+        try {
+            byte[] answer = blocks.round(order);
+            double spent = processor.seconds() - cpu;
+            return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent),
+                    blocks.given()).encode();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @Override
+    public byte[] blocks(long id, byte[] blocks) throws SessionEndedException {
+        Session session = session(id);
+        synchronized (session) {
+            return Wire.bytes(out -> {
+                for (ByteBuffer in = ByteBuffer.wrap(blocks); in.remaining() >= Integer.BYTES
+                        && out.size() < ANSWER_BYTES;) {
+                    Wire.write(out, session.blocks.block(in.getInt()));
+                }
+            });
+        }
+    }
+
+    @Override
+    public synchronized void close(long id) {
+        if (current != null && current.id == id) {
+            log.accept(current.master + " has finished");
+            current = null;
+        }
+    }
+}

@@ -1,0 +1,177 @@
+package radiosity.input.lightwave;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static radiosity.input.lightwave.Iff.chunk;
+import static radiosity.input.lightwave.Iff.f4;
+import static radiosity.input.lightwave.Iff.form;
+import static radiosity.input.lightwave.Iff.s0;
+import static radiosity.input.lightwave.Iff.sub;
+import static radiosity.input.lightwave.Iff.text;
+import static radiosity.input.lightwave.Iff.u1;
+import static radiosity.input.lightwave.Iff.u2;
+import static radiosity.input.lightwave.Iff.u4;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+
+/** Images on surfaces: which, what they vary, and where on them each corner lies. */
+class TexturesTest {
+
+    @TempDir
+    Path folder;
+
+    private final List<String> told = new ArrayList<>();
+
+    @BeforeEach
+    void layImages() throws IOException {
+        Files.createDirectories(folder.resolve("Images"));
+        Files.write(folder.resolve("Images/wood.png"), new byte[8]);
+    }
+
+    private Scene read(byte[] object) throws IOException {
+        return LightWaveReader.read(Files.write(folder.resolve("thing.lwo"), object), LightWaveOptions.defaults(),
+                told::add);
+    }
+
+    private static byte[] clip() {
+        return chunk("CLIP", u4(1), sub("STIL", s0("C:\\pictures\\WOOD.PNG")));
+    }
+
+    private static byte[] object(byte[]... blocks) {
+        return Objects.lwo2(clip(), Objects.lwo2Surface("white", "", Objects.colour(0.5, 0.25, 1),
+                Objects.share("DIFF", 0.8), Objects.share("LUMI", 2), Iff.join(blocks)));
+    }
+
+    private static byte[] placed(double[] centre, double[] size) {
+        return sub("TMAP", sub("CNTR", f4(centre), u2(0)), sub("SIZE", f4(size), u2(0)),
+                sub("ROTA", f4(0, 0, 0), u2(0)));
+    }
+
+    /** Every corner of the scene by its place, u and v. */
+    private static void assertCoordinates(Scene scene, double tolerance,
+            java.util.function.UnaryOperator<double[]> uvOf) {
+        for (int t = 0; t < scene.triangles(); t++) {
+            for (int k = 0; k < 3; k++) {
+                var p = scene.corner(t, k);
+                double[] expected = uvOf.apply(new double[] {p.x(), p.y(), -p.z()});
+                assertEquals(expected[0], scene.textureCoordinates()[6 * t + 2 * k], tolerance);
+                assertEquals(expected[1], scene.textureCoordinates()[6 * t + 2 * k + 1], tolerance);
+            }
+        }
+    }
+
+    @Test
+    void planarImage_liesByCentreAndSize() throws IOException {
+        Scene scene = read(object(SoundFiles.imageBlock("COLR", 0, sub("AXIS", u2(2)),
+                placed(new double[] {0.5, 0.25, 3}, new double[] {2, 4, 1}))));
+        assertEquals(List.of(), told);
+        assertCoordinates(scene, 1e-6, p -> new double[] {(p[0] - 0.5) / 2 + 0.5, (p[1] - 0.25) / 4 + 0.5});
+    }
+
+    @Test
+    void colourImage_variesReflectanceAndTheLightOfItsColour() throws IOException {
+        List<ImageMap> maps = read(object(SoundFiles.imageBlock("COLR", 0))).surfaces().get(0).textures();
+        assertEquals(List.of(ImageMap.Target.REFLECTANCE, ImageMap.Target.EXITANCE),
+                maps.stream().map(ImageMap::target).toList());
+        assertEquals(0.8, maps.get(0).scale().g(), 1e-6);
+        assertEquals(2, maps.get(1).scale().g(), 1e-6);
+        assertTrue(maps.get(0).image().endsWith("wood.png"), maps.get(0).image());
+    }
+
+    @Test
+    void luminosityAndDiffuseImages_scaleTheColour() throws IOException {
+        List<ImageMap> maps = read(object(SoundFiles.imageBlock("LUMI", 0), SoundFiles.imageBlock("DIFF", 0)))
+                .surfaces().get(0).textures();
+        assertEquals(new ImageMap(ImageMap.Target.EXITANCE, maps.get(0).image(), new Rgb(0.5, 0.25, 1), true, false, 1,
+                ImageMap.Wrap.REPEAT, ImageMap.Wrap.REPEAT), maps.get(0));
+        assertEquals(ImageMap.Target.REFLECTANCE, maps.get(1).target());
+    }
+
+    @Test
+    void uvImage_takesPoints_andCornersOverThem() throws IOException {
+        Scene scene = read(SoundFiles.texturedLwo2());
+        assertCoordinates(scene, 1e-6, p -> p[0] == 1 && p[1] == 1 ? new double[] {0.5, 0.25}
+                : new double[] {p[0], p[1]});
+    }
+
+    @Test
+    void sphericalImage_growsWithTheAngle_andIsNotTornAtItsSeam() throws IOException {
+        Scene scene = read(object(SoundFiles.imageBlock("COLR", 2, sub("AXIS", u2(1)),
+                placed(new double[] {0.5, 0.5, 2}, new double[] {1, 1, 1}))));
+        for (int t = 0; t < 2; t++) {
+            for (int k = 0; k < 3; k++) {
+                double x = scene.corner(t, k).x() - 0.5;
+                double y = scene.corner(t, k).y() - 0.5;
+                double u = scene.textureCoordinates()[6 * t + 2 * k];
+                double v = scene.textureCoordinates()[6 * t + 2 * k + 1];
+                assertEquals(Math.atan2(x, 2) / (2 * Math.PI), Math.IEEEremainder(u - 0.5, 1), 1e-6);
+                assertEquals(0.5 + Math.atan2(y, Math.hypot(x, 2)) / Math.PI, v, 1e-6);
+                assertTrue(Math.abs(u - scene.textureCoordinates()[6 * t]) <= 0.5, "torn");
+            }
+        }
+    }
+
+    @Test
+    void cubicImage_isPlanarAcrossTheFace() throws IOException {
+        Scene scene = read(object(SoundFiles.imageBlock("COLR", 3, sub("AXIS", u2(0)))));
+        assertCoordinates(scene, 1e-6, p -> new double[] {p[0] + 0.5, p[1] + 0.5});
+    }
+
+    @Test
+    void oldImage_isReadWithItsFlags() throws IOException {
+        Scene scene = read(form("LWOB", chunk("PNTS", f4(Objects.CORNERS)), chunk("SRFS", s0("white")),
+                chunk("POLS", u2(3, 0, 1, 2, 1)), chunk("SURF", s0("white"), sub("COLR", u1(255, 255, 255, 0)),
+                        sub("DIFF", u2(256)), sub("CTEX", s0("Planar Image Map")), sub("TFLG", u2(4 | 16)),
+                        sub("TSIZ", f4(2, 2, 2)), sub("TIMG", s0("Work:wood.png")), sub("TWRP", u2(1, 3)))));
+        assertCoordinates(scene, 1e-6, p -> new double[] {p[0] / 2 + 0.5, p[1] / 2 + 0.5});
+        ImageMap map = scene.surfaces().get(0).textures().get(0);
+        assertTrue(map.negative());
+        assertEquals(List.of(ImageMap.Wrap.EDGE, ImageMap.Wrap.MIRROR), List.of(map.wrapU(), map.wrapV()));
+    }
+
+    @Test
+    void imageNode_isReadBesideItsMaterial() throws IOException {
+        byte[] image = Iff.join(chunk("NSRV", s0("Image")), form("NTAG", chunk("NNME", s0("i")), form("NDTA",
+                form("IIMG", form("CLIP", form("STIL", chunk("    ", s0("wood.png"))))), chunk("IMAP", u4(5)),
+                chunk("IUVI", s0("map")), chunk("IUTL", u4(2)), chunk("IVTL", u4(0)))));
+        byte[] surface = form("SURF", chunk("    ", s0("white")), form("NODS", form("NNDS",
+                SoundFiles.node("Surface", "Surface"), SoundFiles.node("Standard", "s",
+                        SoundFiles.attribute("Color", 1, 1, 1), SoundFiles.attribute("Diffuse", 0.5)), image),
+                form("NCON", SoundFiles.link("Surface", "Material", "s"), SoundFiles.link("s", "Color", "i"))));
+        Scene scene = read(form("LWO3", chunk("TAGS", s0("white")), Objects.squareOf("FACE"),
+                chunk("VMAP", text("TXUV"),
+                u2(2), s0("map"), u2(0), f4(0, 0), u2(1), f4(0, 1), u2(2), f4(1, 1)), surface));
+        ImageMap map = scene.surfaces().get(0).textures().get(0);
+        assertEquals(List.of(ImageMap.Wrap.MIRROR, ImageMap.Wrap.NONE), List.of(map.wrapU(), map.wrapV()));
+        assertCoordinates(scene, 1e-6, p -> p[0] == 1 && p[1] == 0 ? new double[] {Double.NaN, Double.NaN}
+                : new double[] {p[0], p[1]});
+    }
+
+    @Test
+    void missingImage_leavesTheBaseColour_andIsTold() throws IOException {
+        Files.delete(folder.resolve("Images/wood.png"));
+        Scene scene = read(object(SoundFiles.imageBlock("COLR", 0)));
+        assertEquals(List.of(), scene.surfaces().get(0).textures());
+        assertArrayEquals(new float[0], scene.textureCoordinates());
+        assertTrue(told.get(0).contains("WOOD.PNG"), told.toString());
+    }
+
+    @Test
+    void imagesThatLieOtherwise_areLeftOutAndTold() throws IOException {
+        Scene scene = read(object(SoundFiles.imageBlock("COLR", 0),
+                SoundFiles.imageBlock("DIFF", 0, sub("AXIS", u2(1)))));
+        assertEquals(2, scene.surfaces().get(0).textures().size());
+        assertTrue(told.get(0).contains("lie otherwise"), told.toString());
+    }
+}

@@ -1,0 +1,122 @@
+package radiosity.mesh.cut;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import radiosity.mesh.face.Faces;
+import radiosity.scene.SceneBuilder;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.testkit.Prism;
+
+/** Faces are cut where others stand on them, and nowhere else. */
+class DiscontinuityMesherTest {
+
+    private static final Surface GREY = radiosity.testkit.RoomScenes.grey("grey", 0, 0.5);
+    private static final double[] BASE = {.2, .3, .3, .6, .6, .5, .5, .2};
+
+    private static SceneBuilder floor() {
+        return new SceneBuilder()
+                .polygon(GREY, new Vec3(0, 0, 0), new Vec3(0, 0, 1), new Vec3(1, 0, 1), new Vec3(1, 0, 0));
+    }
+
+    private static Faces cut(SceneBuilder builder) {
+        return DiscontinuityMesher.cut(new Faces(builder.scene("cut")));
+    }
+
+    private static SceneBuilder wall(SceneBuilder builder, double from, double to) {
+        Vec3[] p = {new Vec3(from, 0, .5), new Vec3(to, 0, .5), new Vec3(to, 1, .5), new Vec3(from, 1, .5)};
+        return builder.polygon(GREY, p).polygon(GREY, p[3], p[2], p[1], p[0]);
+    }
+
+    @Test
+    void whatTouchesNothing_staysAsItIs() {
+        Faces whole = new Faces(floor().scene("floor"));
+        assertSame(whole, DiscontinuityMesher.cut(whole));
+    }
+
+    @Test
+    void pieces_haveTheAreaOfWhatTheyWere() {
+        SceneBuilder builder = floor();
+        new Prism(.5, BASE).addTo(builder, GREY);
+        assertEquals(new Faces(builder.scene("block")).area(), cut(builder).area(), 1e-12);
+    }
+
+    /** Each piece of the floor has its middle either under the block or not, and no corner on the other side. */
+    @Test
+    void noPiece_liesHalfUnderABlock() {
+        SceneBuilder builder = floor();
+        new Prism(.5, BASE).addTo(builder, GREY);
+        Faces faces = cut(builder);
+        assertTrue(IntStream.range(0, faces.count()).anyMatch(faces::isPiece));
+        for (int f = 0; f < faces.count(); f++) {
+            Vec3 middle = faces.sceneCorner(f, 0).plus(faces.sceneCorner(f, 1)).plus(faces.sceneCorner(f, 2))
+                    .times(1 / 3.);
+            for (int k = 0; k < 3 && faces.normal(f, 1) == 1 && middle.y() == 0; k++) {
+                Vec3 nearCorner = faces.sceneCorner(f, k).times(.999).plus(middle.times(.001));
+                assertEquals(isUnder(middle), isUnder(nearCorner));
+            }
+        }
+    }
+
+    private static boolean isUnder(Vec3 p) {
+        boolean inside = true;
+        for (int i = 0; i < 4; i++) {
+            Vec3 a = new Vec3(BASE[2 * i], 0, BASE[2 * i + 1]);
+            Vec3 b = new Vec3(BASE[(2 * i + 2) % 8], 0, BASE[(2 * i + 3) % 8]);
+            inside &= b.minus(a).cross(p.minus(a)).y() > 0;
+        }
+        return inside;
+    }
+
+    @Test
+    void wholeWall_partsTheFloor() {
+        assertEquals(2, partsOfTheFloor(cut(wall(floor(), 0, 1))).size());
+    }
+
+    /** Its ends can be walked round, but its two sides have vertices of their own. */
+    @Test
+    void freeWall_leavesTheFloorOnePartWithTwoSides() {
+        Faces faces = cut(wall(floor(), .25, .75));
+        assertEquals(1, partsOfTheFloor(faces).size());
+        assertNotEquals(fanAtTheFoot(faces, true), fanAtTheFoot(faces, false));
+    }
+
+    private static Set<Integer> partsOfTheFloor(Faces faces) {
+        Set<Integer> parts = new TreeSet<>();
+        IntStream.range(0, faces.count()).filter(f -> faces.normal(f, 1) == 1).forEach(f -> parts.add(faces.part[f]));
+        return parts;
+    }
+
+    /** Of the point where the wall crosses the floor's diagonal. */
+    private static int fanAtTheFoot(Faces faces, boolean before) {
+        for (int i = 0; i < 3 * faces.count(); i++) {
+            Vec3 p = faces.sceneCorner(i / 3, i % 3);
+            double middle = faces.sceneCorner(i / 3, 0).plus(faces.sceneCorner(i / 3, 1))
+                    .plus(faces.sceneCorner(i / 3, 2)).z() / 3;
+            if (faces.normal(i / 3, 1) == 1 && p.equals(new Vec3(.5, 0, .5)) && middle < .5 == before) {
+                return faces.fan[i];
+            }
+        }
+        throw new AssertionError("expected a vertex at the foot of the wall, found none");
+    }
+
+    @Test
+    void whatWouldBePiecesOnly_staysAsItIs() {
+        Random random = new Random(1);
+        SceneBuilder soup = new SceneBuilder();
+        for (int t = 0; t < 1000; t++) {
+            soup.polygon(GREY, IntStream.range(0, 3).mapToObj(k -> new Vec3(random.nextDouble(), random.nextDouble(),
+                    random.nextDouble())).toArray(Vec3[]::new));
+        }
+        Faces whole = new Faces(soup.scene("soup"));
+        assertSame(whole, DiscontinuityMesher.cut(whole));
+    }
+}

@@ -1,0 +1,92 @@
+package radiosity.output.gltf;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.output.image.ToneMapping;
+import radiosity.output.mesh.TJunctions;
+import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+class SceneInfoTest {
+
+    @TempDir
+    Path folder;
+
+    private List<String> lines(Solution solution, Optional<Camera> camera) throws IOException {
+        Path file = folder.resolve("x.scene");
+        SceneFile.write(file, solution, Map.of("commandLine", "RadiosityRenderer x.lws x.scene\u001b[2J"), camera,
+                ToneMapping.automatic(solution));
+        return SceneInfo.lines(file);
+    }
+
+    private static void assertHas(List<String> lines, String line) {
+        assertTrue(lines.contains(line), line + " is not in:\n" + String.join("\n", lines));
+    }
+
+    @Test
+    void lines_sayWhatTheFileHolds() throws IOException {
+        Handmade room = Handmade.room(new Vec3(1, 2, 3), 2, p -> new Rgb(10, 20, 30));
+        room.grid(room.surface("lamp", new Rgb(99, 98, 97), Rgb.grey(.1), false), new Vec3(2, 3, 4),
+                new Vec3(.1, 0, 0), new Vec3(0, 0, .1), 1, 1, p -> new Rgb(10, 20, 30));
+        room.state = new byte[1];
+        Solution solution = room.solution();
+        Camera camera = new Camera(new Vec3(2, 3, 9), new Vec3(0, 0, -1), new Vec3(0, 1, 0), Math.PI / 8, 1.5);
+        List<String> lines = lines(solution, Optional.of(camera));
+        assertHas(lines, "format       1");
+        assertHas(lines, "shots        7 in 5 rounds; unshot flux added up without its sign: 0.25 W");
+        assertHas(lines, "state        kept, the render can go on");
+        assertHas(lines, "surfaces     7: floor, ceiling, left, right, back, front, lamp");
+        assertHas(lines, "elements     " + TJunctions.close(solution).elements());
+        assertHas(lines, "vertices     " + TJunctions.close(solution).vertices());
+        assertHas(lines, "box          1.0,2.0,3.0 to 3.0,4.0,5.0");
+        assertHas(lines, "radiosity    1.0,2.0,3.0 to 100.0,100.0,100.0 W/m2");
+        assertHas(lines, "absorbed     0.5, 0.6, 0.7 W");
+        assertHas(lines, "deficit      1, 1, 1 W");
+        assertHas(lines, "camera       at 2.0,3.0,9.0 towards 0.0,0.0,-1.0, 45.0 degrees high, aspect 1.500");
+        assertHas(lines, "commandLine  RadiosityRenderer x.lws x.scene\\u001b[2J");
+        lines.forEach(line -> assertEquals(1, line.lines().count()));
+    }
+
+    @Test
+    void numbers_haveFiveDigits_andListsSayWhatIsInThem() throws IOException {
+        Path file = folder.resolve("x.scene");
+        Solution solution = Handmade.room(Vec3.ZERO, 1, p -> Rgb.grey(1)).solution();
+        Map<String, Object> extras = Map.of("third", 1 / 3., "list", List.of(2 / 3., 100, "text"), "array",
+                new double[] {1e-7 / 3, 2e9 / 3}, "map", Map.of("bound", 1 / 7.));
+        SceneFile.write(file, solution, extras, Optional.empty(), ToneMapping.automatic(solution));
+        List<String> lines = SceneInfo.lines(file);
+        assertHas(lines, "third        0.33333");
+        assertHas(lines, "list         0.66667, 100, text");
+        assertHas(lines, "array        3.3333E-8, 6.6667E8");
+        assertHas(lines, "map          bound=0.14286");
+        assertTrue(lines.stream().anyMatch(line -> line.startsWith("unshot  ") && line.contains("signed")),
+                lines.toString());
+    }
+
+    @Test
+    void emptyFile_hasItsLinesToo() throws IOException {
+        List<String> lines = lines(new Handmade().solution(), Optional.empty());
+        assertHas(lines, "elements     0");
+        assertHas(lines, "camera       none");
+        assertHas(lines, "state        none, the render cannot go on");
+    }
+
+    @Test
+    void fileThatIsNoScene_isRefused() throws IOException {
+        Path file = Files.writeString(folder.resolve("x"), "hello");
+        assertThrows(SceneFormatException.class, () -> SceneInfo.lines(file));
+    }
+}

@@ -1,0 +1,186 @@
+package radiosity.output.image;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.function.UnaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.output.gltf.Handmade;
+import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+import radiosity.util.TooLargeException;
+
+class SnapshotTest {
+
+    private static final Vec3 X = new Vec3(1, 0, 0);
+    private static final Vec3 Y = new Vec3(0, 1, 0);
+    private static final int WIDTH = 16;
+
+    @TempDir
+    Path folder;
+
+    /** From the +z side at the unit square in the plane z = 0, which fills the picture. */
+    private static Camera camera(double distance) {
+        return new Camera(new Vec3(.5, .5, distance), new Vec3(0, 0, -1), Y, Math.atan(.5 / distance), 1);
+    }
+
+    private static Camera behind() {
+        return new Camera(new Vec3(.5, .5, -1), new Vec3(0, 0, 1), Y, Math.atan(.5), 1);
+    }
+
+    private static Picture take(Solution solution, Camera camera) {
+        return Snapshot.take(solution, camera, WIDTH, UnaryOperator.identity());
+    }
+
+    private static Solution square(Rgb exitance) {
+        Handmade made = new Handmade();
+        made.grid(made.surface("s", exitance, Rgb.grey(.5), false), Vec3.ZERO, X, Y, 5, 3,
+                p -> new Rgb(2 * p.x(), 2 * p.y(), 4));
+        return made.solution();
+    }
+
+    private static void assertShowsSquare(Picture picture, double error) {
+        assertEquals(WIDTH, picture.height());
+        for (int i = 0; i < WIDTH * WIDTH; i++) {
+            assertEquals((i % WIDTH + .5) / WIDTH, picture.rgb()[3 * i], error);
+            assertEquals(1 - (i / WIDTH + .5) / WIDTH, picture.rgb()[3 * i + 1], error);
+            assertEquals(2, picture.rgb()[3 * i + 2], error);
+        }
+    }
+
+    @Test
+    void everyPixel_showsTheRadiosityBehindIt() {
+        assertShowsSquare(take(square(Rgb.BLACK), camera(1)), 1e-5);
+    }
+
+    @Test
+    void eyeFarAway_seesTheSame() {
+        assertShowsSquare(take(square(Rgb.BLACK), camera(1e5)), 1e-3);
+    }
+
+    @Test
+    void backOfASingleSidedSurface_isSeenThrough() {
+        Handmade made = new Handmade();
+        made.grid(made.surface("away", .5), new Vec3(0, 0, .5), Y, X, 1, 1, p -> Rgb.grey(100));
+        made.grid(made.surface("wall", .5), Vec3.ZERO, X, Y, 1, 1, p -> Rgb.grey(6));
+        float[] rgb = take(made.solution(), camera(1)).rgb();
+        float[] wall = new float[rgb.length];
+        Arrays.fill(wall, 3);
+        assertArrayEquals(wall, rgb, 1e-5f);
+    }
+
+    @Test
+    void twoSidedSurface_showsTheLightOfTheSideThatIsSeen() {
+        Handmade made = new Handmade();
+        int t = made.triangle(made.surface("s", Rgb.BLACK, Rgb.grey(.5), true), new Vec3(-9, -9, 0),
+                new Vec3(20, -9, 0), new Vec3(-9, 20, 0));
+        Vec3[] corners = {new Vec3(-9, -9, 0), new Vec3(20, -9, 0), new Vec3(-9, 20, 0)};
+        int[] front = Arrays.stream(corners).mapToInt(p -> made.vertex(p, Rgb.grey(4))).toArray();
+        int[] back = Arrays.stream(corners).mapToInt(p -> made.vertex(p, Rgb.grey(8))).toArray();
+        made.element(2 * t, front[0], front[1], front[2]);
+        made.element(2 * t + 1, back[0], back[2], back[1]);
+        Solution sheet = made.solution();
+        for (int i = 0; i < 3 * WIDTH * WIDTH; i++) {
+            assertEquals(2, take(sheet, camera(1)).rgb()[i], 1e-5);
+            assertEquals(4, take(sheet, behind()).rgb()[i], 1e-5);
+        }
+    }
+
+    @Test
+    void emptiness_isBlack() {
+        assertArrayEquals(new float[3 * WIDTH * WIDTH], take(square(Rgb.BLACK), behind()).rgb());
+        assertArrayEquals(new float[3 * WIDTH * WIDTH], take(new Handmade().solution(), camera(1)).rgb());
+    }
+
+    @Test
+    void picture_isTheSameEveryTime() {
+        Solution room = Handmade.room(Vec3.ZERO, 1, p -> new Rgb(p.x(), p.y(), p.z())).solution();
+        assertArrayEquals(take(room, camera(3)).rgb(), take(room, camera(3)).rgb());
+    }
+
+    @Test
+    void height_followsFromTheAspect() {
+        Camera wide = new Camera(new Vec3(.5, .5, 1), new Vec3(0, 0, -1), Y, .5, 1.6);
+        assertEquals(10, take(square(Rgb.BLACK), wide).height());
+    }
+
+    /** 800 x 1,200,000 pixels. */
+    @Test
+    void pictureThatNoArrayHolds_isRefusedBeforeAnyRay() {
+        Camera narrow = new Camera(new Vec3(.5, .5, 1), new Vec3(0, 0, -1), Y, .5, 1 / 1500.0);
+        TooLargeException e = assertThrows(TooLargeException.class, () -> Snapshot.take(square(Rgb.BLACK), narrow, 800,
+                light -> light));
+        assertEquals("picture of 800x1200000 pixels: expected at most 2,147,483,639 numbers, got 2,880,000,000",
+                e.getMessage());
+    }
+
+    @Test
+    void pngAndJpg_holdSrgb() throws IOException {
+        ToneMapping tones = new ToneMapping(ToneMapping.Operator.LINEAR, .25);
+        for (String name : new String[] {"a.png", "a.jpg", "a.JPEG"}) {
+            Path file = folder.resolve(name);
+            Snapshot.write(file, square(Rgb.BLACK), camera(1), WIDTH, tones);
+            BufferedImage image = ImageIO.read(file.toFile());
+            assertEquals(WIDTH, image.getWidth());
+            assertEquals(188, image.getRGB(8, 8) & 255, 2);
+            assertEquals(ToneMapping.srgb(.25 / 32), image.getRGB(0, 0) >> 16 & 255, name.endsWith("png") ? 0 : 40);
+        }
+    }
+
+    @Test
+    void edges_areSmoothedAfterToneMapping() throws IOException {
+        Path file = folder.resolve("a.png");
+        Camera half = new Camera(new Vec3(1 + .5 / WIDTH, .5, 1), new Vec3(0, 0, -1), Y, Math.atan(.5), 1);
+        Snapshot.write(file, square(Rgb.grey(1e6)), half, WIDTH, new ToneMapping(ToneMapping.Operator.LINEAR, 1));
+        int edge = ImageIO.read(file.toFile()).getRGB(7, 8) & 255;
+        assertTrue(edge > 100 && edge < 240, "edge of a bright lamp: " + edge);
+    }
+
+    @Test
+    void hdr_isNotClamped() throws IOException {
+        Path file = folder.resolve("a.hdr");
+        Snapshot.write(file, square(new Rgb(5e6, 3e-4, 0)), camera(1), WIDTH,
+                new ToneMapping(ToneMapping.Operator.LINEAR, 1e-9));
+        byte[] bytes = Files.readAllBytes(file);
+        String text = new String(bytes, StandardCharsets.ISO_8859_1);
+        assertTrue(text.startsWith("#?RADIANCE\n"));
+        int pixels = text.indexOf("-Y 16 +X 16\n") + 12;
+        assertEquals(bytes.length, pixels + 4 * WIDTH * WIDTH);
+        double unit = Math.scalb(1.0, (bytes[pixels + 3] & 255) - 136);
+        assertEquals(5e6, ((bytes[pixels] & 255) + .5) * unit, 5e6 / 128);
+        assertEquals(0, bytes[pixels + 1]);
+    }
+
+    @Test
+    void rgbe_isNearAtEveryBrightness() throws IOException {
+        for (float light = 1e-30f; light < 1e30f; light *= 3) {
+            byte[] bytes = PictureFormat.HDR.bytes(new Picture(1, 1, new float[] {light, light / 2, 0}));
+            int p = bytes.length - 4;
+            double unit = Math.scalb(1.0, (bytes[p + 3] & 255) - 136);
+            assertEquals(light, ((bytes[p] & 255) + .5) * unit, light / 128);
+            assertEquals(light / 2, ((bytes[p + 1] & 255) + .5) * unit, light / 128);
+        }
+        byte[] black = PictureFormat.HDR.bytes(new Picture(1, 1, new float[3]));
+        assertEquals(0, black[black.length - 1]);
+    }
+
+    @Test
+    void otherFormats_areRefusedInOneLine() {
+        Path gif = folder.resolve("a.gif");
+        String message = assertThrows(IOException.class,
+                () -> Snapshot.write(gif, square(Rgb.BLACK), camera(1), WIDTH, null)).getMessage();
+        assertEquals(gif + ": expected a name that ends in .png, .jpg or .hdr, got a.gif", message);
+    }
+}

@@ -1,0 +1,155 @@
+package radiosity.output.image;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.mesh.Mesh;
+import radiosity.scene.ImageMap;
+import radiosity.scene.ImageMap.Target;
+import radiosity.scene.ImageMap.Wrap;
+import radiosity.scene.MaterialSample;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** Images of surfaces: the left half red, the right half blue, on a square of 1. */
+class SurfaceMapsTest {
+
+    private static final Vec3 LEFT = new Vec3(.25, .5, 0);
+    private static final Vec3 RIGHT = new Vec3(.75, .5, 0);
+
+    @TempDir
+    Path folder;
+
+    private final List<String> told = new ArrayList<>();
+
+    private Path image(String format, int type) throws IOException {
+        BufferedImage image = new BufferedImage(8, 16, type);
+        for (int i = 0; i < 128; i++) {
+            image.setRGB(i % 8, i / 8, i % 8 < 4 ? 0xFFFF0000 : 0xFF0000FF);
+        }
+        Path file = folder.resolve("image." + format);
+        assertTrue(ImageIO.write(image, format, file.toFile()), "a writer for " + format);
+        return file;
+    }
+
+    private static ImageMap map(Path file, Target target, double scale, double opacity) {
+        return new ImageMap(target, file.toString(), Rgb.grey(scale), false, false, opacity, Wrap.EDGE, Wrap.EDGE);
+    }
+
+    /** A square whose texture coordinates are x and y. */
+    private Scene square(ImageMap... maps) {
+        Surface surface = new Surface("painted", Rgb.grey(1), Rgb.grey(.4), false, List.of(maps));
+        Scene scene = new Scene("square", new double[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0},
+                new int[] {0, 1, 2, 0, 2, 3},
+                new int[] {0, 0}, List.of(surface), List.of(), Optional.empty(),
+                new float[] {0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1});
+        return SurfaceMaps.read(scene, false, told::add);
+    }
+
+    private static int triangle(Vec3 p) {
+        return p.x() > p.y() ? 0 : 1;
+    }
+
+    private static MaterialSample look(Scene scene, Vec3 p) {
+        return scene.look(triangle(p), p);
+    }
+
+    private static void assertRgb(double r, double g, double b, Rgb got) {
+        assertEquals(r, got.r(), 1e-6);
+        assertEquals(g, got.g(), 1e-6);
+        assertEquals(b, got.b(), 1e-6);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "bmp", "gif", "tiff", "tga", "iff"})
+    void commonFormats_areRead(String format) throws IOException {
+        int type = format.equals("gif") ? BufferedImage.TYPE_BYTE_INDEXED : BufferedImage.TYPE_3BYTE_BGR;
+        Scene scene = square(map(image(format, type), Target.REFLECTANCE, .8, 1));
+        assertEquals(List.of(), told);
+        assertRgb(.8, 0, 0, look(scene, LEFT).reflectance());
+        assertRgb(0, 0, .8, look(scene, RIGHT).reflectance());
+        assertRgb(1, 1, 1, look(scene, RIGHT).exitance());
+        assertRgb(.4, 0, .4, scene.surfaces().get(0).reflectance());
+    }
+
+    /** One very wide, one very high: as many pixels as both have would be needed along each axis. */
+    @Test
+    void imagesThatTogetherAreTooLarge_leaveTheBaseColour() throws IOException {
+        Path wide = folder.resolve("wide.png");
+        Path high = folder.resolve("high.png");
+        ImageIO.write(new BufferedImage(40_000, 1, BufferedImage.TYPE_BYTE_GRAY), "png", wide.toFile());
+        ImageIO.write(new BufferedImage(1, 40_000, BufferedImage.TYPE_BYTE_GRAY), "png", high.toFile());
+        Scene scene = square(map(wide, Target.REFLECTANCE, 1, 1), map(high, Target.REFLECTANCE, 1, 1));
+        assertEquals(List.of("surface painted: expected images that together are at most 67108864 pixels, got"
+                + " 40000x40000; the base colour is taken"), told);
+        assertRgb(.4, .4, .4, look(scene, LEFT).reflectance());
+    }
+
+    @Test
+    void opacity_mixesWithTheBase() throws IOException {
+        Scene scene = square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.EXITANCE, 5, .5));
+        assertRgb(3, .5, .5, look(scene, LEFT).exitance());
+        assertRgb(.4, .4, .4, look(scene, LEFT).reflectance());
+    }
+
+    @Test
+    void meanUnderAnElement_isOfItsPixels() throws IOException {
+        Scene scene = square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.REFLECTANCE, .8, 1));
+        MaterialSample lower = scene.meanLook(0, Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(1, 1, 0));
+        assertEquals(.8 / 4, lower.reflectance().r(), .02, "a quarter of the lower triangle lies to the left");
+        assertEquals(.8 * 3 / 4, lower.reflectance().b(), .02);
+    }
+
+    @Test
+    void unlitScene_hasTheMeanOfTheImageOnEachTriangle() throws IOException {
+        Mesh mesh = LitScene.unlit(square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.REFLECTANCE, .8, 1)))
+                .meshes().get(0);
+        assertEquals(3, mesh.reflectance(0, 0).b() / mesh.reflectance(0, 0).r(), .3,
+                "the lower triangle is mostly blue");
+        assertEquals(3, mesh.reflectance(1, 0).r() / mesh.reflectance(1, 0).b(), .3, "the upper one red");
+    }
+
+    @Test
+    void grey_isWhatTheFileSays() throws IOException {
+        BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
+        image.getRaster().setSample(0, 0, 0, 51);
+        Path file = folder.resolve("grey.png");
+        ImageIO.write(image, "png", file.toFile());
+        assertRgb(.2, .2, .2, look(square(map(file, Target.REFLECTANCE, 1, 1)), LEFT).reflectance());
+    }
+
+    @Test
+    void whiteImage_reflectsLessThanAll() throws IOException {
+        Scene scene = square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.REFLECTANCE, 7, 1));
+        assertEquals(Surface.MAX_REFLECTANCE, look(scene, LEFT).reflectance().r(), 1e-6);
+    }
+
+    @Test
+    void imageThatCannotBeRead_leavesTheBaseAndIsTold() throws IOException {
+        Path broken = Files.write(folder.resolve("broken.png"),
+                new byte[] {(byte) 137, 'P', 'N', 'G', 13, 10, 26, 10, 0});
+        Path absent = folder.resolve("absent.png");
+        Scene scene = square(map(broken, Target.REFLECTANCE, .8, 1), map(absent, Target.EXITANCE, .8, 1));
+        assertRgb(.4, .4, .4, look(scene, LEFT).reflectance());
+        assertRgb(1, 1, 1, look(scene, LEFT).exitance());
+        assertEquals(2, told.size(), told::toString);
+        for (String line : told) {
+            assertTrue(line.matches("\\S*(broken|absent).png: expected an image, got [^\\n]*; the base colour is taken"), line);
+        }
+    }
+}
