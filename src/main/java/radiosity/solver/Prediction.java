@@ -113,8 +113,7 @@ final class Prediction implements Planner {
 
     /**
      * What later shots take back goes along other rays than what came before, and where little arrives more may be
-     * taken
-     * back than had come: such a point gathers anew all that was ever shot, along the same rays.
+     * taken back than had come: such a point gathers anew all that was ever shot, along the same rays.
      */
     private Order discard(double unsent) {
         stage = Stage.DISCARD;
@@ -157,8 +156,7 @@ final class Prediction implements Planner {
 
     /**
      * All that have something to shoot, or will have if that is foreseen; in closed rooms all, as what they have in
-     * common
-     * is taken off.
+     * common is taken off.
      */
     private List<Shot> candidates(Answer answer) {
         return world.joined(answer.candidates).stream()
@@ -259,9 +257,10 @@ final class Prediction implements Planner {
         return 0;
     }
 
+    /** Points that were discarded are dark until they have gathered: a calculation must not end there. */
     @Override
     public boolean isEnough(Answer last, double unsent, double wanted) {
-        return refined && unsent <= wanted && last.negative == 0;
+        return refined && stage != Stage.DISCARD && unsent <= wanted && last.negative == 0;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package radiosity.solver;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.solver.SameBitsTest.solve;
 import static radiosity.testkit.ColouredRoom.assertSame;
@@ -74,6 +75,17 @@ class NonNegativeTest {
     @MethodSource("cases")
     void finishedSolution_hasNoNegativeRadiosity(String scene, double error) throws IOException {
         assertNonNegative(solve(new LocalWorld(SCENES.get(scene), settings(error), 2), STOP));
+    }
+
+    /** Where little light is enough, discarding some points leaves less than that unshot: it must not end there. */
+    @ParameterizedTest
+    @ValueSource(doubles = {.2, .05, .01})
+    void looseStop_leavesNoDiscardedPointDark(double unsent) throws IOException {
+        try (LocalWorld world = new LocalWorld(SCENES.get(WINDING), settings(.3), 2)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, new StopRule(Integer.MAX_VALUE, unsent));
+            rounds.run(progress -> true);
+            assertFalse(rounds.progress().gathers());
+        }
     }
 
     @ParameterizedTest
