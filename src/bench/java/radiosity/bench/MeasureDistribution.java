@@ -161,9 +161,8 @@ public final class MeasureDistribution {
 
     /**
      * A host over sockets and no host at the same time, on one processor, which the script sees to: what is done in
-     * turns
-     * differs by more than is to be measured, as the machine is not as fast from one second to the next. All that this
-     * process does beside the thread that has no host counts for the one that has: master, host, both ends of the
+     * turns differs by more than is to be measured, as the machine is not as fast from one second to the next. All that
+     * this process does beside the thread that has no host counts for the one that has: master, host, both ends of the
      * sockets, collecting garbage and compiling.
      */
     private void loopback() throws Exception {
@@ -216,8 +215,7 @@ public final class MeasureDistribution {
 
     /**
      * One host and two others, in turns once their JVMs are warm: the machine's speed differs by a third from one
-     * minute
-     * to the next, so that only what is measured side by side may be compared.
+     * minute to the next, so that only what is measured side by side may be compared.
      */
     private void real() throws IOException {
         List<HostProcess> one = HostProcess.start(1, SERVER, "-Xmx512m", "-XX:+UseParallelGC");

@@ -25,9 +25,8 @@ import radiosity.testkit.LogicalClock;
  * <p>All hosts are in this process, each with one thread, on a {@link LogicalClock}: the wall time is that of the
  * slowest host in every call, what the calls cost on a network, and the processor time of the master's thread, which
  * has a second one to help it. Speedup is over the mean of two calculations in one process, on one thread, just before
- * and
- * just after: a busy machine is not always as busy. All is done some times before it is measured, as hosts serve many
- * renders, and then again: what is printed are medians.
+ * and just after: a busy machine is not always as busy. All is done some times before it is measured, as hosts serve
+ * many renders, and then again: what is printed are medians.
  */
 public final class ScalingTable {
 

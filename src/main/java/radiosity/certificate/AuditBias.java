@@ -12,14 +12,12 @@ import radiosity.solution.EnergyLedger;
 
 /**
  * By how much all light of a colour is off, as interreflection makes many times more of what is lost, or is too much,
- * at
- * every point.
+ * at every point.
  *
  * <p>What the points tell of it is uncertain, in white rooms 10,000 times as uncertain. But it is known in another way
  * too: what the solution has received is counted, and all that it shines with arrives, but for what escapes; in a room
  * that is proven closed nothing does. So the mean of the points' errors is corrected by as much as the mean of what
- * they
- * have received is found to be off from what is counted.
+ * they have received is found to be off from what is counted.
  */
 final class AuditBias {
 

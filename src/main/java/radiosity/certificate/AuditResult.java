@@ -49,9 +49,8 @@ final class AuditResult {
 
     /**
      * U rho c / (1 - rho c): unshot flux reflected for ever, at most c of it arriving each time; c is the largest sum
-     * of
-     * form factors at a point, and no less than 1, as the points may have missed where it is largest, nor than the part
-     * of the flux shot so far that has arrived, as factors are not quite reciprocal.
+     * of form factors at a point, and no less than 1, as the points may have missed where it is largest, nor than the
+     * part of the flux shot so far that has arrived, as factors are not quite reciprocal.
      */
     private Double missing(double unshotFlux, double mostFactors) {
         double rho = 0;
@@ -113,10 +112,8 @@ final class AuditResult {
 
     /**
      * What corners err by reaches a point by as much as interpolation leaves of it; the rest is interpolation's own.
-     * What
-     * the rays of this audit leave is in none of it. What interreflection makes of the mean error is taken to be no
-     * less
-     * than its standard error.
+     * What the rays of this audit leave is in none of it. What interreflection makes of the mean error is taken to be
+     * no less than its standard error.
      */
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
         double noise = mean(some, p -> square(p.noise(colour) / unit(p.radiosity(colour), mean)));

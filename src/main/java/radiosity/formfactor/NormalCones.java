@@ -2,8 +2,7 @@ package radiosity.formfactor;
 
 /**
  * Cones that hold all normals below each node of a {@link ShooterHierarchy}: by them is known what faces away (L.
- * Shirman,
- * S. Abi-Ezzi, The cone of normals technique for fast processing of curved patches, 1993).
+ * Shirman, S. Abi-Ezzi, The cone of normals technique for fast processing of curved patches, 1993).
  */
 final class NormalCones {
 

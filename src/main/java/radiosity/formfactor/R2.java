@@ -2,8 +2,7 @@ package radiosity.formfactor;
 
 /**
  * Sample points of the R2 sequence (M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018), in
- * whole
- * numbers of 32 bits, and lots for choosing among them.
+ * whole numbers of 32 bits, and lots for choosing among them.
  */
 final class R2 {
 

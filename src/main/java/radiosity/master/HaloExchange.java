@@ -25,8 +25,8 @@ import radiosity.setup.InitialMesh;
 
 /**
  * Who of several hosts gathers at a point that all of them have, and how the others get to know: what {@link
- * GhostVertices}
- * are for the master. It saves time, and nothing depends on it: a host that is given nothing gathers itself.
+ * GhostVertices} are for the master. It saves time, and nothing depends on it: a host that is given nothing gathers
+ * itself.
  */
 final class HaloExchange {
 
@@ -190,8 +190,7 @@ final class HaloExchange {
 
     /**
      * Gives to each host with its next order what others have gathered for it, as far as they have told in the last
-     * step;
-     * nothing where somebody has not.
+     * step; nothing where somebody has not.
      */
     void deliver() {
         boolean all = isAgreed && said.keySet().containsAll(sources.keySet())

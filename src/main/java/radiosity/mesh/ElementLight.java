@@ -118,8 +118,8 @@ public final class ElementLight {
     /**
      * By what part of themselves the differences of H between the corners of an element count where H and its bulge are
      * reflected, in [0, 1]: less than 1 where a corner would reflect less than nothing otherwise. The mean stays the
-     * same
-     * (X. Zhang, C.-W. Shu, On maximum-principle-satisfying high order schemes for scalar conservation laws, 2010).
+     * same (X. Zhang, C.-W. Shu, On maximum-principle-satisfying high order schemes for scalar conservation laws,
+     * 2010).
      */
     private double slope(int node, int channel, double bulge) {
         double least = least(node, channel);
@@ -172,8 +172,7 @@ public final class ElementLight {
 
     /**
      * Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. Of the mean
-     * over
-     * the corners: what is shot at each of them is said below.
+     * over the corners: what is shot at each of them is said below.
      *
      * @param bulge of the element in this channel
      */

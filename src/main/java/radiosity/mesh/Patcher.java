@@ -110,9 +110,8 @@ public final class Patcher {
 
     /**
      * By how many powers of two the light at a face's vertex may be less exact than elsewhere. A given error of the
-     * whole
-     * costs least where more work would gain the same everywhere: work at a point goes with about 1 / error, what it is
-     * good for with the area that the point stands for.
+     * whole costs least where more work would gain the same everywhere: work at a point goes with about 1 / error, what
+     * it is good for with the area that the point stands for.
      */
     public int slack(int face) {
         if (!isPoint(face)) {

@@ -4,9 +4,8 @@ import radiosity.mesh.room.ClosedRooms;
 
 /**
  * What a W/m² counts for where it is decided how closely to look: one over the mean of its channel, so that all
- * channels
- * are as exact. Closed rooms send each other nothing, so where there are several each has its own: a dim one beside one
- * that is brighter by far is as exact as it is alone.
+ * channels are as exact. Closed rooms send each other nothing, so where there are several each has its own: a dim one
+ * beside one that is brighter by far is as exact as it is alone.
  *
  * @param rooms    which faces stand in which room
  * @param channels of the light

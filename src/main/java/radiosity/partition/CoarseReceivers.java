@@ -18,8 +18,7 @@ import radiosity.util.ParallelFor;
 
 /**
  * Makes rows of a {@link CoarseSystem}, a part at a time: vertices are dealt to blocks, and those made that fall to
- * some
- * of them.
+ * some of them.
  */
 final class CoarseReceivers {
 

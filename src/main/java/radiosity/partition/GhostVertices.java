@@ -214,13 +214,11 @@ public final class GhostVertices {
 
     /**
      * From the next step on others gather at some points that this host gives, and this host will at some that it
-     * takes,
-     * as soon as it is told what has arrived there up to now.
+     * takes, as soon as it is told what has arrived there up to now.
      *
      * @param places number of the agreement, then of each kind how many, and their places among those
      * @return for others: what has arrived up to now at what is handed out, as {@link #give}; nothing where it was not
-     *         of
-     *         this agreement
+     *         of this agreement
      */
     public byte[] handOver(DataInputStream places) throws IOException {
         if (places.readInt() != agreement) {

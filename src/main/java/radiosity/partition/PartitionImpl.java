@@ -190,8 +190,7 @@ public final class PartitionImpl implements Partition {
 
     /**
      * Where is gathered, here or by others: in a round that gathers only, at the points that the round before has made
-     * or
-     * where it has discarded what they had.
+     * or where it has discarded what they had.
      */
     private int[] points(Order order) {
         return order.kind() != Order.Kind.GATHER ? IntStream.range(0, nodes.vertices()).toArray()

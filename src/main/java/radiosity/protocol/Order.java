@@ -22,8 +22,7 @@ import radiosity.worker.ShotHistory;
  * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
  * @param begun     whether a part of the round is done: the ambient light has been received
  * @param most      how many candidates for the next round to name; -1: nobody reads the answer; {@link #GIVE}: only
- *                  what
- *                  other hosts need
+ *                  what other hosts need
  * @param least     unshot flux that a candidate has at least, W
  */
 public record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,

@@ -9,8 +9,7 @@ import radiosity.mesh.PatchTree;
 /**
  * A {@link PatchTree} as bytes: face, path, number of nodes, a bit for each that is divided, then the radiosities of
  * its elements, in the shortest {@link ShortestNumbers} that lose nothing, or not at all. Most of what goes between
- * hosts is
- * this.
+ * hosts is this.
  *
  * <p>What the four parts of a triangle have in common, the middles of its edges, is written once where it is the same.
  */

@@ -107,8 +107,8 @@ public final class RmiSockets extends RMISocketFactory {
 
     /**
      * Accepts connections without their origin. The JDK's registry lets callers from an address of this machine bind
-     * and
-     * unbind names; callers of unknown origin may only look names up. With a key no caller without it gets that far.
+     * and unbind names; callers of unknown origin may only look names up. With a key no caller without it gets that
+     * far.
      */
     private static final class OriginHidingServerSocket extends ServerSocket {
 

@@ -25,8 +25,8 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
      * Checks itself.
      *
      * @throws IllegalArgumentException where a power is negative or no number, a vector is not finite, a direction that
-     *         is
-     *                                  used is zero, a range that is used is not above 0, or an angle is not in [0, pi]
+     *                                  is used is zero, a range that is used is not above 0, or an angle is not in [0,
+     *                                  pi]
      */
     public Light {
         check(name, power.isFinite() && Math.min(power.r(), Math.min(power.g(), power.b())) >= 0,

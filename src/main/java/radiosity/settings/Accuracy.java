@@ -3,8 +3,7 @@ package radiosity.settings;
 /**
  * How exactly to calculate, as one number: the error that is expected of the radiosity, area-weighted root mean square
  * over the mean. What follows from it was measured on other scenes ({@code scripts/accuracy --accuracy}); each
- * solution's
- * certificate says what was reached.
+ * solution's certificate says what was reached.
  */
 public final class Accuracy {
 

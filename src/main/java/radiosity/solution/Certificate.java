@@ -8,8 +8,8 @@ import radiosity.util.NoNumberException;
  *
  * <p>The bound is one, on what the discrete system still lacks. The errors are estimates: at some points of every
  * surface the light that arrives from the solution is found anew with many more rays, and compared with what the
- * solution has there. Light that is still unshot is found, too,
- * so early in a render it is most of them. {@code docs/CERTIFICATE.md} tells how well they foresee the true error.
+ * solution has there. Light that is still unshot is found, too, so early in a render it is most of them. {@code
+ * docs/CERTIFICATE.md} tells how well they foresee the true error.
  *
  * @param points      at how many points it was looked
  * @param missingFlux most flux that could still arrive as unshot flux is shot, all channels, W; null: without a bound
@@ -30,8 +30,8 @@ public record Certificate(int points, Double missingFlux, double factors, double
 
     /**
      * So many times the mean radiosity is bright: where there is more, errors are relative to this part of what is
-     * there.
-     * A lampshade is hundreds of times as bright as its room, and a hundredth of that is no error of several means.
+     * there. A lampshade is hundreds of times as bright as its room, and a hundredth of that is no error of several
+     * means.
      */
     public static final double BRIGHT = 3;
 

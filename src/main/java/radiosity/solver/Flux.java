@@ -78,8 +78,7 @@ final class Flux {
 
     /**
      * What was shot and not received, or received twice: where all must be, as even light it is given back, so that
-     * flux
-     * is conserved. W/m², one per channel.
+     * flux is conserved. W/m², one per channel.
      */
     double[] missing(Answer answer) {
         double area = IntStream.range(0, faces.count()).filter(f -> !mesh.rooms.isHidden(f)).mapToDouble(faces::area)

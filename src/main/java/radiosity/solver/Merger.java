@@ -101,8 +101,7 @@ final class Merger {
 
     /**
      * A buried vertex takes the mean of those that it shares elements with, so that no dark seam shows; then those
-     * deeper
-     * inside from these, as one of them may stand on the edge of a larger element that is seen.
+     * deeper inside from these, as one of them may stand on the edge of a larger element that is seen.
      */
     private void fillBuried() {
         boolean[] known = new boolean[index.size()];

@@ -26,8 +26,7 @@ import radiosity.solution.Solution;
  * <p>Who shoots is the schedule's choice, see {@link Schedule}.
  *
  * <p>Whatever is asked for meanwhile ({@link #progress}, {@link #ledger}, {@link #state}, {@link #solution}) only
- * reads:
- * the calculation goes on to the same bits whenever and however often a listener asks.
+ * reads: the calculation goes on to the same bits whenever and however often a listener asks.
  */
 public final class ProgressiveRadiosity {
 

@@ -6,8 +6,7 @@ import java.util.stream.IntStream;
  * Moves the largest boxes of a tree to where those around them grow least.
  *
  * <p>Parting from above finds no good place for large triangles among small ones, such as the walls around a mesh.
- * Boxes
- * near the root cost every ray, and there are few of them, so this takes next to no time. Sources: J. Bittner, M.
+ * Boxes near the root cost every ray, and there are few of them, so this takes next to no time. Sources: J. Bittner, M.
  * Hapala, V. Havran, Fast insertion-based optimization of bounding volume hierarchies, 2013; the search: D. Meister, J.
  * Bittner, Parallel reinsertion for bounding volume hierarchy optimization, 2018.
  */

@@ -130,10 +130,8 @@ class CertificateTest {
 
     /**
      * In a closed room of one reflectance H is Phi / (S (1 - rho)) on average, Phi being what a lamp in it emits: what
-     * is
-     * received too much or too little stays for 10,000 reflections, and is counted. What is found at some points errs
-     * by
-     * tenths of a percent, of which those would make thousands of percents.
+     * is received too much or too little stays for 10,000 reflections, and is counted. What is found at some points
+     * errs by tenths of a percent, of which those would make thousands of percents.
      */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})

@@ -16,10 +16,9 @@ import radiosity.testkit.RoomScenes;
  * The cases of CIE 171:2006 that a radiosity program can do, with exact references.
  *
  * <p>Only one surface sends light and all that receive are black, so E = M C, with the contour sum C of {@link
- * Lambert}.
- * Points A to F stand on the wall y = 0 and G to N on floor or ceiling, all at x = 2. In 5.7 the box hides what is
- * below the line over its nearer or farther upper edge; it is as wide as the reflector and nearer, so nothing is seen
- * past its ends.
+ * Lambert}. Points A to F stand on the wall y = 0 and G to N on floor or ceiling, all at x = 2. In 5.7 the box hides
+ * what is below the line over its nearer or farther upper edge; it is as wide as the reflector and nearer, so nothing
+ * is seen past its ends.
  */
 final class Cie {
 

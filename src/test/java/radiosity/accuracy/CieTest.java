@@ -20,8 +20,7 @@ import radiosity.testkit.Solve;
  * CIE 171:2006 with the exact references of {@link Cie}; errors in per cent of a case's largest value.
  *
  * <p>5.8: with Phi emitted in a closed room of uniform reflectance, mean E = Phi/S + rho mean E, so the indirect part
- * is
- * rho Phi / (S (1 - rho)): received flux / area, without what is received where nothing reflects.
+ * is rho Phi / (S (1 - rho)): received flux / area, without what is received where nothing reflects.
  */
 public class CieTest {
 

@@ -14,11 +14,9 @@ import radiosity.testkit.Solve;
 
 /**
  * How fast errors fall. Radiosity is linear on an element, so with a uniform mesh of h wide elements the error falls
- * with
- * h^2 where radiosity is smooth; along the edges of a room it is continuous but its slope is not bounded, and what is
- * gained
- * there is less. Asked for is h^1 at least: half the error for four times the elements. Convex room: no visibility to
- * sample, and the paper's schedule, in which no other parameter follows the light.
+ * with h^2 where radiosity is smooth; along the edges of a room it is continuous but its slope is not bounded, and what
+ * is gained there is less. Asked for is h^1 at least: half the error for four times the elements. Convex room: no
+ * visibility to sample, and the paper's schedule, in which no other parameter follows the light.
  */
 class ConvergenceTest {
 

@@ -23,8 +23,7 @@ import radiosity.testkit.Spread;
 /**
  * Closed enclosures whose solution others computed ({@code truth/enclosures.json}). A furnace has one radiosity
  * everywhere; the continuous solution of a box is compared at its points. The mean B of a scene is what errors are
- * quoted
- * in.
+ * quoted in.
  */
 @NeedsReference("truth/enclosures.json")
 public class EnclosuresTest {

@@ -19,8 +19,7 @@ import radiosity.testkit.Solve;
 /**
  * Where the light went. Every element keeps received = absorbed + reflected, and reflected + emitted = shot + unshot;
  * summed, with deficit = shot - received, emitted = absorbed + unshot + deficit, whatever the form factors are worth.
- * In
- * a closed room whose surfaces are all visible the deficit is their fault alone.
+ * In a closed room whose surfaces are all visible the deficit is their fault alone.
  */
 class EnergyLedgerTest {
 

@@ -17,8 +17,8 @@ import radiosity.testkit.SharedData;
 
 /**
  * A box whose faces are not subdivided (equation 2 of the paper): B_i = E_i + rho_i sum over j of F_ij B_j, with the
- * form
- * factors of the program's calculator, against the six unknowns that others computed ({@code truth/enclosures.json}).
+ * form factors of the program's calculator, against the six unknowns that others computed ({@code
+ * truth/enclosures.json}).
  *
  * <p>From a convex box's face all of another is visible and the factor is smooth but for the common edge, so it is
  * integrated by {@link Quadrature}.

@@ -23,16 +23,12 @@ import radiosity.testkit.SharedData;
  * truth/formfactors.json}), and what {@link RayCaster} finds with the number of rays that it has by default.
  *
  * <p>From a point the contour factor is compared as it is. From an area, F12 = 1/A1 times the integral over polygon 1
- * of
- * the factor from its points to polygon 2; points behind polygon 2 receive nothing and are left out, for they would put
- * a
- * kink into the integrand.
+ * of the factor from its points to polygon 2; points behind polygon 2 receive nothing and are left out, for they would
+ * put a kink into the integrand.
  *
  * <p>The ray caster is asked at {@value #POINTS} points of every triangle of polygon 1, spread evenly, as what is
- * hidden
- * has kinks anywhere. With so many points the noise of its rays is below 1 % in the mean: where half of what is behind
- * is
- * hidden, a ray's standard deviation is 1/2, and 1 / (2 sqrt({@value #POINTS})) = .5 %.
+ * hidden has kinks anywhere. With so many points the noise of its rays is below 1 % in the mean: where half of what is
+ * behind is hidden, a ray's standard deviation is 1/2, and 1 / (2 sqrt({@value #POINTS})) = .5 %.
  */
 @NeedsReference("truth/formfactors.json")
 public class FormFactorsTest {

@@ -22,8 +22,8 @@ import radiosity.testkit.Solve;
  *
  * <p>Point: E = I cos / d^2 = I h / d^3. CIE 171:2006, 5.2, has I = 1000 cd at h = 3 m, but a source that is Lambertian
  * itself: E = I h^2 / d^4. LightWave's is the same in all directions, so its E is that times d / h. Distant: E = cos.
- * Area: CIE
- * 171:2006, 5.3, a Lambertian square of 1 x 1 with M = 1000 pi at h = 3 m; values by the contour sum, as in CieCase.
+ * Area: CIE 171:2006, 5.3, a Lambertian square of 1 x 1 with M = 1000 pi at h = 3 m; values by the contour sum, as in
+ * CieCase.
  */
 class LightsTest {
 

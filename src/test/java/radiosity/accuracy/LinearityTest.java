@@ -14,10 +14,8 @@ import radiosity.testkit.Solve;
 
 /**
  * The rendering equation is linear in emission: B(a E1 + b E2) = a B(E1) + b B(E2), and every channel is a calculation
- * of
- * its own. With the paper's schedule the discrete system is linear too, as its form factors do not depend on what is
- * shot;
- * only what is left unshot differs from run to run, 1e-7 here. With prediction, mesh and rays follow the light.
+ * of its own. With the paper's schedule the discrete system is linear too, as its form factors do not depend on what is
+ * shot; only what is left unshot differs from run to run, 1e-7 here. With prediction, mesh and rays follow the light.
  */
 class LinearityTest {
 

@@ -26,8 +26,7 @@ import radiosity.testkit.TruthFile;
 
 /**
  * Nine scenes whose radiosities at about 2,000 points each are known from path tracing, to 0.25 %. Errors are
- * area-weighted
- * and relative to the mean of what does not emit ({@link Score}).
+ * area-weighted and relative to the mean of what does not emit ({@link Score}).
  */
 class TruthTest {
 

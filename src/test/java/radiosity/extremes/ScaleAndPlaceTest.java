@@ -23,8 +23,7 @@ import radiosity.testkit.Spread;
 /**
  * Radiosity does not depend on the unit of length, on where the origin is, or on how the room is turned. A scene is
  * brought to size 1 around the origin in double, so only rounding of its coordinates is left: 1e-10 of its size where
- * it
- * is moved by a million times that.
+ * it is moved by a million times that.
  */
 public class ScaleAndPlaceTest {
 

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Writes the shipped scenes: {@code mvn -q test-compile}, then
- * {@code java -cp target/test-classes radiosity.scenes.MakeScenes scenes}.
+ * Writes the shipped scenes: {@code mvn -q test-compile}, then {@code java -cp target/test-classes
+ * radiosity.scenes.MakeScenes scenes}.
  */
 public final class MakeScenes {
 

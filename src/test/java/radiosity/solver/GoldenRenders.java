@@ -27,8 +27,7 @@ import radiosity.solution.Solution;
 /**
  * Renders that must give the same light to the last bit wherever and however the program runs, from files to a scene
  * file; small enough for an interpreter. As a program it makes them in a Java virtual machine of its own and prints
- * their
- * hashes.
+ * their hashes.
  */
 final class GoldenRenders {
 

@@ -9,8 +9,7 @@ import java.util.List;
  * Points of a scene and their radiosities as path tracing found them ({@code truth/NAME.csv}).
  *
  * @param rows per point: number, surface, x, y, z, nx, ny, nz, area it stands for (m²), tag, radiosity in red, green
- *             and
- *             blue (W/m²), their standard errors
+ *             and blue (W/m²), their standard errors
  */
 public record TruthFile(double[][] rows) {
 

@@ -10,8 +10,7 @@ import java.util.List;
  * <p>Absorbed flux is the integral of (1 - reflectance) times irradiance, which is linear over every triangle. Escaped
  * flux is what leaves a surface and then meets nothing or the back of something: found by rays of this class, from
  * points distributed like radiosity and with directions distributed like the cosine. Both together are what was
- * emitted,
- * less what is unshot.
+ * emitted, less what is unshot.
  */
 final class Energy {
 
@@ -169,8 +168,7 @@ final class Energy {
 
     /**
      * The largest share of a channel's emitted flux that was certainly absorbed or escaped: less three deviations of
-     * what
-     * escaped, and less what is unshot, as light that is foreseen is shot before it is there.
+     * what escaped, and less what is unshot, as light that is foreseen is shot before it is there.
      */
     double found() {
         double most = 0;

@@ -122,9 +122,8 @@ public final class FileChecks {
 
     /**
      * An output is written beside its place and then renamed, so its directory must take a new file, and the file
-     * system
-     * its name: that may be too long, or have characters that are not allowed. The name is tried in a directory apart,
-     * where another program cannot have put a file of that name meanwhile.
+     * system its name: that may be too long, or have characters that are not allowed. The name is tried in a directory
+     * apart, where another program cannot have put a file of that name meanwhile.
      */
     private static void tryPlace(Path file) {
         try {

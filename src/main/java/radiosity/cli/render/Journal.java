@@ -130,8 +130,7 @@ public final class Journal {
 
     /**
      * Writes the state. That it cannot be written, for want of disk or memory, gives one warning in the whole render
-     * and is
-     * no reason to stop.
+     * and is no reason to stop.
      *
      * @throws IOException where a partition cannot be reached
      */

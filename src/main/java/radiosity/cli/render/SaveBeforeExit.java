@@ -10,8 +10,7 @@ import radiosity.cli.terminal.StopRequest;
 
 /**
  * Holds up the end of the program on Ctrl-C or SIGTERM until the current round is done and saved, but not for long:
- * what
- * takes longer to save is left to the journal.
+ * what takes longer to save is left to the journal.
  *
  * <p>A shutdown hook, so the program's exit code stays what the signal makes it: 130 or 143.
  */

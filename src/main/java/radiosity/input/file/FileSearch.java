@@ -20,9 +20,8 @@ import java.util.regex.Pattern;
  *
  * <p>In this order: the directories given by the beginning of the path; relative to the scene; relative to each content
  * root; the file below the roots whose path ends as the written one does for the longest, without case, then the
- * nearest
- * to the scene; all of this again with ".lwo" added or removed; a name shortened to 8.3. Never a file outside of the
- * roots, links followed.
+ * nearest to the scene; all of this again with ".lwo" added or removed; a name shortened to 8.3. Never a file outside
+ * of the roots, links followed.
  */
 public final class FileSearch {
 

@@ -2,8 +2,7 @@ package radiosity.input.file;
 
 /**
  * What the cutting of polygons may cost in a whole scene, in steps of some nanoseconds: a sum that grows with what
- * there
- * is to cut, and one reserve for polygons that cost far more than their corners should.
+ * there is to cut, and one reserve for polygons that cost far more than their corners should.
  */
 public final class WorkBudget {
 

@@ -18,8 +18,7 @@ import radiosity.scene.Rgb;
  * Finds the images of an object's surfaces and says what they vary.
  *
  * <p>A triangle has one set of texture coordinates. The first image whose file is found sets them for its surface;
- * others
- * count if they lie on the points in the same way.
+ * others count if they lie on the points in the same way.
  */
 final class SurfaceImages {
 

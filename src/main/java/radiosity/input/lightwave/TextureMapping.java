@@ -9,8 +9,7 @@ import radiosity.input.lightwave.lws.Matrix;
  * How one image lies on the triangles of a layer: gives texture coordinates to their corners.
  *
  * <p>Planar and cubic projections are exact within a triangle. Round a cylinder or a sphere the coordinates are exact
- * at
- * the corners and linear between them; a triangle over the seam is kept together, so u may leave [0, 1].
+ * at the corners and linear between them; a triangle over the seam is kept together, so u may leave [0, 1].
  *
  * <p>Source of the formulas: the examples of image projections in the LightWave software development kit (NewTek).
  */

@@ -8,10 +8,8 @@ import radiosity.input.file.WorkBudget;
  *
  * <p>An ear is a convex corner whose triangle holds no other corner. Only corners that are not convex can lie in it;
  * they stand in a grid. Taking off an ear can make ears of its two neighbours only, so each corner is tested a few
- * times
- * and a polygon of n corners mostly costs n log n. Holes are joined to the outline by edges walked both ways: corners
- * at
- * the place of one of the ear's own do not count.
+ * times and a polygon of n corners mostly costs n log n. Holes are joined to the outline by edges walked both ways:
+ * corners at the place of one of the ear's own do not count.
  *
  * <p>Source of the method: G. Meisters, Polygons have ears (1975); J. O'Rourke, Computational geometry in C (1998),
  * 1.4.

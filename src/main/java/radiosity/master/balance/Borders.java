@@ -16,8 +16,7 @@ import radiosity.setup.InitialMesh;
 /**
  * How large the blocks of the initial mesh are, and which lie side by side: a receiving point on a border gathers once
  * where one host has both sides, and on each of two hosts where it has not and elements are divided between rounds;
- * else
- * one of them gathers, see {@link GhostVertices}.
+ * else one of them gathers, see {@link GhostVertices}.
  */
 public final class Borders {
 

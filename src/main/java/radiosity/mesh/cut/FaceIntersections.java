@@ -59,8 +59,7 @@ final class FaceIntersections {
 
     /**
      * Prepares for the faces of a part. Where these are many and their plane is oblique, boxes along the plane tell
-     * what
-     * lies in it from what stands on it; boxes along the axes of the scene do not.
+     * what lies in it from what stands on it; boxes along the axes of the scene do not.
      */
     void begin(List<Integer> part) {
         boxes = upright;

@@ -12,10 +12,8 @@ import radiosity.util.BoxTree;
  *
  * <p>A shell is what is connected by edges; it is whole where every edge is run through as often in one direction as in
  * the other, so that as a chain it has no boundary; corners of others may stand on an edge. A whole shell seen from
- * inside is the wall of a room; the room is
- * closed if whatever else reaches into its box is whole or stands on a wall, is seen from outside, and with each face
- * either in it or out of it.
- * A hairline opening leaves a boundary.
+ * inside is the wall of a room; the room is closed if whatever else reaches into its box is whole or stands on a wall,
+ * is seen from outside, and with each face either in it or out of it. A hairline opening leaves a boundary.
  */
 public final class ClosedRooms {
 

@@ -23,8 +23,8 @@ import java.util.regex.Pattern;
  * A file with a unique name that one process has made for itself and holds locked until it closes it.
  *
  * <p>The lock ends with the process, however that ends. So other processes can tell a file in use from one that a
- * killed
- * process left behind, and delete the latter. Where the file system has no locks, files of others are left alone.
+ * killed process left behind, and delete the latter. Where the file system has no locks, files of others are left
+ * alone.
  */
 public final class LockedFile implements Closeable {
 
@@ -37,8 +37,7 @@ public final class LockedFile implements Closeable {
 
     /**
      * Files of this process. It never opens one of them a second time: under POSIX, closing any descriptor of a file
-     * ends
-     * all locks that the process has on it.
+     * ends all locks that the process has on it.
      */
     private static final Set<Path> OWN = ConcurrentHashMap.newKeySet();
 

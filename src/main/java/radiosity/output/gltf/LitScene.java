@@ -86,9 +86,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     }
 
     /**
-     * A scene before any light is calculated: surfaces in the colour of their reflectance (the mean
-     * of their images on each triangle), lamps white. So that edges
-     * can be seen, what faces up and to the right is shown brighter. Meant for an exposure of 1, without a curve.
+     * A scene before any light is calculated: surfaces in the colour of their reflectance (the mean of their images on
+     * each triangle), lamps white. So that edges can be seen, what faces up and to the right is shown brighter. Meant
+     * for an exposure of 1, without a curve.
      */
     public static LitScene unlit(Scene scene) {
         List<Surface> surfaces = scene.surfaces().stream().map(LitScene::unlit).toList();

@@ -20,12 +20,10 @@ import javax.imageio.ImageIO;
 
 /**
  * Scenes whose renders are compared between machines, as files: {@code images.lws}, a room in colours with images on
- * its
- * walls; {@code lamps.lws}, the same room with two lamps and a spot light.
+ * its walls; {@code lamps.lws}, the same room with two lamps and a spot light.
  *
  * <p>All objects are turned by angles that are no multiples of a quarter turn, images lie round a sphere and a
- * cylinder:
- * whatever computes a sine, an arc tangent or a power takes part in the result.
+ * cylinder: whatever computes a sine, an arc tangent or a power takes part in the result.
  */
 public final class GoldenScenes {
 

@@ -9,8 +9,7 @@ import radiosity.input.file.Utf8;
  * The lines of a scene file one after the other, without blanks around them and without empty ones.
  *
  * <p>Lines end with LF, CR or both. A file that is sound UTF-8 is read as such, any other as Latin-1. Control
- * characters
- * at the ends of lines (Ctrl-Z, zero bytes) count as blanks.
+ * characters at the ends of lines (Ctrl-Z, zero bytes) count as blanks.
  */
 final class SceneLines {
 
