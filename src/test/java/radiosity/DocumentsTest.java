@@ -13,7 +13,10 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -34,6 +37,10 @@ class DocumentsTest {
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)(#[^)]*)?\\)");
     private static final Pattern EXAMPLE = Pattern.compile("```java\\R(.*?)```", Pattern.DOTALL);
     private static final Pattern WRITTEN = Pattern.compile("\"([\\w-]+\\.(?:scene|png))\"");
+    private static final Pattern SOURCE = Pattern.compile("\\[(\\w+)\\]\\([^)]*src/main/java/([\\w/]+)\\.java\\)");
+    private static final Pattern CODE = Pattern.compile("`(\\w+)`( in (?=\\[))?");
+    private static final Pattern CLASS_NAME = Pattern.compile("([A-Z][a-z0-9]+){2,}");
+    private static final Pattern METHOD_NAME = Pattern.compile("[a-z0-9]+([A-Z][a-z0-9]*)+");
     private static final Pattern SCRIPT = Pattern.compile("scripts/[A-Za-z-]+(\\.\\w+)?");
 
     @TempDir
@@ -65,6 +72,75 @@ class DocumentsTest {
             }
         }
         assertEquals(List.of(), missing);
+    }
+
+    /** Among words in quotes of code, {@code `m` in [C]} and {@code `camelCase`} are methods of the classes linked. */
+    @Test
+    void everyClassAndMethodOfThePaperTable_exists() throws Exception {
+        List<String> missing = new ArrayList<>();
+        Set<String> classes = compiledNames();
+        int line = 0;
+        for (String text : Files.readAllLines(Path.of("docs/PAPER.md"))) {
+            line++;
+            for (String name : missingNames(text, classes)) {
+                missing.add("docs/PAPER.md:" + line + ": " + name);
+            }
+        }
+        assertEquals(List.of(), missing);
+    }
+
+    @Test
+    void namesThatDoNotExist_areFound() throws Exception {
+        String link = "[%s](../src/main/java/radiosity/cli/RadiosityRenderer.java), `OtherReadersTest`, `-it`, `int`";
+        Set<String> classes = compiledNames();
+        String real = link.formatted("RadiosityRenderer");
+        assertEquals(List.of(), missingNames("`main` in " + real, classes));
+        assertEquals(List.of("mainly"), missingNames("`mainly` in " + real, classes));
+        assertEquals(List.of("mainOf", "NoSuchClass"), missingNames(real + "; `mainOf`, `NoSuchClass`", classes));
+        assertEquals(List.of("Renderer"), missingNames(link.formatted("Renderer"), classes));
+        assertEquals(List.of("radiosity.cli.NoSuchClass"),
+                missingNames("[NoSuchClass](../src/main/java/radiosity/cli/NoSuchClass.java)", classes));
+    }
+
+    /** Classes, linked or in quotes of code, and methods that a line of a document names and the program lacks. */
+    private static List<String> missingNames(String text, Set<String> classes) {
+        List<String> missing = new ArrayList<>();
+        Set<String> methods = new HashSet<>();
+        for (MatchResult source : SOURCE.matcher(text).results().toList()) {
+            String name = source.group(2).replace('/', '.');
+            try {
+                Class<?> linked = Class.forName(name, false, DocumentsTest.class.getClassLoader());
+                Stream.of(linked.getMethods(), linked.getDeclaredMethods()).flatMap(Stream::of)
+                        .forEach(method -> methods.add(method.getName()));
+                if (!linked.getSimpleName().equals(source.group(1))) {
+                    missing.add(source.group(1));
+                }
+            } catch (ClassNotFoundException e) {
+                missing.add(name);
+            }
+        }
+        for (MatchResult code : CODE.matcher(text).results().toList()) {
+            String word = code.group(1);
+            boolean isMethod = code.group(2) != null || METHOD_NAME.matcher(word).matches();
+            if (isMethod ? !methods.contains(word)
+                    : CLASS_NAME.matcher(word).matches() && !classes.contains(word)) {
+                missing.add(word);
+            }
+        }
+        return missing;
+    }
+
+    /** Simple names of all classes of the program and of its tests. */
+    private static Set<String> compiledNames() throws Exception {
+        Set<String> names = new HashSet<>();
+        for (Class<?> one : List.of(Radiosity.class, DocumentsTest.class)) {
+            Path root = Path.of(one.getProtectionDomain().getCodeSource().getLocation().toURI());
+            try (Stream<Path> files = Files.walk(root)) {
+                files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".class"))
+                        .forEach(name -> names.add(name.replaceAll(".*\\$|\\.class$", "")));
+            }
+        }
+        return names;
     }
 
     /** The first block of docs/API.md holds the imports of all examples. */

@@ -33,11 +33,20 @@ class LimitsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"-pa 20000 -nr 1 -it 3", "-pa 1e30 -it 3", "-pa 20000 -mt 0 -it 2",
-        "-pa 20000 -se 1", "-pa 20000 -it 0", "--accuracy 50%", "--time 1ms"})
+        "-pa 20000 -se 1", "-pa 20000 -it 0", "--accuracy 50%"})
     void limit_givesAScene(String options) {
         ProgramRun run = render(options);
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertEquals("", run.err());
+        assertTrue(run.out().contains("elements"), run.out());
+    }
+
+    @Test
+    void shortestTimeLimit_givesASceneAndALineThatItIsTooShort() {
+        ProgramRun run = render("--time 1ms");
+        assertEquals(ExitCode.DONE, run.exitCode(), run.err());
+        assertEquals("--time 1ms: too short for this scene; going on until half of its light is distributed",
+                run.err().strip());
         assertTrue(run.out().contains("elements"), run.out());
     }
 

@@ -31,6 +31,10 @@ class WindowsTwinsTest {
     /** Wine's own files, made once: they have links to what must not be deleted with a temporary directory. */
     private static final Path WINE = Path.of("target", "wine").toAbsolutePath();
 
+    /** What every program gives to the JVM, in any order and between any others. */
+    private static final List<String> FLAGS = List.of("--enable-native-access=ALL-UNNAMED", "-XX:+UseParallelGC",
+            "-XX:MaxRAMPercentage=75");
+
     @TempDir
     static Path directory;
 
@@ -95,9 +99,11 @@ class WindowsTwinsTest {
     void argumentsAndExitCode_passThrough(String name) throws Exception {
         List<String> lines = run(script(name) + " -pa 50 \"a b.lws\" --map=P:\\x \"c d.scene\"");
         assertEquals(2, lines.size(), lines::toString);
-        assertTrue(lines.get(0).startsWith("java -XX:+UseParallelGC -XX:MaxRAMPercentage=75 "), lines::toString);
-        assertTrue(lines.get(0).endsWith(" -cp \"" + windows(host) + "\\radiosity.jar\" radiosity.cli." + name
+        String own = " -cp \"" + windows(host) + "\\radiosity.jar\" radiosity.cli." + name;
+        assertTrue(lines.get(0).startsWith("java ") && lines.get(0).endsWith(own
                 + " -pa 50 \"a b.lws\" --map=P:\\x \"c d.scene\""), lines::toString);
+        String flags = lines.get(0).substring(0, lines.get(0).indexOf(own));
+        assertTrue(List.of(flags.split(" +")).containsAll(FLAGS), lines::toString);
         assertEquals("exit 3", lines.get(1));
     }
 
