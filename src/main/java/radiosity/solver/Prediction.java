@@ -95,20 +95,23 @@ final class Prediction implements Planner {
         if (look) {
             return split(last);
         }
-        if (stage == Stage.SPLIT) {
-            refined = last.elements == elements || splits == MOST_SPLITS;
-            if (last.elements > elements) {
-                return gather(true);
-            }
+        boolean fine = stage == Stage.SPLIT ? last.elements == elements || splits == MOST_SPLITS : refined;
+        if (stage == Stage.SPLIT && last.elements > elements) {
+            refined = fine;
+            return gather(true);
         }
         if (stage == Stage.DISCARD) {
             return gather(false);
         }
-        if (stage == Stage.SHOOT && refined && last.negative > 0) {
+        if (stage == Stage.SHOOT && fine && last.negative > 0) {
             return discard(unsent);
         }
         boolean isLast = left == ENDED ? last.negative == 0 || discards == MOST_DISCARDS : stage == Stage.SHOOT;
-        return refined && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
+        Order order = fine && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
+        if (order != null && order.kind() == Order.Kind.SHOOT) {
+            refined = fine; // only now: whoever goes on later asks for rows first, and is then asked whether that is all
+        }
+        return order;
     }
 
     /**

@@ -11,6 +11,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
 import radiosity.solution.EnergyLedger;
@@ -32,6 +33,22 @@ class StopAnywhereTest {
             rest.run(progress -> true);
             ColouredRoom.assertSame(atOnce, rest.solution());
         }
+    }
+
+    /** The mesh is fine enough at once; whoever goes on has to ask for the coarse system's rows before the last shots. */
+    @Test
+    void stoppedWhereNothingIsSplitLater_goesOnToTheSameBits() throws IOException {
+        RadiositySettings coarse = new RadiositySettings(SCENE.area() / 120, 1, Double.POSITIVE_INFINITY,
+                Schedule.PREDICT, 1, 10);
+        StopRule stop = new StopRule(Integer.MAX_VALUE, 0.05);
+        Solution atOnce = SameBitsTest.solve(new LocalWorld(SCENE, coarse, 2), stop);
+        Solution first = SameBitsTest.solve(new LocalWorld(SCENE, coarse, 2), shots(3));
+        assertEquals(first.elements(), atOnce.elements());
+        ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(SCENE, coarse, 2), stop);
+        rest.resume(first.state());
+        rest.run(progress -> true);
+        assertEquals(atOnce.rounds(), rest.solution().rounds());
+        ColouredRoom.assertSame(atOnce, rest.solution());
     }
 
     private static Solution stopped(Schedule schedule, int asked) throws IOException {

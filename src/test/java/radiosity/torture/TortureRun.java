@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -378,8 +379,10 @@ final class TortureRun {
             checks.fail("--time: expected the options that give the same, got " + ended.printed().strip());
             return false;
         }
-        List<String> light = words(command.lightWithout(Set.of("--time")), List.of(options.group(1).split(" ")));
-        return reference(light);
+        List<String> printed = List.of(options.group(1).split(" "));
+        Set<String> replaced = new TreeSet<>(printed);
+        replaced.add("--time");
+        return reference(words(command.lightWithout(replaced), printed));
     }
 
     private void timedAndCut(List<String> accuracy, LightFile got) throws IOException, InterruptedException {
