@@ -13,7 +13,7 @@ if not errorlevel 1 goto run
 :build
 echo building %JAR% 1>&2
 set "MAVEN_OPTS=%MAVEN_OPTS% -Djansi.noreset=true"
-call mvn -q -B -Dstyle.color=never -Dmaven.test.skip=true -f "%PROJECT%\pom.xml" package 1>&2
+call mvn -q -B -Dstyle.color=never -Dmaven.test.skip=true -Dcompiler.failOnWarning=false -f "%PROJECT%\pom.xml" package 1>&2
 if errorlevel 1 exit /b 1
 :run
 set "JAVA=java"

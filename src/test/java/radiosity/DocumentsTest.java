@@ -170,11 +170,11 @@ class DocumentsTest {
     /** The host of the recipe for other machines, on a free port. */
     private static PartitionPort serve() throws IOException {
         InetAddress loopback = InetAddress.getLoopbackAddress();
+        int port;
         try (ServerSocket free = new ServerSocket(0, 1, loopback)) {
-            int port = free.getLocalPort();
-            free.close();
-            return PartitionPort.open(new PartitionPort.Options(port, 0, loopback, null, 1), line -> { });
+            port = free.getLocalPort();
         }
+        return PartitionPort.open(new PartitionPort.Options(port, 0, loopback, null, 1), line -> { });
     }
 
     private static List<String> examples(Path document) throws IOException {

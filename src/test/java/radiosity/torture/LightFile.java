@@ -102,7 +102,7 @@ final class LightFile {
 
     private void addMesh(String name, JsonNode primitive) {
         Map<String, float[]> attributes = new TreeMap<>();
-        primitive.get("attributes").fields().forEachRemaining(attribute -> {
+        primitive.get("attributes").properties().forEach(attribute -> {
             JsonNode accessor = json.get("accessors").get(attribute.getValue().asInt());
             if (accessor.get("componentType").asInt() == 5126) {
                 attributes.put(attribute.getKey(), floats(accessor));
