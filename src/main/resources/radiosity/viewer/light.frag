@@ -1,5 +1,5 @@
 #version 120
-// From radiosity to what the screen shows, as radiosity.output.ToneMapping does it.
+// From radiosity to what the screen shows, as radiosity.output.image.ToneMapping does it.
 uniform float exposure;
 uniform int curve;        // ToneMapping.Operator, by its number
 uniform int falseColour;  // 1: luminance in colours, see FalseColour

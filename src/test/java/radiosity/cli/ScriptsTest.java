@@ -224,6 +224,20 @@ class ScriptsTest {
         assertFalse(output.contains("directive"), output);
     }
 
+    /** A pattern left behind by a class that was moved would give it to the quick compiler for good. */
+    @Test
+    void whatIsCompiledSlowly_isThere() throws IOException {
+        Matcher pattern = Pattern.compile("\"(radiosity/[^\"]+)\\.\\*\"")
+                .matcher(Files.readString(Path.of("scripts", "compiler.json")));
+        int patterns = 0;
+        while (pattern.find()) {
+            patterns++;
+            Path source = Path.of("src", "main", "java", pattern.group(1).replaceAll("/\\*$", ""));
+            assertTrue(Files.isDirectory(source) || Files.isRegularFile(Path.of(source + ".java")), source.toString());
+        }
+        assertTrue(patterns >= 3, "rays, visibility and pictures");
+    }
+
     @Test
     void neitherJarNorMaven_isToldInOneLine() throws Exception {
         Files.delete(directory.resolve("bin/mvn"));
