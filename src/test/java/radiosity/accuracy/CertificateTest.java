@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,6 +27,7 @@ import radiosity.testkit.Solve;
 import radiosity.testkit.TruthFile;
 
 /** What a solution says about itself holds: its bound always, its estimates about as well as they say. */
+@Tag("slow")
 class CertificateTest {
 
     private static final Box ROOM = new Box(Vec3.ZERO, new Vec3(1, 1, 1));

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.accuracy.CieCase.Measured;
@@ -22,6 +23,7 @@ import radiosity.testkit.Solve;
  * <p>5.8: with Phi emitted in a closed room of uniform reflectance, mean E = Phi/S + rho mean E, so the indirect part
  * is rho Phi / (S (1 - rho)): received flux / area, without what is received where nothing reflects.
  */
+@Tag("slow")
 public class CieTest {
 
     private static final double FLUX = 10_000;

@@ -3,6 +3,7 @@ package radiosity.accuracy;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.output.points.Points;
 import radiosity.scene.Rgb;
@@ -18,6 +19,7 @@ import radiosity.testkit.Solve;
  * is gained there is less. Asked for is h^1 at least: half the error for four times the elements. Convex room: no
  * visibility to sample, and the paper's schedule, in which no other parameter follows the light.
  */
+@Tag("slow")
 class ConvergenceTest {
 
     @Test

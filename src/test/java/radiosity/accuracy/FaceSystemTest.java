@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.scene.Vec3;
@@ -23,6 +24,7 @@ import radiosity.testkit.SharedData;
  * <p>From a convex box's face all of another is visible and the factor is smooth but for the common edge, so it is
  * integrated by {@link Quadrature}.
  */
+@Tag("slow")
 @NeedsReference("truth/enclosures.json")
 public class FaceSystemTest {
 

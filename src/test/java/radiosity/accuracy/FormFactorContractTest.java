@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -26,6 +27,7 @@ import radiosity.testkit.SharedData;
  * paper's rays have no bound there: they are held to places half a polygon's size away or more, where of 2,000 random
  * rays four standard errors are 4 sqrt((max k / mean k - 1) / 2000) F, about F / 10.
  */
+@Tag("slow")
 class FormFactorContractTest {
 
     private static final int POINTS = 100;

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.formfactor.ContourFactor;
@@ -30,6 +31,7 @@ import radiosity.testkit.SharedData;
  * hidden has kinks anywhere. With so many points the noise of its rays is below 1 % in the mean: where half of what is
  * behind is hidden, a ray's standard deviation is 1/2, and 1 / (2 sqrt({@value #POINTS})) = .5 %.
  */
+@Tag("slow")
 @NeedsReference("truth/formfactors.json")
 public class FormFactorsTest {
 

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -28,6 +29,7 @@ import radiosity.testkit.TruthFile;
  * Nine scenes whose radiosities at about 2,000 points each are known from path tracing, to 0.25 %. Errors are
  * area-weighted and relative to the mean of what does not emit ({@link Score}).
  */
+@Tag("slow")
 class TruthTest {
 
     /** Radiosities at default settings at the points of a scene; each is calculated once. */

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,6 +21,7 @@ import radiosity.testkit.Program;
 import radiosity.testkit.ProgramRun;
 
 /** Options at their limits, by the command line: a result or one line. */
+@Tag("slow")
 class LimitsTest {
 
     @TempDir

@@ -19,6 +19,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -28,6 +29,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.testkit.Program;
 
 /** The start script in a project of its own, with a java and an mvn that only say how they were called. */
+@Tag("slow")
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has the .cmd twins instead")
 class ScriptsTest {
 

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -32,6 +33,7 @@ import radiosity.testkit.Program;
 import radiosity.testkit.ProgramRun;
 
 /** {@code --time}: the clock chooses the accuracy and never the bits. */
+@Tag("slow")
 class TimeLimitTest {
 
     private static final String FILES = " foobar.lws foobar.scene";

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.master.host.NoWorkerException;
@@ -21,6 +22,7 @@ import radiosity.testkit.ColouredRoom;
 import radiosity.worker.PartitionPort;
 
 /** One key file on both sides, or one clear line. */
+@Tag("slow")
 class KeyTest {
 
     @TempDir

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -32,6 +33,7 @@ import radiosity.testkit.ColouredRoom;
 import radiosity.worker.PartitionPort;
 
 /** Remote calls over the loopback interface: the same bits, and one line for whatever is wrong. */
+@Tag("slow")
 class LoopbackTest {
 
     private final List<String> notices = new CopyOnWriteArrayList<>();

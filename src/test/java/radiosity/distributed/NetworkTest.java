@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import radiosity.master.RemoteWorld;
@@ -22,6 +23,7 @@ import radiosity.testkit.ColouredRoom;
  * Hosts in network namespaces of their own, on one switch: a pulled cable and a network that drops silently, which
  * neither end is told of.
  */
+@Tag("slow")
 @Timeout(120)
 class NetworkTest {
 

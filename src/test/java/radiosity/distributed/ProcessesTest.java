@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import radiosity.solver.ProgressiveRadiosity;
 import radiosity.testkit.ColouredRoom;
 
 /** Hosts that are processes of their own, and what may happen to them: always the same bits, never a hang. */
+@Tag("slow")
 @Timeout(120)
 class ProcessesTest {
 

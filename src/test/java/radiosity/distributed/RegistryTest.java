@@ -20,6 +20,7 @@ import java.rmi.registry.Registry;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.function.Executable;
@@ -28,6 +29,7 @@ import radiosity.testkit.ColouredRoom;
 import radiosity.worker.PartitionPort;
 
 /** A name that masters look for stays bound, whatever other processes of the machine ask the registry to do. */
+@Tag("slow")
 @Timeout(60)
 class RegistryTest {
 

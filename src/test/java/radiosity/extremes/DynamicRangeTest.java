@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.scene.Scene;
@@ -23,6 +24,7 @@ import radiosity.testkit.Spread;
 /**
  * Two closed rooms in one scene do not know of each other: each is as it is alone, however much brighter the other is.
  */
+@Tag("slow")
 public class DynamicRangeTest {
 
     private static final double ASKED = 1e-3;

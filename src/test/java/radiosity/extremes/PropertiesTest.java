@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,6 +33,7 @@ import radiosity.testkit.Solve;
  * What holds in any scene, in random ones: closed polyhedra whose triangles have one of five surfaces that emit and
  * reflect at random. As furnaces they are in {@link WhiteFurnaceTest}.
  */
+@Tag("slow")
 public class PropertiesTest {
 
     private static final int SURFACES = 5;

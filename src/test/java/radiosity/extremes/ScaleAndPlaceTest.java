@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -25,6 +26,7 @@ import radiosity.testkit.Spread;
  * brought to size 1 around the origin in double, so only rounding of its coordinates is left: 1e-10 of its size where
  * it is moved by a million times that.
  */
+@Tag("slow")
 public class ScaleAndPlaceTest {
 
     private static final Surface WALL = new Surface("wall", new Rgb(1, 0.1, 0), new Rgb(0.7, 0.5, 0.3), false);

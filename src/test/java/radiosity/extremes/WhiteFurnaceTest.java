@@ -5,6 +5,7 @@ import java.util.function.Supplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.scene.Scene;
@@ -19,6 +20,7 @@ import radiosity.testkit.Spread;
  * Furnaces up to reflectance .9999: B = E / (1 - rho) everywhere. What the form factors of a closed room lose or find
  * twice, d, is in B as d / (1 - rho): a part in 10,000 of deficit is nothing at rho = .5 and all of it at .9999.
  */
+@Tag("slow")
 public class WhiteFurnaceTest {
 
     /** The command has five times as many. */

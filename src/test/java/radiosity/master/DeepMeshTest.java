@@ -3,6 +3,7 @@ package radiosity.master;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.input.lightwave.LightWaveOptions;
 import radiosity.input.lightwave.LightWaveReader;
@@ -18,6 +19,7 @@ import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.TestLink;
 
 /** Neighbours that were subdivided in different rounds have different histories at the vertices between them. */
+@Tag("slow")
 class DeepMeshTest {
 
     @Test

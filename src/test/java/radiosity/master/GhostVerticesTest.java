@@ -18,6 +18,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -41,6 +42,7 @@ import radiosity.solver.ProgressiveRadiosity;
 import radiosity.testkit.TestLink;
 
 /** Where no elements are divided between rounds, one of several hosts gathers at a point for all who have it. */
+@Tag("slow")
 class GhostVerticesTest {
 
     /** By prediction elements are divided three times: into many more, some more, and few more. */

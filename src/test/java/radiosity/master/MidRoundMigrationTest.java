@@ -21,6 +21,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -42,6 +43,7 @@ import radiosity.solver.ProgressiveRadiosity;
 import radiosity.testkit.TestLink;
 
 /** A host that is behind the others hands points over to them in mid-round. */
+@Tag("slow")
 class MidRoundMigrationTest {
 
     private static final RadiositySettings SETTINGS =

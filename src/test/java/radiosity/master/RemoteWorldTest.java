@@ -14,6 +14,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,6 +35,7 @@ import radiosity.solver.SameBitsTest;
 import radiosity.testkit.TestLink;
 
 /** The law of the house over hosts that come and go; their network is a method call. */
+@Tag("slow")
 class RemoteWorldTest {
 
     private static final int SHOTS = 90;

@@ -6,6 +6,7 @@ import static radiosity.testkit.ColouredRoom.assertSame;
 
 import java.io.IOException;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.RepresentativeFaces;
@@ -20,6 +21,7 @@ import radiosity.solution.Solution;
 import radiosity.testkit.RoomScenes;
 
 /** A ball of 8192 triangles in a cube: modelled finer than light needs. */
+@Tag("slow")
 class FineModelsTest {
 
     private static final int LEVELS = 5;

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ import radiosity.testkit.JavaMachines;
  *
  * <p>{@code mvn -q test -Dtest=GoldenTest -Dgolden.renew=true} writes the hashes anew.
  */
+@Tag("slow")
 class GoldenTest {
 
     private static final Path HASHES = Path.of("src/test/resources/radiosity/solver/golden.txt");

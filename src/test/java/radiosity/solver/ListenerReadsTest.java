@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -33,6 +34,7 @@ import radiosity.testkit.TestLink;
  * A listener only reads: whatever it asks for, wherever it is called, the calculation goes on to the same bits, and so
  * does another one that begins with a state that was saved there.
  */
+@Tag("slow")
 class ListenerReadsTest {
 
     private static final StopRule STOP = shots(40);

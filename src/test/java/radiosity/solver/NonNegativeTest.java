@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -34,6 +35,7 @@ import radiosity.testkit.Cells;
 import radiosity.testkit.TestLink;
 
 /** No surface reflects less than nothing, however little arrives there and however it is sampled. */
+@Tag("slow")
 class NonNegativeTest {
 
     private static final StopRule STOP = new StopRule(Integer.MAX_VALUE, 1e-3);

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -28,6 +29,7 @@ import radiosity.testkit.ColouredRoom;
  * The law of the house: the answer is the same to the last bit on any number of threads and partitions, and through a
  * stop and a resumption.
  */
+@Tag("slow")
 public class SameBitsTest {
 
     public static final Scene SCENE = ColouredRoom.SCENE;

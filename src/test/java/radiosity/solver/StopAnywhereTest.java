@@ -8,6 +8,7 @@ import static radiosity.solver.SameBitsTest.settings;
 import static radiosity.solver.SameBitsTest.shots;
 
 import java.io.IOException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -19,6 +20,7 @@ import radiosity.solution.Solution;
 import radiosity.testkit.ColouredRoom;
 
 /** Stopped wherever the listener is asked, a calculation can be looked at, and goes on to the same bits. */
+@Tag("slow")
 class StopAnywhereTest {
 
     @ParameterizedTest

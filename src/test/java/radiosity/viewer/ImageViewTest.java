@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.output.gltf.SceneFile;
@@ -34,6 +35,7 @@ import radiosity.solver.ProgressiveRadiosity;
 import radiosity.viewer.web.WebPage;
 
 /** Stripes of red and blue on a wall of two elements: seen at full size in the window and on the web page. */
+@Tag("slow")
 class ImageViewTest {
 
     private static final int STRIPES = 10;

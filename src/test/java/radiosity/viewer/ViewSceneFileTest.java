@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.bench.LargeSceneFile;
@@ -20,6 +21,7 @@ import radiosity.cli.ViewSceneFile;
 import radiosity.testkit.Xvfb;
 
 /** ViewSceneFile as a program of its own. */
+@Tag("slow")
 class ViewSceneFileTest {
 
     @TempDir

@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.output.image.ToneMapping;
@@ -23,6 +24,7 @@ import radiosity.scene.SceneFormatException;
 import radiosity.viewer.web.WebPage;
 
 /** The web page, asked by HTTP and seen in Chromium. */
+@Tag("slow")
 class WebPageTest {
 
     @TempDir

@@ -17,10 +17,12 @@ import java.nio.file.StandardCopyOption;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The window on the Cornell box, used by key and mouse on a display in memory. */
+@Tag("slow")
 class WindowTest {
 
     /** Half the window shows the left wall at this height, and so on; pixels. */

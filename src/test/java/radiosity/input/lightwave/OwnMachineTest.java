@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +19,7 @@ import radiosity.bench.ReadAll;
 import radiosity.scene.Scene;
 
 /** What reading scenes asks of a virtual machine: little memory, and no class of a display. */
+@Tag("slow")
 @Timeout(value = 300, unit = TimeUnit.SECONDS)
 class OwnMachineTest {
 

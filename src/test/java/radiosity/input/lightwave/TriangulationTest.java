@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -99,6 +100,7 @@ class TriangulationTest {
         assertEquals(List.of(0, 1, 2, 0, 2, 3), java.util.Arrays.stream(triangles.toArray()).boxed().toList());
     }
 
+    @Tag("slow")
     @Test
     void cutting_isBoundedForAWholeScene() {
         WorkBudget work = new WorkBudget();

@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.SceneBuilder;
@@ -108,6 +109,7 @@ class DiscontinuityMesherTest {
         throw new AssertionError("expected a vertex at the foot of the wall, found none");
     }
 
+    @Tag("slow")
     @Test
     void whatWouldBePiecesOnly_staysAsItIs() {
         Random random = new Random(1);

@@ -12,12 +12,14 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.output.file.AtomicFile;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 
 /** What is no scene file, or a damaged one, is refused in one line. */
+@Tag("slow")
 class DamagedSceneFileTest extends WrittenScene {
 
     @Test

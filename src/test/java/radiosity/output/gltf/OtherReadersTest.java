@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.output.image.ToneMapping;
@@ -25,6 +26,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 
 /** What others make of our scene files. */
+@Tag("slow")
 class OtherReadersTest {
 
     private static final Vec3 FAR = new Vec3(5000, -200, 31);

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.output.mesh.Aabb;
 import radiosity.output.mesh.Elements;
@@ -170,6 +171,7 @@ class SceneFileTest extends WrittenScene {
         }
     }
 
+    @Tag("slow")
     @Test
     void state_comesBackBitForBit() throws IOException {
         Handmade made = Handmade.litRoom(Vec3.ZERO);

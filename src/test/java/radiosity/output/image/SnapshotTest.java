@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.output.gltf.Handmade;
@@ -81,6 +82,7 @@ class SnapshotTest {
         assertArrayEquals(wall, rgb, 1e-5f);
     }
 
+    @Tag("slow")
     @Test
     void twoSidedSurface_showsTheLightOfTheSideThatIsSeen() {
         Handmade made = new Handmade();

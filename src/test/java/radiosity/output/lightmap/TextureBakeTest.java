@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.output.gltf.Handmade;
@@ -31,6 +32,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 
+@Tag("slow")
 class TextureBakeTest {
 
     private static final double SAMPLES = 7.3;
