@@ -25,7 +25,9 @@ import static radiosity.input.lightwave.Objects.triangle;
 import static radiosity.input.lightwave.Objects.white;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 
 /** Objects that are broken, or made to break readers. */
 final class HostileObjects {
@@ -54,6 +56,16 @@ final class HostileObjects {
                 object("pad byte missing", form("LWOB", lyingChunk("TEXT", 3, text("abc")),
                         chunk("PNTS", f4(CORNERS)), chunk("POLS", u2(3, 0, 1, 2, 1)), white()), 1, "pad byte"),
                 object("a million empty chunks", join(sound, emptyChunks(1_000_000)), 1, "size of the file"),
+                object("all chunks of size 0", empty("LWO2", 1), ERROR, "at least one polygon"),
+                beside("all chunks of size 0 beside an object, LWOB", empty("LWOB", 1), "patches"),
+                beside("all chunks of size 0 beside an object, LWO2", empty("LWO2", 1), "pivot"),
+                beside("all chunks of size 0 beside an object, LWO3", empty("LWO3", 1), "pivot"),
+                beside("100,000 chunks of size 0 of each kind, LWOB", empty("LWOB", 100_000), "beyond 65536"),
+                beside("100,000 chunks of size 0 of each kind, LWO2", empty("LWO2", 100_000), "beyond 65536"),
+                beside("object without chunks beside an object", form("LWO2"), ""),
+                beside("FORM of 8 bytes beside an object", chunk("FORM"), "not found"),
+                emptyLayer("layer 1 of an object without chunks", form("LWO2")),
+                emptyLayer("layer 1 of an object of chunks of size 0", form("LWO2", chunk("TAGS"), chunk("SURF"))),
                 object("100,000 nested forms", nestedForms(100_000), ERROR, "at least one polygon"),
                 object("random names after the data", join(sound, u1(1, 2, 3, 4, 5, 6, 7, 8, 9)), 1, "no chunk"));
     }
@@ -62,6 +74,26 @@ final class HostileObjects {
         byte[] changed = object.clone();
         System.arraycopy(u4(size), 0, changed, 4, 4);
         return changed;
+    }
+
+    /** An object in a scene beside a square, of which the square's two triangles are left. */
+    private static HostileCase beside(String name, byte[] object, String says) {
+        return new HostileCase(name, Map.of("room.lwo", Objects.square(), "thing.lwo", object, "a.lws",
+                text("LWSC\n1\n\nLoadObject thing.lwo\nLoadObject room.lwo\n")), "a.lws", 2, says);
+    }
+
+    /** The same where the scene names a layer, as those of LightWave 6 and later do; there is nothing to be said. */
+    private static HostileCase emptyLayer(String name, byte[] object) {
+        return new HostileCase(name, Map.of("room.lwo", Objects.square(), "thing.lwo", object, "a.lws",
+                text("LWSC\n3\n\nLoadObjectLayer 1 thing.lwo\nLoadObjectLayer 1 room.lwo\n")), "a.lws", 2, "");
+    }
+
+    /** An object of n chunks without content of every name that the readers know. */
+    private static byte[] empty(String type, int n) {
+        List<String> names = type.equals("LWOB") ? List.of("PNTS", "SRFS", "POLS", "PCHS", "SURF", "LAYR")
+                : List.of("TAGS", "LAYR", "PNTS", "POLS", "PTAG", "VMAP", "VMAD", "CLIP", "SURF", "FORM");
+        return form(type, names.stream().flatMap(id -> Collections.nCopies(n, chunk(id)).stream())
+                .toArray(byte[][]::new));
     }
 
     private static byte[] emptyChunks(int n) {
@@ -181,6 +213,9 @@ final class HostileObjects {
                         chunk("LAYR", u2(1, 0), f4(0, 0, 0), s0(""), u2(1)), squareOf("FACE"), white2()), 2, ""),
                 object("layer cut short", form("LWO2", chunk("TAGS", s0("white")), chunk("LAYR", u2(1)),
                         squareOf("FACE"), white2()), 2, "pivot"),
+                object("layers that are each other's parents", form("LWO2", chunk("TAGS", s0("white")),
+                        chunk("LAYR", u2(0, 0), f4(0, 0, 0), s0(""), u2(1)), squareOf("FACE"),
+                        chunk("LAYR", u2(1, 0), f4(0, 0, 0), s0(""), u2(0)), squareOf("FACE"), white2()), 4, ""),
                 object("subdivision cage", form("LWO2", chunk("TAGS", s0("white")), squareOf("SUBD"), white2()), 2,
                         "cage"),
                 object("curves only", form("LWO2", chunk("TAGS", s0("white")), squareOf("CURV"), white2()), ERROR,

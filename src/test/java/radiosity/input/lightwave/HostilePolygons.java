@@ -28,6 +28,7 @@ final class HostilePolygons {
                 object("reversed twins", lwob(CORNERS, 3, 0, 1, 2, 1, 3, 2, 1, 0, 1), 2, ""),
                 object("1,023 corners", polygon(circle(1023)), 1021, ""),
                 object("60,000 corners", polygon(circle(60_000)), 59_998, ""),
+                object("65,535 corners", polygon(circle(65_535)), 65_533, ""),
                 object("comb of 20,000 corners", polygon(comb(10_000)), 19_998, ""),
                 object("comb of 60,000 corners", polygon(comb(30_000)), HostileCase.EITHER, ""),
                 object("star of 60,000 corners", polygon(star(60_000)), 59_998, ""),

@@ -50,6 +50,7 @@ public final class ObjectFile {
         } else {
             new Lwo2Reader(object, notes).read(file);
         }
+        object.currentLayer();
         inherit(object, notes);
         object.surfaces.values().forEach(s -> s.complete(object.isOld()));
         return object;

@@ -18,6 +18,7 @@ public final class ObjectModel {
     final String name;
     /** LWOB, LWLO, LWO2 or LWO3. */
     public final String format;
+    /** At least one when the file has been read, without content where the file has none. */
     public final List<Layer> layers = new ArrayList<>();
     /** Surface names by the numbers that polygons give. */
     public final List<String> tags = new ArrayList<>();
