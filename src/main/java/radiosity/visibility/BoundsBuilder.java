@@ -20,6 +20,7 @@ final class BoundsBuilder {
     final BoundsTree tree;
     private final int[] order;
 
+    /** Of the bins that hold boxes; what stands in the others does not matter. */
     private final float[] binLow = new float[3 * BINS];
     private final float[] binHigh = new float[3 * BINS];
     private final int[] binCount = new int[BINS];
@@ -84,7 +85,10 @@ final class BoundsBuilder {
         return node;
     }
 
-    /** Parts the run in two and returns the left one's length, or 0 where a leaf is cheaper. */
+    /**
+     * Parts the run in two and returns the left one's length, or 0 where a leaf is cheaper. Bins without boxes are
+     * left out of the sums: most nodes have few boxes.
+     */
     private int split(int node, int f, int c) {
         int bestAxis = -1;
         int bestBin = 0;
@@ -97,15 +101,22 @@ final class BoundsBuilder {
                 continue;
             }
             fillBins(f, c, axis, range[axis], BINS / width);
+            float right = 0;
             for (int b = BINS - 1, n = 0; b > 0; b--) {
-                mergeBin(b, BINS - 1 - b);
-                n += binCount[b];
-                rightArea[b] = n == 0 ? 0 : n * mergedArea();
+                if (binCount[b] > 0) {
+                    mergeBin(b, n == 0);
+                    n += binCount[b];
+                    right = n * mergedArea();
+                }
+                rightArea[b] = right;
             }
-            for (int b = 0, n = 0; b < BINS - 1; b++) {
-                mergeBin(b, b);
+            for (int b = 0, n = 0; n + binCount[b] < c; b++) {
+                if (binCount[b] == 0) {
+                    continue;
+                }
+                mergeBin(b, n == 0);
                 n += binCount[b];
-                float cost = n == 0 || n == c ? Float.POSITIVE_INFINITY : n * mergedArea() + rightArea[b + 1];
+                float cost = n * mergedArea() + rightArea[b + 1];
                 if (cost < bestCost) {
                     bestCost = cost;
                     bestAxis = axis;
@@ -146,24 +157,24 @@ final class BoundsBuilder {
 
     private void fillBins(int f, int c, int axis, float from, float scale) {
         Arrays.fill(binCount, 0);
-        Arrays.fill(binLow, Float.POSITIVE_INFINITY);
-        Arrays.fill(binHigh, Float.NEGATIVE_INFINITY);
         for (int i = f; i < f + c; i++) {
             int b = bin(order[i], axis, from, scale);
-            binCount[b]++;
+            boolean first = binCount[b]++ == 0;
             for (int a = 0; a < 3; a++) {
-                binLow[3 * b + a] = Math.min(binLow[3 * b + a], low[3 * order[i] + a]);
-                binHigh[3 * b + a] = Math.max(binHigh[3 * b + a], high[3 * order[i] + a]);
+                float l = low[3 * order[i] + a];
+                float h = high[3 * order[i] + a];
+                binLow[3 * b + a] = first ? l : Math.min(binLow[3 * b + a], l);
+                binHigh[3 * b + a] = first ? h : Math.max(binHigh[3 * b + a], h);
             }
         }
     }
 
     private final float[] merged = new float[6];
 
-    private void mergeBin(int b, int step) {
+    private void mergeBin(int b, boolean first) {
         for (int a = 0; a < 3; a++) {
-            merged[a] = step == 0 ? binLow[3 * b + a] : Math.min(merged[a], binLow[3 * b + a]);
-            merged[3 + a] = step == 0 ? binHigh[3 * b + a] : Math.max(merged[3 + a], binHigh[3 * b + a]);
+            merged[a] = first ? binLow[3 * b + a] : Math.min(merged[a], binLow[3 * b + a]);
+            merged[3 + a] = first ? binHigh[3 * b + a] : Math.max(merged[3 + a], binHigh[3 * b + a]);
         }
     }
 

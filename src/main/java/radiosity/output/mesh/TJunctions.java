@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import radiosity.solution.Solution;
 import radiosity.util.ArraySize;
 import radiosity.util.BoxTree;
+import radiosity.util.Hash;
 
 /**
  * Closes the cracks where an element's edge meets smaller elements: the element is split at their corners.
@@ -91,8 +92,9 @@ public final class TJunctions {
         return Arrays.copyOfRange(positions, 3 * vertex, 3 * vertex + 3);
     }
 
+    /** Both numbers, one to one, spread over all bits: they are alike, and Long's own hash adds their halves up. */
     private long key(int vertexOfPart, int at) {
-        return (long) parts.of(vertexOfPart) << 32 | at;
+        return Hash.mix(0, (long) parts.of(vertexOfPart) << 32 | at);
     }
 
     private Solution closed() {
