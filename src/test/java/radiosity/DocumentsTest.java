@@ -26,6 +26,7 @@ import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
@@ -144,6 +145,7 @@ class DocumentsTest {
     }
 
     /** The first block of docs/API.md holds the imports of all examples. */
+    @Tag("slow")
     @TestFactory
     Stream<DynamicTest> everyExample_runs() throws IOException {
         List<String> recipes = examples(Path.of("docs/API.md"));

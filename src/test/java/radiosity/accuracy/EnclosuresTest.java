@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.output.points.Points;
@@ -25,6 +26,7 @@ import radiosity.testkit.Spread;
  * everywhere; the continuous solution of a box is compared at its points. The mean B of a scene is what errors are
  * quoted in.
  */
+@Tag("slow")
 @NeedsReference("truth/enclosures.json")
 public class EnclosuresTest {
 

@@ -3,6 +3,7 @@ package radiosity.accuracy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +20,7 @@ import radiosity.testkit.Spread;
  * the room, so B = E / (1 - rho). The part of its sky that a point does not find again is missing from B, and what is
  * found twice is too much. Little light is left unshot: 1e-5 of what is emitted.
  */
+@Tag("slow")
 class FurnaceTest {
 
     private static final Surface WALL = RoomScenes.grey("wall", 1, 0.5);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.output.points.Points;
 import radiosity.scene.Lamp;
@@ -31,6 +32,7 @@ import radiosity.testkit.Spread;
  * The share of each lamp is kept apart: light is linear, so lamps may be dimmed and coloured afterwards. Where to look
  * closer is decided for each layer relative to itself, so neither mesh nor rays depend on how bright a lamp is.
  */
+@Tag("slow")
 public class LayersTest {
 
     private static final double DIM = 0.3;

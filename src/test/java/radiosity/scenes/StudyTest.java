@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -14,6 +15,7 @@ import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
+@Tag("slow")
 class StudyTest {
 
     private static Scene study;

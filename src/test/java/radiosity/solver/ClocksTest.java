@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.function.LongSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import radiosity.master.RemoteWorld;
@@ -31,6 +32,7 @@ import radiosity.testkit.TestLink;
  * Time has no part in the result: step sizes, answers in mid-round, checkpoints, blocks that move, points that are
  * handed over, and a listener that saves now and then follow from random clocks; the bits do not.
  */
+@Tag("slow")
 class ClocksTest {
 
     /** Of each schedule: 1,000 in all. */

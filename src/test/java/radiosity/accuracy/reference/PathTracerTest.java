@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * exitance 1, add up to that where all emit 1, and that is 1 / (1 - rho) in any closed room of reflectance rho. The
  * emitted part of it, 1, is not in the tracer's estimates.
  */
+@Tag("slow")
 class PathTracerTest {
 
     private static final long PATHS = 1 << 14;

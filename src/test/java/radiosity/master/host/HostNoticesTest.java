@@ -30,6 +30,7 @@ import java.rmi.UnmarshalException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -44,6 +45,7 @@ import radiosity.testkit.TestLink;
 import radiosity.worker.ServedPartition;
 
 /** Whatever a call to a host ends in: the user is notified once, on one line, in plain words. */
+@Tag("slow")
 class HostNoticesTest {
 
     private static final int SHOTS = 12;
