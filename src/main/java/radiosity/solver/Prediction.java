@@ -109,7 +109,8 @@ final class Prediction implements Planner {
         boolean isLast = left == ENDED ? last.negative == 0 || discards == MOST_DISCARDS : stage == Stage.SHOOT;
         Order order = fine && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
         if (order != null && order.kind() == Order.Kind.SHOOT) {
-            refined = fine; // only now: whoever goes on later asks for rows first, and is then asked whether that is all
+            // only now: whoever goes on later asks for rows first, and is then asked whether that is all
+            refined = fine;
         }
         return order;
     }
