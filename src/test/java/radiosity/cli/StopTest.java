@@ -48,7 +48,8 @@ class StopTest {
     @ParameterizedTest
     @CsvSource({"TERM, 143, paper, 1", "INT, 130, paper, 1", "TERM, 143, predict, 0"})
     void signal_savesAndEndsWithItsCode(String signal, int expected, String schedule, int leastShots) throws Exception {
-        Process render = program.start("--schedule " + schedule + " -pa 100 -se 0 foobar.lws foobar.scene");
+        Process render = program.start(RendererWithPatience.command(RendererWithPatience.ENDLESS,
+                "--schedule " + schedule + " -pa 300 -se 0 foobar.lws foobar.scene"));
         Program.readUntil(render, WORD);
         new ProcessBuilder("kill", "-" + signal, Long.toString(render.pid())).start().waitFor();
         String rest = Program.rest(render);
@@ -61,10 +62,7 @@ class StopTest {
     @Test
     void signal_endsInTimeWhereSavingTakesLonger_andTheJournalOfTheLastRoundStands() throws Exception {
         String arguments = "-pa 5000 --schedule paper -it 40000 -se 0 -ut 3.8 foobar.lws foobar.scene";
-        List<String> command = Program.command(arguments);
-        command.replaceAll(word -> word.equals(RadiosityRenderer.class.getName()) ? ImpatientRenderer.class.getName()
-                : word);
-        Process render = program.start(command);
+        Process render = program.start(RendererWithPatience.command(3, arguments));
         Program.readUntil(render, WORD);
         new ProcessBuilder("kill", "-TERM", Long.toString(render.pid())).start().waitFor();
         String rest = Program.rest(render);
@@ -94,7 +92,8 @@ class StopTest {
 
     @Test
     void controlC_onATerminalIsASignal() throws Exception {
-        Process render = program.start(onTerminal("\u0003", Program.command(LONG_RENDER)));
+        Process render = program.start(onTerminal("\u0003",
+                RendererWithPatience.command(RendererWithPatience.ENDLESS, LONG_RENDER)));
         String shown = Program.rest(render);
         assertEquals(130, render.waitFor(), shown);
         goesOn(1);
