@@ -5,6 +5,7 @@ on-terminal.py SECONDS KEY COMMAND...: KEY is the number of a character; its exi
 import os
 import pty
 import select
+import signal
 import sys
 import time
 
@@ -12,6 +13,7 @@ end = time.monotonic() + float(sys.argv[1])
 key, command = bytes([int(sys.argv[2])]), sys.argv[3:]
 process, terminal = pty.fork()
 if process == 0:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # who was started in the background ignores Ctrl-C
     os.execvp(command[0], command)
 pressed = False
 while True:
