@@ -35,7 +35,7 @@ public final class LightSources {
 
     /** Adds what a vertex receives from all lights to its irradiance. */
     public void light(RadiosityNodes nodes, int v) {
-        add(nodes.receivers(), 3 * v, nodes.vertexFace(v), nodes.light().irradiance(), nodes.channels() * v);
+        add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), nodes.light().irradiance(), nodes.channels() * v);
     }
 
     /**

@@ -33,7 +33,7 @@ public final class InteriorTest {
     }
 
     private boolean isBuried(RadiosityNodes nodes, int v) {
-        return isBuried(nodes.receivers(), 3 * v, nodes.vertexFace(v));
+        return hidden.test(nodes.vertexFace(v)) || isHeld(nodes.receivers(), 3 * v, nodes.vertexPlane(v));
     }
 
     /**
@@ -43,7 +43,11 @@ public final class InteriorTest {
      * @param f     the face on which it lies
      */
     public boolean isBuried(float[] place, int at, int f) {
-        return hidden.test(f) || solids.hold(place[at], place[at + 1], place[at + 2],
+        return hidden.test(f) || isHeld(place, at, f);
+    }
+
+    private boolean isHeld(float[] place, int at, int f) {
+        return solids.hold(place[at], place[at + 1], place[at + 2],
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
     }
 }

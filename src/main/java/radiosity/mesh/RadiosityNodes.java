@@ -261,6 +261,11 @@ public final class RadiosityNodes {
         return points.face(vertex);
     }
 
+    /** The face in whose plane a vertex receives: the same whichever of its faces the vertex was made for. */
+    public int vertexPlane(int vertex) {
+        return points.plane(vertex);
+    }
+
     /** What a vertex is, whoever owns it. */
     public long vertexKey(int vertex) {
         return points.key(vertex);

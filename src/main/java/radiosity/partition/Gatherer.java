@@ -121,7 +121,7 @@ final class Gatherer {
     void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v,
             GatherSink sum) {
         float[] x = nodes.receivers();
-        int f = faces.plane(nodes.vertexFace(v));
+        int f = nodes.vertexPlane(v);
         calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), nodes.vertexKey(v), shooter, sum);
     }

@@ -84,7 +84,7 @@ public final class GhostVertices {
     /** The same for whoever would gather the same there. */
     private long key(int v) {
         long key = Hash.mix(nodes.vertexKey(v), nodes.made(v));
-        key = Hash.mix(key, nodes.faces().plane(nodes.vertexFace(v)));
+        key = Hash.mix(key, nodes.vertexPlane(v));
         for (int a = 0; a < 3; a++) {
             key = Hash.mix(key, Float.floatToIntBits(nodes.receivers()[3 * v + a]));
         }

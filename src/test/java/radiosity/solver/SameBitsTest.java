@@ -18,7 +18,9 @@ import radiosity.scene.ImageMap;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
@@ -71,6 +73,35 @@ public class SameBitsTest {
         rest.resume(first.state());
         rest.run(progress -> true);
         assertSame(atOnce, rest.solution());
+    }
+
+    /** Neighbouring faces are in one plane, as far as that can be told, but those at the ends are not. */
+    @Test
+    void bentSurface_givesTheSameBitsDealt() throws IOException {
+        Scene bent = bent();
+        RadiositySettings settings = new RadiositySettings(bent.area() / 200, 1, Double.POSITIVE_INFINITY,
+                Schedule.PAPER);
+        Solution local = solve(new LocalWorld(bent, settings, 1), shots(20));
+        for (int parts : new int[] {2, 3, 5}) {
+            assertSame(local, solve(new LocalWorld(bent, settings, 1, parts), shots(20)));
+        }
+    }
+
+    /** A strip of 60 rectangles, each turned by 5e-5 against the last, below a lamp. */
+    private static Scene bent() {
+        SceneBuilder builder = new SceneBuilder();
+        Surface strip = new Surface("strip", Rgb.BLACK, Rgb.grey(0.7), false);
+        Vec3 from = Vec3.ZERO;
+        for (int i = 0; i < 60; i++) {
+            double angle = 5e-5 * i;
+            Vec3 to = from.plus(new Vec3(0.1 * StrictMath.cos(angle), 0.1 * StrictMath.sin(angle), 0));
+            Vec3 side = new Vec3(0, 0, 0.3);
+            builder.polygon(strip, from, from.plus(side), to.plus(side), to);
+            from = to;
+        }
+        builder.polygon(new Surface("lamp", Rgb.grey(1), Rgb.grey(0.5), false), new Vec3(2, 1, 0), new Vec3(4, 1, 0),
+                new Vec3(4, 1, 0.3), new Vec3(2, 1, 0.3));
+        return builder.scene("bent strip");
     }
 
     @Test
