@@ -1,5 +1,9 @@
 package radiosity.output.image;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import radiosity.output.mesh.Aabb;
 import radiosity.output.mesh.Elements;
 import radiosity.scene.Camera;
@@ -8,24 +12,38 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.visibility.RadiosityBounds;
 
-/** Measures how much lit surface a camera sees, by a few rays among the original triangles. */
+/** Measures how much of a lit scene a camera shows, by a few rays among the original triangles. */
 final class LitView {
 
-    private static final int COLUMNS = 48;
-    private static final int ROWS = 36;
+    /** Rays across and down a picture, at most. */
+    static final int COLUMNS = 48;
+    static final int ROWS = 36;
     /** How often a ray may pass through the back of a surface. */
     private static final int PASSES = 16;
     /** The least cosine that a surface counts with: a sliver seen along its length is not seen. */
     private static final double GRAZING = 0.1;
-    private static final float STEP = 1e-5f;
+    /** How far behind a surface, or off it, a ray begins, of the scene's size. */
+    private static final double STEP = 1e-5;
+    private static final double OFF = 1e-4;
+    /** The share of a picture that one object may fill at no loss, the share at which little is left, and how much. */
+    private static final double OBJECT = 0.2;
+    private static final double LARGE_OBJECT = 1.0 / 3;
+    private static final double LEFT = 0.1;
+    /** What is nearer than this share of the mean distance is in the way. */
+    private static final double NEAR = 0.3;
+    /** How much a view loses that goes straight up. */
+    private static final double LOOKING_UP = 0.4;
 
     private final Scene scene;
     private final Vec3 centre;
     private final double scale;
     private final RadiosityBounds bounds;
-    /** Mean luminance of each side of an original triangle, 1 where it is the scene's mean or more; 2 per triangle. */
+    /** Mean luminance of each side of a triangle, 1 where it is the scene's mean or more, or where nothing is lit. */
     private final double[] lit;
     private final Vec3[] normals;
+    private final PrincipalAxes axes;
+    private final SceneObjects objectsOf;
+    private final float[] weights = new float[3];
 
     LitView(Solution solution) {
         scene = solution.scene();
@@ -45,6 +63,8 @@ final class LitView {
         }
         bounds = new RadiosityBounds(corners);
         lit = lit(solution);
+        axes = PrincipalAxes.of(scene);
+        objectsOf = new SceneObjects(scene, axes, box.diagonal());
     }
 
     private static double[] lit(Solution solution) {
@@ -61,50 +81,186 @@ final class LitView {
             areaSum += a;
         }
         for (int f = 0; f < light.length; f++) {
-            light[f] = area[f] > 0 && lightSum > 0 ? Math.min(1, light[f] / area[f] * areaSum / lightSum) : 0;
+            light[f] = !(area[f] > 0) ? 0 : !(lightSum > 0) ? 1 : Math.min(1, light[f] / area[f] * areaSum / lightSum);
         }
         return light;
     }
 
-    /** Lit area in view times the share of the picture that it fills. */
-    double litArea(Camera camera) {
-        double area = 0;
-        double filled = 0;
-        for (int i = 0; i < COLUMNS * ROWS; i++) {
-            double x = (2 * (i % COLUMNS) + 1.0) / COLUMNS - 1;
-            double y = (2 * (i / COLUMNS) + 1.0) / ROWS - 1;
-            Vec3 direction = camera.direction(x, y);
-            double seen = seen(camera, direction);
-            area += seen;
-            filled += seen > 0 ? 1 : 0;
-        }
-        return area * filled;
+    /** What most of a scene's surface faces along. */
+    PrincipalAxes axes() {
+        return axes;
     }
 
-    /** The lit area that the pixel around a ray covers: solid angle times distance squared / cosine. */
-    private double seen(Camera camera, Vec3 direction) {
-        Vec3 eye = camera.position().minus(centre).times(scale);
-        double skipped = Math.max(0, eye.length() - 1);
-        Vec3 o = eye.plus(direction.times(skipped));
-        float from = 0;
-        float[] hit = new float[3];
-        for (int pass = 0; pass < PASSES; pass++) {
-            Vec3 p = o.plus(direction.times(from));
-            int t = bounds.nearest((float) p.x(), (float) p.y(), (float) p.z(), (float) direction.x(),
-                    (float) direction.y(), (float) direction.z(), 4, hit);
-            if (t < 0) {
+    /**
+     * How good a view is: lit area in view, times the square of the share of the picture that it fills, times the
+     * square root of the number of directions that it faces; less where one object or what is near fills much of the
+     * picture, and where one looks up.
+     *
+     * @param columns rays across the picture
+     * @param rows    rays down the picture
+     */
+    double score(Camera camera, int columns, int rows) {
+        View view = new View(camera);
+        double tangent = StrictMath.tan(camera.verticalHalfAngle());
+        double pixel = tangent * tangent / (columns * rows);
+        Hit hit = new Hit();
+        for (int i = 0; i < columns * rows; i++) {
+            double x = (2 * (i % columns) + 1.0) / columns - 1;
+            double y = (2 * (i / columns) + 1.0) / rows - 1;
+            Vec3 direction = camera.direction(x, y);
+            if (visible(camera.position(), direction, hit)) {
+                double axis = direction.dot(camera.forward());
+                view.add(hit, pixel * axis * axis * axis);
+            }
+        }
+        return view.score(columns * rows);
+    }
+
+    /** What the rays of one view met. */
+    private final class View {
+        private final Camera camera;
+        private final Map<Integer, Integer> objects = new LinkedHashMap<>();
+        private final double[] facing = new double[6];
+        private final double[] distances = new double[COLUMNS * ROWS];
+        private double area;
+        private double distance;
+        private int met;
+        private int filled;
+
+        View(Camera camera) {
+            this.camera = camera;
+        }
+
+        /** @param pixel area that the pixel around the ray covers at distance 1 where it is met at right angles */
+        void add(Hit hit, double pixel) {
+            double share = lit[2 * hit.triangle + (hit.cosine > 0 ? 0 : 1)];
+            area += share * pixel * hit.distance * hit.distance / Math.max(GRAZING, Math.abs(hit.cosine));
+            filled += share > 0 ? 1 : 0;
+            objects.merge(objectsOf.object[hit.triangle], 1, Integer::sum);
+            facing[axes.nearest(normals[hit.triangle].times(hit.cosine > 0 ? 1 : -1))]++;
+            distances[met++] = hit.distance;
+            distance += hit.distance;
+        }
+
+        double score(int rays) {
+            if (met == 0) {
                 return 0;
             }
-            double cosine = -normals[t].dot(direction);
-            if (cosine > 0 || scene.surface(t).twoSided()) {
-                double distance = skipped + from + hit[0];
-                double axis = direction.dot(camera.forward());
-                return lit[2 * t + (cosine > 0 ? 0 : 1)] * axis * axis * axis * distance * distance
-                        * StrictMath.pow(StrictMath.tan(camera.verticalHalfAngle()), 2)
-                        / Math.max(GRAZING, Math.abs(cosine));
+            double squares = 0;
+            for (double f : facing) {
+                squares += f * f;
             }
-            from += hit[0] + STEP;
+            int largest = 0;
+            for (Map.Entry<Integer, Integer> object : objects.entrySet()) {
+                if (object.getValue() > largest && !objectsOf.isShell(object.getKey(), camera.position())) {
+                    largest = object.getValue();
+                }
+            }
+            int near = 0;
+            for (int i = 0; i < met; i++) {
+                near += distances[i] < NEAR * distance / met ? 1 : 0;
+            }
+            double clear = 1 - (double) near / rays;
+            double full = (double) filled / rays;
+            return area * full * full * Math.sqrt((double) met * met / squares) * clear * clear
+                    * room((double) largest / rays) * (1 - LOOKING_UP * Math.max(0, camera.forward().y()));
         }
-        return 0;
+    }
+
+    /** What is left of a view's worth where the largest object fills a share of it. */
+    private static double room(double share) {
+        if (share <= OBJECT) {
+            return 1;
+        }
+        double beyond = Math.min(1, (share - OBJECT) / (LARGE_OBJECT - OBJECT));
+        return (1 - beyond * (1 - LEFT)) * (1 - Math.max(0, share - LARGE_OBJECT));
+    }
+
+    /** The first surface along a ray. */
+    static final class Hit {
+        int triangle;
+        /** Scene units. */
+        double distance;
+        /** Of the angle between the front's normal and the way back; below 0 where the back is met. */
+        double cosine;
+    }
+
+    /**
+     * Finds the first surface that a ray meets on a side that can be seen.
+     *
+     * @param direction unit direction
+     * @param hit       modified where there is one
+     */
+    boolean visible(Vec3 from, Vec3 direction, Hit hit) {
+        double passed = 0;
+        for (int pass = 0; pass < PASSES; pass++) {
+            if (!first(from, direction, passed, hit)) {
+                return false;
+            }
+            if (hit.cosine > 0 || scene.surface(hit.triangle).twoSided()) {
+                return true;
+            }
+            passed = hit.distance + STEP / scale;
+        }
+        return false;
+    }
+
+    /**
+     * Finds the first triangle along a ray, seen from whichever side.
+     *
+     * @param direction unit direction
+     * @param beyond    how far from its origin the search begins, scene units
+     * @param hit       modified where there is one
+     */
+    boolean first(Vec3 from, Vec3 direction, double beyond, Hit hit) {
+        Vec3 eye = from.minus(centre).times(scale);
+        double skipped = Math.max(beyond * scale, eye.length() - 1);
+        Vec3 p = eye.plus(direction.times(skipped));
+        int t = bounds.nearest((float) p.x(), (float) p.y(), (float) p.z(), (float) direction.x(),
+                (float) direction.y(), (float) direction.z(), 4, weights);
+        if (t < 0) {
+            return false;
+        }
+        hit.triangle = t;
+        hit.distance = (skipped + weights[0]) / scale;
+        hit.cosine = -normals[t].dot(direction);
+        return true;
+    }
+
+    /** Middles of triangles that have light, spread over it, each pushed off the surface on the side of the light. */
+    List<Vec3[]> litPlaces(int count) {
+        double[] sums = new double[lit.length];
+        double sum = 0;
+        for (int f = 0; f < lit.length; f++) {
+            sum += lit[f] * scene.area(f >> 1);
+            sums[f] = sum;
+        }
+        List<Vec3[]> places = new ArrayList<>();
+        int last = -1;
+        for (int i = 0; i < count && sum > 0; i++) {
+            int f = firstAbove(sums, sum * (i + 0.5) / count);
+            if (f != last) {
+                Vec3 normal = normals[f >> 1].times((f & 1) == 0 ? 1 : -1);
+                Vec3 middle = scene.corner(f >> 1, 0).plus(scene.corner(f >> 1, 1)).plus(scene.corner(f >> 1, 2))
+                        .times(1.0 / 3);
+                places.add(new Vec3[] {middle.plus(normal.times(OFF / scale)), normal});
+            }
+            last = f;
+        }
+        return places;
+    }
+
+    private static int firstAbove(double[] sums, double x) {
+        int low = 0;
+        int high = sums.length - 1;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (sums[middle] > x) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        return low;
     }
 }
