@@ -281,18 +281,20 @@ public final class RadiosityNodes {
         return points.madeBy(with);
     }
 
-    /** Whether the irradiance that a vertex has is negative in some channel. */
-    public boolean isNegative(int vertex) {
-        return points.isNegative(vertex);
+    /** Whether the irradiance that a vertex has is negative in some channel by more than a negligible one, W/m². */
+    public boolean isNegative(int vertex, double negligible) {
+        return points.isNegative(vertex, negligible);
     }
 
     /**
      * Discards what vertices with a negative irradiance have received: it is 0 afterwards. No other vertices count as
      * discarded from now on.
+     *
+     * @param negligible irradiance by which a vertex may be below 0, W/m²
      */
-    public void discardNegative() {
+    public void discardNegative(double negligible) {
         for (int v = 0; v < points.count(); v++) {
-            boolean isNegative = points.isNegative(v);
+            boolean isNegative = points.isNegative(v, negligible);
             points.setDiscarded(v, isNegative);
             if (isNegative) {
                 Arrays.fill(points.irradiance(), channels * v, channels * (v + 1), 0);

@@ -162,9 +162,10 @@ final class ReceivingPoints {
         buried[v] = true;
     }
 
-    boolean isNegative(int v) {
+    /** Whether an irradiance of a point is below 0 by more than a negligible one, W/m², at least 0. */
+    boolean isNegative(int v, double negligible) {
         for (int c = 0; c < channels; c++) {
-            if (irradiance[channels * v + c] < 0) {
+            if (irradiance[channels * v + c] < -negligible) {
                 return true;
             }
         }

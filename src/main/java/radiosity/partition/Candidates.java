@@ -24,6 +24,8 @@ final class Candidates {
     private final double squaredSize;
     private final RadiosityNodes nodes;
     private final int[][] shooters;
+    /** Irradiance by which a vertex may be below 0, W/m². */
+    private final double negligible;
     private final ParallelFor crew;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
@@ -38,6 +40,7 @@ final class Candidates {
     Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, ParallelFor crew) {
         this.mesh = mesh;
         faces = mesh.faces;
+        negligible = mesh.negligibleIrradiance();
         squaredSize = faces.size() * faces.size();
         this.nodes = nodes;
         this.shooters = shooters;
@@ -122,7 +125,7 @@ final class Candidates {
 
     private boolean hasNegative(int element) {
         for (int k = 0; k < 3; k++) {
-            if (nodes.isNegative(nodes.corner(element, k))) {
+            if (nodes.isNegative(nodes.corner(element, k), negligible)) {
                 return true;
             }
         }

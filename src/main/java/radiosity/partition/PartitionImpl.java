@@ -218,7 +218,7 @@ public final class PartitionImpl implements Partition {
     }
 
     private void discard() {
-        nodes.discardNegative();
+        nodes.discardNegative(mesh.negligibleIrradiance());
         light(nodes.discarded());
     }
 

@@ -5,8 +5,11 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
@@ -47,9 +50,10 @@ final class Prediction implements Planner {
     }
 
     /** What the last round was. */
-    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, DISCARD }
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, DISCARD, REGATHER }
 
     private final World world;
+    private final double wanted;
     /** Of the scene, scene units squared. */
     private final double area;
     /** Null where the scene is too large for it. */
@@ -66,7 +70,9 @@ final class Prediction implements Planner {
     /** Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. */
     private double left = Double.POSITIVE_INFINITY;
 
-    Prediction(World world) {
+    /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
+    Prediction(World world, double wanted) {
+        this.wanted = wanted;
         this.world = world;
         area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
         tolerance = world.mesh.tolerance();
@@ -101,9 +107,19 @@ final class Prediction implements Planner {
             return gather(true);
         }
         if (stage == Stage.DISCARD) {
-            return gather(false);
+            Order order = gather(false);
+            stage = Stage.REGATHER;
+            return order;
         }
-        if (stage == Stage.SHOOT && fine && last.negative > 0) {
+        if (stage == Stage.REGATHER && last.negative > 0) {
+            List<Shot> shots = ofNegativeTotals();
+            if (!shots.isEmpty()) {
+                stage = Stage.SHOOT;
+                return order(Order.Kind.SHOOT, shots, new double[0]);
+            }
+        }
+        boolean isOver = unsent <= wanted || unsent >= left; // else what is shot next may mend it
+        if (stage == Stage.SHOOT && fine && isOver && last.negative > 0) {
             return discard(unsent);
         }
         boolean isLast = left == ENDED ? last.negative == 0 || discards == MOST_DISCARDS : stage == Stage.SHOOT;
@@ -126,6 +142,19 @@ final class Prediction implements Planner {
             left = ENDED;
         }
         return order(Order.Kind.DISCARD, List.of(), new double[0]);
+    }
+
+    /**
+     * What shooters have to shoot that have shot less than nothing, as they had received less than nothing then: as
+     * long as they have, points that see little else receive less than nothing when they gather anew.
+     */
+    private List<Shot> ofNegativeTotals() throws IOException {
+        double negligible = world.mesh.negligibleIrradiance();
+        Set<Shot.Place> negative = world.totals().stream().filter(shot -> shot.trees().stream()
+                .anyMatch(tree -> DoubleStream.of(tree.radiosity()).anyMatch(b -> b < -negligible)))
+                .map(Shot::place).collect(Collectors.toSet());
+        return world.joined(world.answer(ALL).candidates).stream().filter(shot -> negative.contains(shot.place()))
+                .map(world.mesh.rounding::of).toList();
     }
 
     private Order split(Answer last) {

@@ -109,13 +109,13 @@ public final class ProgressiveRadiosity {
 
     private void prepare() {
         if (planner == null) {
-            planner = planner(world);
+            planner = planner(world, stop);
         }
     }
 
-    private static Planner planner(World world) {
+    private static Planner planner(World world, StopRule stop) {
         return switch (world.settings().schedule()) {
-            case PREDICT -> new Prediction(world);
+            case PREDICT -> new Prediction(world, stop.unsent());
             case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new CyclicSchedule(world.channels(), false);
             case GATHERING -> new CyclicSchedule(world.channels(), true);

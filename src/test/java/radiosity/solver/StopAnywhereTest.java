@@ -37,7 +37,9 @@ class StopAnywhereTest {
         }
     }
 
-    /** The mesh is fine enough at once; whoever goes on has to ask for the coarse system's rows before the last shots. */
+    /**
+     * The mesh is fine enough at once; whoever goes on has to ask for the coarse system's rows before the last shots.
+     */
     @Test
     void stoppedWhereNothingIsSplitLater_goesOnToTheSameBits() throws IOException {
         RadiositySettings coarse = new RadiositySettings(SCENE.area() / 120, 1, Double.POSITIVE_INFINITY,

@@ -10,9 +10,9 @@ import java.util.stream.IntStream;
  *
  * <p>B = rho H, and H is the mean of the radiosities that are seen in directions with a density of cos / pi. Each path
  * is followed until less than 1e-5 of it would be reflected. At every point of a path the lamp is sampled in two ways,
- * at a random point of its area and by the path's next direction, weighted by the balance heuristic (E. Veach and
- * L. J. Guibas, Optimally combining sampling techniques for Monte Carlo rendering, 1995). The first numbers of each path
- * are a Richtmyer sequence, multiples of square roots of primes modulo 1 (R. D. Richtmyer, The evaluation of definite
+ * at a random point of its area and by the path's next direction, weighted by the balance heuristic (E. Veach and L. J.
+ * Guibas, Optimally combining sampling techniques for Monte Carlo rendering, 1995). The first numbers of each path are
+ * a Richtmyer sequence, multiples of square roots of primes modulo 1 (R. D. Richtmyer, The evaluation of definite
  * integrals, and a quasi-Monte-Carlo method, 1951), with a random shift per batch of paths; the others are random. The
  * batches are independent of each other, so their spread gives the standard error of their mean.
  */
