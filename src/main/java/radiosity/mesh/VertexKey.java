@@ -30,8 +30,8 @@ final class VertexKey {
     }
 
     /**
-     * The face in whose plane a vertex receives, the same for whichever of its faces it is made: that of the lowest face
-     * round the corner, or of the lowest round the ends of the edge.
+     * The face in whose plane a vertex receives, the same for whichever of its faces it is made: that of the lowest
+     * face round the corner, or of the lowest round the ends of the edge.
      *
      * @param w weights of the face's corners, 3 from {@code at}, in units of 2^-30; not modified
      */
