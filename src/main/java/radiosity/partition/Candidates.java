@@ -123,8 +123,13 @@ final class Candidates {
         return total;
     }
 
+    /** Whether an element's radiosity is negative at a corner: never where it reflects nothing. */
     private boolean hasNegative(int element) {
-        for (int k = 0; k < 3; k++) {
+        double reflectance = 0;
+        for (int c = 0; c < faces.channels(); c++) {
+            reflectance = Math.max(reflectance, nodes.reflectance(element, c));
+        }
+        for (int k = 0; k < 3 && reflectance > 0; k++) {
             if (nodes.isNegative(nodes.corner(element, k), negligible)) {
                 return true;
             }

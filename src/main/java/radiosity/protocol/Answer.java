@@ -26,7 +26,7 @@ public final class Answer {
     /** One per channel, W: signed. */
     public final ExactSum[] unshot;
     public int elements;
-    /** Elements with a vertex whose irradiance is negative. */
+    /** Elements that reflect, with a vertex whose irradiance is negative. */
     public int negative;
 
     /** @param scale flux that is emitted, W */

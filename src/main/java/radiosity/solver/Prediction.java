@@ -290,10 +290,14 @@ final class Prediction implements Planner {
         return 0;
     }
 
-    /** Points that were discarded are dark until they have gathered: a calculation must not end there. */
+    /**
+     * Points that were discarded are dark until they have gathered: a calculation must not end there. Where all flux
+     * must be received, what they gather differs from what was discarded, and the next shots give the difference back.
+     */
     @Override
     public boolean isEnough(Answer last, double unsent, double wanted) {
-        return refined && stage != Stage.DISCARD && unsent <= wanted && last.negative == 0;
+        boolean isWhole = stage != Stage.DISCARD && !(stage == Stage.REGATHER && world.mesh.conserves());
+        return refined && isWhole && unsent <= wanted && last.negative == 0;
     }
 
     @Override
