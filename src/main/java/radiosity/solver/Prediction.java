@@ -111,7 +111,7 @@ final class Prediction implements Planner {
             stage = Stage.REGATHER;
             return order;
         }
-        if (stage == Stage.REGATHER && last.negative > 0) {
+        if (stage == Stage.REGATHER && last.negative > 0 && left != ENDED) {
             List<Shot> shots = ofNegativeTotals();
             if (!shots.isEmpty()) {
                 stage = Stage.SHOOT;
@@ -122,7 +122,7 @@ final class Prediction implements Planner {
         if (stage == Stage.SHOOT && fine && isOver && last.negative > 0) {
             return discard(unsent);
         }
-        boolean isLast = left == ENDED ? last.negative == 0 || discards == MOST_DISCARDS : stage == Stage.SHOOT;
+        boolean isLast = left == ENDED ? last.negative == 0 || discards >= MOST_DISCARDS : stage == Stage.SHOOT;
         Order order = fine && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
         if (order != null && order.kind() == Order.Kind.SHOOT) {
             // only now: whoever goes on later asks for rows first, and is then asked whether that is all
@@ -138,7 +138,7 @@ final class Prediction implements Planner {
     private Order discard(double unsent) {
         stage = Stage.DISCARD;
         discards++;
-        if (unsent >= left || discards == MOST_DISCARDS) {
+        if (unsent >= left || discards >= MOST_DISCARDS) {
             left = ENDED;
         }
         return order(Order.Kind.DISCARD, List.of(), new double[0]);
