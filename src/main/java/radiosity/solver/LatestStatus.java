@@ -96,12 +96,10 @@ final class LatestStatus {
         afterRound = newest;
     }
 
-    /** Asks how things stand where nobody has asked yet. */
+    /** Asks how things stand, before anything else is done. */
     void askFirst(Order question) throws IOException {
-        if (newest == null) {
-            look(question);
-            afterRound = afterRound == null ? newest : afterRound;
-        }
+        look(question);
+        afterRound = afterRound == null ? newest : afterRound;
     }
 
     /**

@@ -59,9 +59,7 @@ public final class ProgressiveRadiosity {
      * @throws IOException where a partition cannot be reached
      */
     public void run(RoundListener listener) throws IOException {
-        prepare();
-        last.askFirst(Order.plain(Order.Kind.ASK, planner.wanted()));
-        tally.begin(last.newest());
+        ask();
         boolean goOn = true;
         while (goOn && !isDone()) {
             if (agenda.isEmpty()) {
@@ -111,6 +109,21 @@ public final class ProgressiveRadiosity {
         if (planner == null) {
             planner = planner(world, stop);
         }
+    }
+
+    /** Asks how things stand where nobody has asked yet. */
+    private void ask() throws IOException {
+        prepare();
+        if (last.newest() == null) {
+            last.askFirst(Order.plain(Order.Kind.ASK, planner.wanted()));
+            tally.begin(last.newest());
+        }
+    }
+
+    /** Makes the newest answer the one to the last order. */
+    private void know() throws IOException {
+        ask();
+        last.know();
     }
 
     private static Planner planner(World world, StopRule stop) {
@@ -219,20 +232,28 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Where the calculation stands by the newest answer; waits for nobody. To be asked for once {@link #run} has begun.
+     * Where the calculation stands by the newest answer; waits for nobody but before {@link #run}.
+     *
+     * @throws UncheckedIOException where a partition cannot be reached
      */
     public Progress progress() {
+        try {
+            ask();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
         return tally.progress(last.newest());
     }
 
     /**
-     * Where the light went so far. May be asked for whenever the listener is called, and after {@link #run}.
+     * Where the light went so far. May be asked for before and after {@link #run}, and whenever the listener is
+     * called.
      *
      * @throws UncheckedIOException where a partition cannot be reached
      */
     public EnergyLedger ledger() {
         try {
-            last.know();
+            know();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -240,13 +261,13 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Everything so far, merged from all partitions. May be asked for whenever the listener is called, and after
-     * {@link #run}.
+     * Everything so far, merged from all partitions. May be asked for before and after {@link #run}, and
+     * whenever the listener is called.
      *
      * @throws IOException where a partition cannot be reached
      */
     public Solution solution() throws IOException {
-        last.know();
+        know();
         List<byte[]> blocks = world.blocks();
         return new Merger(world.mesh, blocks, tally.dark()).solution(tally.shots(), tally.rounds(),
                 Flux.sum(tally.shown(last.newest()).unshotFlux), ledger(), state(blocks));
@@ -263,19 +284,20 @@ public final class ProgressiveRadiosity {
         if (tally.dark() != 0 || tally.shots() == 0) {
             return Optional.empty();
         }
-        last.know();
+        know();
         Answer now = last.newest();
         return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements, threads)
                 .certificate(Flux.sum(now.unshotFlux))).filter(certificate -> certificate.points() > 0);
     }
 
     /**
-     * What {@link #resume} takes; for whoever wants to go on later. May be asked for whenever the listener is called,
-     * and after {@link #run}.
+     * What {@link #resume} takes; for whoever wants to go on later. May be asked for before and after {@link #run},
+     * and whenever the listener is called.
      *
      * @throws IOException where a partition cannot be reached
      */
     public SavedState state() throws IOException {
+        ask();
         last.catchUp();
         return state(world.blocks());
     }
@@ -306,12 +328,16 @@ public final class ProgressiveRadiosity {
 
     /**
      * Goes on from where an earlier calculation stopped: the same scene and settings give the same bits as without a
-     * stop. To be called before {@link #run}.
+     * stop. To be called before {@link #run} and before anything is asked for.
      *
      * @param state of the earlier {@link Solution}
      * @throws SceneFormatException where scene or settings are others
+     * @throws IllegalStateException where the calculation was run already, or was asked for anything
      */
     public void resume(SavedState state) throws IOException {
+        if (last.newest() != null) {
+            throw new IllegalStateException("resume: expected a calculation that nobody has run or asked yet");
+        }
         try (DataInputStream in = new DataInputStream(state.open())) {
             world.mesh.checkFingerprint(in.readUTF());
             tally.read(in);
