@@ -51,7 +51,7 @@ final class IdealHost {
                 return host.round((long) values[0], (long) values[1], (byte[]) values[2]);
             }
             if (method.getName().equals("send") && host.mesh == null) {
-                SceneBytes.Task task = SceneBytes.read((byte[]) values[1]);
+                SceneBytes.Task task = SceneBytes.read(Wire.input((byte[]) values[1]));
                 host.mesh = new InitialMesh(task.scene(), task.settings());
             }
             try {

@@ -22,6 +22,7 @@ import radiosity.protocol.Order;
 import radiosity.protocol.PiggybackMessage;
 import radiosity.protocol.Reply;
 import radiosity.setup.InitialMesh;
+import radiosity.util.ArraySize;
 
 /**
  * Who of several hosts gathers at a point that all of them have, and how the others get to know: what {@link
@@ -212,13 +213,14 @@ final class HaloExchange {
     /** Whether a host has told of all points of which it was to tell. */
     private boolean isWhole(Host host, byte[] told) {
         int points = handOver == null ? given.getOrDefault(host, 0) : handOver.told(host);
-        return told.length >= Integer.BYTES + bytesPerPoint() * points && ByteBuffer.wrap(told).getInt() == agreement;
+        return told.length >= Integer.BYTES + (long) bytesPerPoint() * points
+                && ByteBuffer.wrap(told).getInt() == agreement;
     }
 
     /** What some hosts have said about points, for one that takes them. */
     static byte[] gift(int agreement, List<Source> from, Map<Host, Reply> said, int bytes) {
         byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
-                Integer.BYTES + bytes * from.size());
+                ArraySize.of("bytes of the light at points of a border", Integer.BYTES + (long) bytes * from.size()));
         for (int i = 0; i < from.size(); i++) {
             System.arraycopy(said.get(from.get(i).host).given(), Integer.BYTES + bytes * from.get(i).place, gift,
                     Integer.BYTES + bytes * i, bytes);

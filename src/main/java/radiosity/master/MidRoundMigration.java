@@ -143,7 +143,8 @@ final class MidRoundMigration {
     /** Hosts have done a step; the first one with what they handed out. */
     void done(Map<Host, Reply> replies, int bytesPerPoint) {
         boolean has = out.entrySet().stream().allMatch(one -> replies.containsKey(one.getKey())
-                && replies.get(one.getKey()).given().length == Integer.BYTES + bytesPerPoint * one.getValue().size());
+                && replies.get(one.getKey()).given().length
+                == Integer.BYTES + (long) bytesPerPoint * one.getValue().size());
         if (has) {
             from.forEach((host, all) -> host.tell(PiggybackMessage.HANDED_OVER,
                     HaloExchange.gift(agreement, all, replies, bytesPerPoint)));

@@ -68,7 +68,7 @@ final class SeamPatches {
 
     /** Whether the host has said this under an agreement. */
     boolean isOf(int agreement, byte[] said) {
-        return said.length == Integer.BYTES + bytesPerPoint * given.length && ByteBuffer.wrap(said)
+        return said.length == Integer.BYTES + (long) bytesPerPoint * given.length && ByteBuffer.wrap(said)
                 .getInt() == agreement;
     }
 

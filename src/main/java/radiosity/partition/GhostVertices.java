@@ -8,6 +8,7 @@ import java.util.BitSet;
 import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.protocol.Wire;
+import radiosity.util.ArraySize;
 import radiosity.util.Hash;
 
 /**
@@ -71,7 +72,8 @@ public final class GhostVertices {
     }
 
     private byte[] keys(int[] points) {
-        ByteBuffer keys = ByteBuffer.allocate(Long.BYTES * points.length);
+        ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of points of a border", Long.BYTES,
+                points.length));
         IntStream.of(points).forEach(v -> keys.putLong(key(v)));
         return keys.array();
     }

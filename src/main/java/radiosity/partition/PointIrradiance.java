@@ -21,7 +21,7 @@ public final class PointIrradiance {
         double[] irradiance = nodes.light().irradiance();
         int channels = nodes.channels();
         ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of the light at points of a border",
-                Integer.BYTES + (long) Double.BYTES * channels * points.length)).putInt(number);
+                Integer.BYTES + size() * points.length)).putInt(number);
         for (int v : points) {
             for (int c = 0; c < channels; c++) {
                 bytes.putDouble(irradiance[channels * v + c]);
@@ -30,11 +30,15 @@ public final class PointIrradiance {
         return bytes.array();
     }
 
+    /** Bytes per point. */
+    private long size() {
+        return (long) Double.BYTES * nodes.channels();
+    }
+
     void put(int[] points, DataInputStream irradiance) throws IOException {
-        int size = Double.BYTES * nodes.channels();
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(irradiance, size * points.length));
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(irradiance, size() * points.length));
         for (int i = 0; i < points.length; i++) {
-            put(points[i], bytes, size * i);
+            put(points[i], bytes, (int) size() * i);
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.util.ArraySize;
 
 /**
  * Takes down what one receiving point sees of which element, instead of adding it up: a row of {@link CoarseSystem}.
@@ -48,7 +49,8 @@ public final class RowRecorder implements GatherSink {
      * @param nodes the coarse mesh
      */
     public void write(RadiosityNodes nodes, DataOutputStream out) throws IOException {
-        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES + size * entryBytes(nodes)).putInt(size);
+        ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of a row of the coarse system",
+                Integer.BYTES + (long) size * entryBytes(nodes))).putInt(size);
         for (int i = 0; i < size; i++) {
             int node = nodes.find(shooter[i].face(leaf[i]), shooter[i].path(leaf[i]));
             if (isWide(nodes)) {

@@ -1,6 +1,7 @@
 package radiosity.protocol;
 
 import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,27 +30,25 @@ public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, in
         return orders.isEmpty() && isWhole();
     }
 
-    public byte[] encode() {
-        return Wire.bytes(out -> {
-            out.writeInt(states.size());
-            for (Map.Entry<Integer, byte[]> state : states.entrySet()) {
-                out.writeInt(state.getKey());
-                Wire.write(out, state.getValue());
-            }
-            out.writeInt(orders.size());
-            for (byte[] order : orders) {
-                Wire.write(out, order);
-            }
-            out.writeInt(said);
-            out.writeInt(leave.size());
-            for (int block : leave) {
-                out.writeInt(block);
-            }
-        });
+    /** Writes more bytes than one array may hold, where states are large. */
+    public void write(DataOutputStream out) throws IOException {
+        out.writeInt(states.size());
+        for (Map.Entry<Integer, byte[]> state : states.entrySet()) {
+            out.writeInt(state.getKey());
+            Wire.write(out, state.getValue());
+        }
+        out.writeInt(orders.size());
+        for (byte[] order : orders) {
+            Wire.write(out, order);
+        }
+        out.writeInt(said);
+        out.writeInt(leave.size());
+        for (int block : leave) {
+            out.writeInt(block);
+        }
     }
 
-    public static BlockTakeover decode(byte[] bytes) throws IOException {
-        DataInputStream in = Wire.input(bytes);
+    public static BlockTakeover read(DataInputStream in) throws IOException {
         Map<Integer, byte[]> states = new TreeMap<>();
         for (int n = Wire.count(in, 2 * Integer.BYTES); n > 0; n--) {
             states.put(in.readInt(), Wire.bytes(in));

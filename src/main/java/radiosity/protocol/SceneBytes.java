@@ -57,8 +57,7 @@ public final class SceneBytes {
         });
     }
 
-    public static Task read(byte[] bytes) throws IOException {
-        DataInputStream in = Wire.input(bytes);
+    public static Task read(DataInputStream in) throws IOException {
         RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
                 constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean(),
                 constant(FormFactors.values(), in.readByte()));

@@ -5,6 +5,7 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import radiosity.mesh.PatchTree;
+import radiosity.util.ArraySize;
 
 /**
  * A {@link PatchTree} as bytes: face, path, number of nodes, a bit for each that is divided, then the radiosities of
@@ -35,7 +36,8 @@ final class TreeBytes {
         if (numbers == ShortestNumbers.BYTES) {
             units.write(out);
         }
-        ByteBuffer bytes = ByteBuffer.allocate(corners(same, once) * channels * numbers.bytes);
+        ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of the radiosities of a patch",
+                corners(same, once), channels, numbers.bytes));
         for (int corner = 0; corner < same.length; corner++) {
             if (isWritten(corner, same, once)) {
                 for (int c = 0; c < channels; c++) {
@@ -86,9 +88,8 @@ final class TreeBytes {
         boolean once = in.readBoolean();
         Quantizer units = numbers == ShortestNumbers.BYTES ? Quantizer.read(in, child.length, channels)
                 : Quantizer.none(child.length, channels);
-        double[] radiosity = new double[channels * same.length];
-        int written = corners(same, once);
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, written * channels * numbers.bytes));
+        double[] radiosity = new double[ArraySize.of("radiosities of a patch", channels, same.length)];
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(in, (long) corners(same, once) * channels * numbers.bytes));
         for (int corner = 0; corner < same.length; corner++) {
             if (isWritten(corner, same, once)) {
                 for (int c = 0; c < channels; c++) {

@@ -63,11 +63,12 @@ public final class Wire {
         }
     }
 
-    public static byte[] exactly(DataInputStream in, int count) throws IOException {
+    /** @throws EOFException where there are fewer bytes, before an array is made for them */
+    public static byte[] exactly(DataInputStream in, long count) throws IOException {
         if (count > in.available()) {
             throw new EOFException("message: expected " + count + " bytes, got " + in.available());
         }
-        byte[] bytes = new byte[count];
+        byte[] bytes = new byte[(int) count];
         in.readFully(bytes);
         return bytes;
     }

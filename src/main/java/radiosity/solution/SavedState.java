@@ -1,18 +1,16 @@
 package radiosity.solution;
 
-import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.SequenceInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
 import radiosity.solver.ProgressiveRadiosity;
+import radiosity.util.Pieces;
 
 /**
  * What {@link ProgressiveRadiosity#resume} needs, as opaque bytes; immutable.
@@ -38,7 +36,7 @@ public final class SavedState {
 
     private SavedState(List<byte[]> pieces) {
         this.pieces = pieces;
-        length = pieces.stream().mapToLong(piece -> piece.length).sum();
+        length = Pieces.length(pieces);
     }
 
     /**
@@ -97,30 +95,7 @@ public final class SavedState {
 
     /** All bytes from the first on; {@code available} says how many are left, or {@link Integer#MAX_VALUE}. */
     public InputStream open() {
-        return new SequenceInputStream(Collections.enumeration(
-                pieces.stream().<InputStream>map(ByteArrayInputStream::new).toList())) {
-
-            private long left = length;
-
-            @Override
-            public int read() throws IOException {
-                int value = super.read();
-                left -= value < 0 ? 0 : 1;
-                return value;
-            }
-
-            @Override
-            public int read(byte[] to, int at, int most) throws IOException {
-                int count = super.read(to, at, most);
-                left -= Math.max(0, count);
-                return count;
-            }
-
-            @Override
-            public int available() {
-                return (int) Math.min(Integer.MAX_VALUE, left);
-            }
-        };
+        return Pieces.open(pieces);
     }
 
     /** Writes all bytes; does not close. */

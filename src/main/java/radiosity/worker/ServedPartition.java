@@ -1,12 +1,13 @@
 package radiosity.worker;
 
-import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -21,6 +22,7 @@ import radiosity.rmi.Build;
 import radiosity.rmi.RemotePartition;
 import radiosity.rmi.SessionEndedException;
 import radiosity.setup.InitialMesh;
+import radiosity.util.Pieces;
 
 /**
  * What a host has for its master: one session at a time, with the scene, some blocks, and the last answer.
@@ -54,7 +56,8 @@ public final class ServedPartition implements RemotePartition {
         final String master;
         final String since = LocalTime.now().format(DateTimeFormatter.ofPattern("HH:mm"));
         volatile long heard;
-        ByteArrayOutputStream inbox = new ByteArrayOutputStream();
+        /** Parts of the message that is being sent. */
+        final List<byte[]> inbox = new ArrayList<>();
         HostedBlocks blocks;
         InitialMesh mesh;
         /** Of the last round that was begun. */
@@ -134,14 +137,14 @@ public final class ServedPartition implements RemotePartition {
     public void send(long id, byte[] part) throws SessionEndedException {
         Session session = session(id);
         synchronized (session) {
-            session.inbox.writeBytes(part);
+            session.inbox.add(part);
         }
     }
 
-    private static byte[] message(Session session) {
-        byte[] message = session.inbox.toByteArray();
-        session.inbox = new ByteArrayOutputStream();
-        return message;
+    private static DataInputStream message(Session session) {
+        List<byte[]> parts = List.copyOf(session.inbox);
+        session.inbox.clear();
+        return new DataInputStream(Pieces.open(parts));
     }
 
     /** What is computed for a session. */
@@ -173,7 +176,7 @@ public final class ServedPartition implements RemotePartition {
     @Override
     public byte[] take(long id) throws SessionEndedException {
         return inSession(id, session -> {
-            List<byte[]> answers = session.blocks.take(BlockTakeover.decode(message(session)));
+            List<byte[]> answers = session.blocks.take(BlockTakeover.read(message(session)));
             return Wire.bytes(out -> Wire.write(out, answers));
         });
     }
@@ -181,7 +184,7 @@ public final class ServedPartition implements RemotePartition {
     @Override
     public void know(long id) throws SessionEndedException {
         inSession(id, session -> {
-            session.blocks.know(Wire.shots(Wire.input(message(session))));
+            session.blocks.know(Wire.shots(message(session)));
             return null;
         });
     }
@@ -193,7 +196,7 @@ public final class ServedPartition implements RemotePartition {
 
     @Override
     public byte[] share(long id) throws SessionEndedException {
-        return inSession(id, session -> session.blocks.share(Wire.input(message(session))));
+        return inSession(id, session -> session.blocks.share(message(session)));
     }
 
     @Override

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import radiosity.protocol.SceneBytes;
+import radiosity.protocol.Wire;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
@@ -129,7 +130,8 @@ public class SameBitsTest {
     @Test
     void images_reachOtherHostsWithTheScene() throws IOException {
         Scene painted = painted();
-        SceneBytes.Task sent = SceneBytes.read(SceneBytes.write(painted, settings(Schedule.PREDICT)));
+        SceneBytes.Task sent = SceneBytes.read(Wire.input(SceneBytes.write(painted,
+                settings(Schedule.PREDICT))));
         Solution here = solve(new LocalWorld(painted, settings(Schedule.PREDICT), 2), shots(100));
         assertSame(here, solve(new LocalWorld(sent.scene(), sent.settings(), 1, 3), shots(100)));
         Solution plain = solve(new LocalWorld(SCENE, settings(Schedule.PREDICT), 2), shots(100));

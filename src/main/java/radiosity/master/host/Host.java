@@ -1,6 +1,9 @@
 package radiosity.master.host;
 
+import java.io.BufferedOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.rmi.RemoteException;
 import java.security.SecureRandom;
@@ -94,7 +97,7 @@ public final class Host implements AutoCloseable {
      * @param expected the fingerprint of the mesh that comes of it
      */
     public Void load(byte[] task, String expected) throws IOException {
-        send(task);
+        send(out -> out.write(task));
         String got = Wire.utf8(remote.mesh(session));
         if (!got.equals(expected)) {
             throw new IOException("expected the mesh of " + expected + ", got that of " + got);
@@ -115,11 +118,29 @@ public final class Host implements AutoCloseable {
         return link;
     }
 
-    private void send(byte[] message) throws RemoteException {
-        for (int at = 0; at < message.length; at += PART_BYTES) {
-            remote.send(session, Arrays.copyOfRange(message, at, Math.min(message.length, at + PART_BYTES)));
+    /** Sends a message as it is written, so that no array holds all of it. */
+    private void send(Wire.Writer message) throws IOException {
+        try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new Parts(), PART_BYTES))) {
+            message.write(out);
         }
-        load.bytes.addAndGet(message.length);
+    }
+
+    /** Sends what is written to it. */
+    private final class Parts extends OutputStream {
+
+        @Override
+        public void write(int value) throws IOException {
+            write(new byte[] {(byte) value}, 0, 1);
+        }
+
+        @Override
+        public void write(byte[] bytes, int from, int count) throws IOException {
+            for (int at = from; at < from + count; at += PART_BYTES) {
+                byte[] part = Arrays.copyOfRange(bytes, at, Math.min(from + count, at + PART_BYTES));
+                remote.send(session, part);
+                load.bytes.addAndGet(part.length);
+            }
+        }
     }
 
     private void beat() {
@@ -173,7 +194,7 @@ public final class Host implements AutoCloseable {
 
     /** What it answers to the orders that it was to answer. */
     public List<byte[]> take(BlockTakeover adoption) throws IOException {
-        send(adoption.encode());
+        send(adoption::write);
         byte[] answers = remote.take(session);
         load.bytes.addAndGet(answers.length);
         return Wire.list(answers);
@@ -181,7 +202,7 @@ public final class Host implements AutoCloseable {
 
     /** @param totals see {@link ShotHistory} */
     public Void know(byte[] totals) throws IOException {
-        send(totals);
+        send(out -> out.write(totals));
         remote.know(session);
         return null;
     }
@@ -196,10 +217,10 @@ public final class Host implements AutoCloseable {
      * @return what it leaves to the master: a {@link GhostReport}, or nothing
      */
     public byte[] share(int agreement, byte[] roles) throws IOException {
-        send(Wire.bytes(out -> {
+        send(out -> {
             out.writeInt(agreement);
             out.write(roles);
-        }));
+        });
         byte[] left = remote.share(session);
         load.bytes.addAndGet(left.length);
         return left;
