@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.master.RemoteWorld;
 import radiosity.output.image.SurfaceMaps;
@@ -55,7 +55,7 @@ public final class Radiosity {
      *                     content cannot be used
      */
     public static Scene read(Path file, Consumer<String> warnings) throws IOException {
-        return read(file, LightWaveOptions.defaults(), warnings);
+        return read(file, ReadOptions.defaults(), warnings);
     }
 
     /**
@@ -63,7 +63,7 @@ public final class Radiosity {
      *
      * @param options which frame, which emission, where to search for objects and images
      */
-    public static Scene read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
+    public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         return SurfaceMaps.read(LightWaveReader.read(file, options, warnings), options.srgb(), warnings);
     }
 

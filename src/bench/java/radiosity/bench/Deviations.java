@@ -14,7 +14,7 @@ import java.util.Vector;
 import java.util.function.IntPredicate;
 import radiosity.accuracy.FormFactorsTest;
 import radiosity.formfactor.ContourFactor;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.mesh.Block;
 import radiosity.mesh.Partitioner;
@@ -53,7 +53,7 @@ public final class Deviations {
         formFactors();
         corner();
         for (String file : arguments) {
-            Scene scene = LightWaveReader.read(Path.of(file), LightWaveOptions.defaults(), System.err::println);
+            Scene scene = LightWaveReader.read(Path.of(file), ReadOptions.defaults(), System.err::println);
             System.out.printf("%s, %d triangles%n", file, scene.triangles());
             Deviations deviations = new Deviations(scene);
             deviations.rays();

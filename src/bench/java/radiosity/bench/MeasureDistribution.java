@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.master.RemoteWorld;
 import radiosity.master.host.Link;
@@ -49,7 +49,7 @@ public final class MeasureDistribution {
     /** @param arguments what to measure, and a scene */
     public static void main(String[] arguments) throws Exception {
         MeasureDistribution measure = new MeasureDistribution(LightWaveReader.read(Path.of(arguments[1]),
-                LightWaveOptions.defaults(), line -> { }));
+                ReadOptions.defaults(), line -> { }));
         switch (arguments[0]) {
             case "lost" -> measure.lost();
             case "slow" -> measure.slow();

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
@@ -57,7 +57,7 @@ public final class Performance {
     }
 
     private static Scene read(Path file) throws IOException {
-        return LightWaveReader.read(file, LightWaveOptions.defaults(), System.err::println);
+        return LightWaveReader.read(file, ReadOptions.defaults(), System.err::println);
     }
 
     static RadiositySettings uniform(Scene scene, int patches) {

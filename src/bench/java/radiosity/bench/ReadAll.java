@@ -5,9 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.HostileCase;
 import radiosity.input.lightwave.HostileFilesTest;
-import radiosity.input.lightwave.LightWaveOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
@@ -40,7 +40,7 @@ public final class ReadAll {
 
     private static int read(Path file) throws IOException {
         try {
-            Scene scene = LightWaveReader.read(file, LightWaveOptions.defaults(), w -> { });
+            Scene scene = LightWaveReader.read(file, ReadOptions.defaults(), w -> { });
             return scene.triangles();
         } catch (SceneFormatException e) {
             return 0;

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.master.RemoteWorld;
 import radiosity.partition.BlockCosts;
@@ -43,7 +43,7 @@ public final class ScalingTable {
      *                  with, as in "0.5%"; then numbers of hosts
      */
     public static void main(String[] arguments) throws IOException {
-        Scene scene = LightWaveReader.read(Path.of(arguments[0]), LightWaveOptions.defaults(), line -> { });
+        Scene scene = LightWaveReader.read(Path.of(arguments[0]), ReadOptions.defaults(), line -> { });
         RadiositySettings settings = settings(arguments);
         StopRule stop = new StopRule(Integer.parseInt(arguments[3]), StopRule.DEFAULT_UNSENT);
         warmUp(new LocalWorld(scene, settings, 1), stop);

@@ -3,7 +3,7 @@ package radiosity.bench;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
@@ -37,7 +37,7 @@ final class StepTable {
     }
 
     public static void main(String[] arguments) throws IOException {
-        Scene scene = LightWaveReader.read(Path.of(arguments[0]), LightWaveOptions.defaults(), System.err::println);
+        Scene scene = LightWaveReader.read(Path.of(arguments[0]), ReadOptions.defaults(), System.err::println);
         for (int i = 2; i < arguments.length; i += 2) {
             double patches = Double.parseDouble(arguments[i]);
             RadiositySettings settings = new RadiositySettings(patches == 0 ? 0 : scene.area() / patches, 0,

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BiFunction;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.settings.FormFactors;
@@ -72,7 +72,7 @@ public final class TradeOff {
 
     private void compare(String name) throws IOException {
         Scene scene = LightWaveReader.read(truth.resolve(Path.of("lightwave", name + ".lws")),
-                LightWaveOptions.defaults(), System.err::println);
+                ReadOptions.defaults(), System.err::println);
         TruthFile points = TruthFile.read(truth.resolve(Path.of("truth", name + ".csv")));
         Plot plot = new Plot(name, "CPU seconds", "rmse / mean, per cent");
         measure(scene, WAYS.get(0), WAYS.get(0).knobs()[0], points);

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.settings.FormFactors;
@@ -110,7 +110,7 @@ public final class TruthTable {
         for (String scene : scenes) {
             TruthFile points = TruthFile.read(truth.resolve(Path.of("truth", scene + ".csv")));
             Scene read = LightWaveReader.read(truth.resolve(Path.of("lightwave", scene + ".lws")),
-                    LightWaveOptions.defaults(), System.err::println);
+                    ReadOptions.defaults(), System.err::println);
             for (int i = 0; i < repeat; i++) {
                 line(scene, read, points);
             }

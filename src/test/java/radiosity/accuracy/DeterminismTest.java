@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.solution.Solution;
@@ -18,7 +18,7 @@ class DeterminismTest {
     @Test
     void oneThreadAndTwo_giveTheSameBits() throws IOException {
         Scene scene = LightWaveReader.read(SharedData.truth("lightwave", "cornell_blocks.lws"),
-                LightWaveOptions.defaults(), warning -> { });
+                ReadOptions.defaults(), warning -> { });
         Solve solve = Solve.byDefault().patches(scene, 600).unsent(0.02);
         Solution one = solve.threads(1).solution(scene);
         Solution two = solve.threads(2).solution(scene);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.bench.TruthTable;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
@@ -127,7 +127,7 @@ class TruthTest {
     }
 
     static Scene read(String file) throws IOException {
-        return LightWaveReader.read(SharedData.truth("lightwave", file), LightWaveOptions.defaults(), warning -> { });
+        return LightWaveReader.read(SharedData.truth("lightwave", file), ReadOptions.defaults(), warning -> { });
     }
 
     private static double[] corners(Scene scene) {

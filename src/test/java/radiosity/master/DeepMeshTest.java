@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.master.host.Link;
 import radiosity.scene.Scene;
@@ -24,7 +24,7 @@ class DeepMeshTest {
 
     @Test
     void deepMeshDealtMovedAndLost_givesTheSameBitsAsLocal() throws IOException {
-        Scene scene = LightWaveReader.read(Path.of("scenes/cornell-box.lws"), LightWaveOptions.defaults(), line -> { });
+        Scene scene = LightWaveReader.read(Path.of("scenes/cornell-box.lws"), ReadOptions.defaults(), line -> { });
         RadiositySettings settings = new RadiositySettings(3500, 4, 0.05, Schedule.PAPER);
         StopRule stop = SameBitsTest.shots(300);
         Solution local = SameBitsTest.solve(new LocalWorld(scene, settings, 2), stop);

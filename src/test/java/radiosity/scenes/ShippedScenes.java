@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -20,7 +20,7 @@ final class ShippedScenes {
     /** Reads a scene that must give no warning. */
     static Scene read(String name) throws IOException {
         List<String> warnings = new ArrayList<>();
-        Scene scene = LightWaveReader.read(Path.of("scenes", name), LightWaveOptions.defaults(), warnings::add);
+        Scene scene = LightWaveReader.read(Path.of("scenes", name), ReadOptions.defaults(), warnings::add);
         assertEquals(List.of(), warnings);
         return scene;
     }

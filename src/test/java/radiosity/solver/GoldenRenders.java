@@ -11,8 +11,8 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.GoldenScenes;
-import radiosity.input.lightwave.LightWaveOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.SurfaceMaps;
@@ -78,7 +78,7 @@ final class GoldenRenders {
     }
 
     private static Scene scene(Path file) throws IOException {
-        LightWaveOptions options = LightWaveOptions.defaults().withLights(LightWaveOptions.Lights.EMITTERS);
+        ReadOptions options = ReadOptions.defaults().withLights(ReadOptions.Lights.EMITTERS);
         return SurfaceMaps.read(LightWaveReader.read(file, options, GoldenRenders::refuse), true,
                 GoldenRenders::refuse);
     }

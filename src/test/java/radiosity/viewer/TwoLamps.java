@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.ToneMapping;
@@ -41,7 +41,7 @@ final class TwoLamps {
     }
 
     private static Solution solution() throws IOException {
-        Scene box = LightWaveReader.read(Path.of("scenes/cornell-box.lws"), LightWaveOptions.defaults(), note -> { });
+        Scene box = LightWaveReader.read(Path.of("scenes/cornell-box.lws"), ReadOptions.defaults(), note -> { });
         double range = Math.sqrt(box.area());
         Light blue = new Light("blue", Light.Kind.POINT, new Rgb(0, 0, 2), box.camera().orElseThrow().position(),
                 new Vec3(0, 0, -1), Vec3.ZERO, Vec3.ZERO, range, 0, 0);

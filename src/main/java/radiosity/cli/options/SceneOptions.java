@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
-import radiosity.input.lightwave.LightWaveOptions;
+import radiosity.input.file.ReadOptions;
 
 /** How to read the LightWave scene. */
 public final class SceneOptions {
@@ -25,11 +25,11 @@ public final class SceneOptions {
 
     @Option(names = "--emission", paramLabel = "<property>", converter = EmissionParser.class,
             description = "What makes a surface emit: luminosity (default), or specular as in the paper.")
-    LightWaveOptions.Emission emission = LightWaveOptions.Emission.LUMINOSITY;
+    ReadOptions.Emission emission = ReadOptions.Emission.LUMINOSITY;
 
     @Option(names = "--lights", paramLabel = "<use>", converter = LightsParser.class,
             description = "The scene's lights: auto (where no surface emits; default), ignore or emitters (always).")
-    LightWaveOptions.Lights lights = LightWaveOptions.Lights.AUTO;
+    ReadOptions.Lights lights = ReadOptions.Lights.AUTO;
 
     @Option(names = "--srgb", description = "Colours of the scene are sRGB and made linear. Default: as written.")
     public boolean srgb;
@@ -38,21 +38,21 @@ public final class SceneOptions {
     public boolean strict;
 
     /** Reads {@code luminosity} and {@code specular}. */
-    static final class EmissionParser extends Values.Choice<LightWaveOptions.Emission> {
+    static final class EmissionParser extends Values.Choice<ReadOptions.Emission> {
         EmissionParser() {
-            super(LightWaveOptions.Emission.class);
+            super(ReadOptions.Emission.class);
         }
     }
 
     /** Reads {@code auto}, {@code ignore} and {@code emitters}. */
-    static final class LightsParser extends Values.Choice<LightWaveOptions.Lights> {
+    static final class LightsParser extends Values.Choice<ReadOptions.Lights> {
         LightsParser() {
-            super(LightWaveOptions.Lights.class);
+            super(ReadOptions.Lights.class);
         }
     }
 
-    public LightWaveOptions lightWave() {
-        LightWaveOptions options = LightWaveOptions.defaults().withEmission(emission).withContent(content).withMap(map)
+    public ReadOptions lightWave() {
+        ReadOptions options = ReadOptions.defaults().withEmission(emission).withContent(content).withMap(map)
                 .withLights(lights).withSrgb(srgb).withStrict(strict);
         return frame == null ? options : options.withFrame(frame);
     }

@@ -3,6 +3,7 @@ package radiosity.input.lightwave;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 
@@ -22,7 +23,7 @@ public final class LightWaveReader {
      * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
      * @throws IOException          if a file cannot be read
      */
-    public static Scene read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
+    public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         return SceneAssembly.read(file, options, warnings).scene();
     }
 }

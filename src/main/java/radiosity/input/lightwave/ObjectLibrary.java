@@ -10,6 +10,7 @@ import java.util.Optional;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.InputFile;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.lwo.Layer;
 import radiosity.input.lightwave.lwo.ObjectFile;
@@ -21,7 +22,7 @@ import radiosity.scene.SceneFormatException;
 final class ObjectLibrary {
 
     private final FileSearch search;
-    private final LightWaveOptions options;
+    private final ReadOptions options;
     private final Diagnostics notes;
     private final WorkBudget work = new WorkBudget();
     private final Map<Path, Optional<ObjectModel>> objects = new HashMap<>();
@@ -34,7 +35,7 @@ final class ObjectLibrary {
     /** Triangles and the name of the file they are from. */
     record Part(ObjectMesh mesh, String name) { }
 
-    ObjectLibrary(FileSearch search, LightWaveOptions options, Diagnostics notes) {
+    ObjectLibrary(FileSearch search, ReadOptions options, Diagnostics notes) {
         this.search = search;
         this.options = options;
         this.notes = notes;

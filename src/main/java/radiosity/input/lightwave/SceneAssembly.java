@@ -10,6 +10,7 @@ import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.lwo.ObjectFile;
 import radiosity.input.lightwave.lwo.ObjectModel;
@@ -38,7 +39,7 @@ public final class SceneAssembly {
     private static final double FARTHEST = 1e70;
 
     private final String name;
-    private final LightWaveOptions options;
+    private final ReadOptions options;
     private final Diagnostics notes;
     private final SurfaceTable surfaces;
     private final List<Instance> instances = new ArrayList<>();
@@ -50,7 +51,7 @@ public final class SceneAssembly {
     /** A mesh, where it stands, and the file it is from. */
     private record Instance(ObjectMesh mesh, Matrix world, String file) { }
 
-    private SceneAssembly(String name, LightWaveOptions options, Diagnostics notes) {
+    private SceneAssembly(String name, ReadOptions options, Diagnostics notes) {
         this.name = name;
         this.options = options;
         this.notes = notes;
@@ -60,7 +61,7 @@ public final class SceneAssembly {
     /** A scene with what it was made from; an object alone has no description and no placement. */
     record Reading(Scene scene, SceneDescription description, Placement placement) { }
 
-    static Reading read(Path file, LightWaveOptions options, Consumer<String> warnings) throws IOException {
+    static Reading read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
         byte[] bytes = InputFile.read(file, name, options.maxBytes());
         Diagnostics notes = new Diagnostics(name, warnings, options.strict());
@@ -68,7 +69,7 @@ public final class SceneAssembly {
     }
 
     /** A search for the objects and images that a scene names. */
-    static FileSearch search(Path scene, LightWaveOptions options, Diagnostics notes) throws IOException {
+    static FileSearch search(Path scene, ReadOptions options, Diagnostics notes) throws IOException {
         return new FileSearch(scene, options.content(), options.map(), ObjectFile::isObject, notes);
     }
 
@@ -79,7 +80,7 @@ public final class SceneAssembly {
      * @param name   as the user knows it
      * @param search for the objects and images it names
      */
-    static Reading read(byte[] bytes, String name, FileSearch search, LightWaveOptions options, Diagnostics notes)
+    static Reading read(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
         SceneAssembly assembly = new SceneAssembly(name, options, notes);
         if (SceneParser.isScene(bytes)) {
@@ -162,12 +163,12 @@ public final class SceneAssembly {
     /** The lights that the options take: with "auto" none where a surface emits. */
     private List<Light> takenLights() {
         boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
-        boolean taken = options.lights() == LightWaveOptions.Lights.EMITTERS
-                || options.lights() == LightWaveOptions.Lights.AUTO && !emits;
+        boolean taken = options.lights() == ReadOptions.Lights.EMITTERS
+                || options.lights() == ReadOptions.Lights.AUTO && !emits;
         if (taken && lights.isEmpty() && !emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
             notes.tell("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
         }
-        if (!taken && !lights.isEmpty() && options.lights() == LightWaveOptions.Lights.AUTO) {
+        if (!taken && !lights.isEmpty() && options.lights() == ReadOptions.Lights.AUTO) {
             notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
         }
         return taken ? lights : List.of();

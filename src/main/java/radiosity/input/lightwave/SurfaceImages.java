@@ -7,11 +7,12 @@ import java.util.Optional;
 import java.util.Set;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lwo.ObjectModel;
 import radiosity.input.lightwave.lwo.SurfaceValues;
 import radiosity.input.lightwave.lwo.TextureBlock;
-import radiosity.scene.ImageMap;
 import radiosity.scene.ImageMap.Target;
+import radiosity.scene.ImageMap;
 import radiosity.scene.Rgb;
 
 /**
@@ -83,9 +84,9 @@ final class SurfaceImages {
     }
 
     /** What the images of a surface do to its light. */
-    static List<ImageMap> maps(SurfaceValues surface, LightWaveOptions options) {
+    static List<ImageMap> maps(SurfaceValues surface, ReadOptions options) {
         List<ImageMap> maps = new ArrayList<>(0);
-        boolean specular = options.emission() == LightWaveOptions.Emission.SPECULAR;
+        boolean specular = options.emission() == ReadOptions.Emission.SPECULAR;
         double share = specular ? surface.specular : surface.luminosity;
         Rgb colour = SurfaceValues.linear(surface.colour, options.srgb());
         for (TextureBlock texture : surface.textures) {

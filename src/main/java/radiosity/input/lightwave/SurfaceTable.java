@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import radiosity.input.file.Diagnostics;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lwo.SurfaceValues;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
@@ -18,7 +19,7 @@ final class SurfaceTable {
 
     private static final int LONGEST_NAME = 200;
 
-    private final LightWaveOptions options;
+    private final ReadOptions options;
     private final Diagnostics notes;
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<SurfaceValues> described = new ArrayList<>();
@@ -27,7 +28,7 @@ final class SurfaceTable {
     /** By the name of a first copy: the lowest number that no further copy of it has tried. */
     private final Map<String, Integer> nextCopy = new HashMap<>();
 
-    SurfaceTable(LightWaveOptions options, Diagnostics notes) {
+    SurfaceTable(ReadOptions options, Diagnostics notes) {
         this.options = options;
         this.notes = notes;
     }
@@ -87,7 +88,7 @@ final class SurfaceTable {
     }
 
     private Surface surface(String name, SurfaceValues values) {
-        Rgb exitance = options.emission() == LightWaveOptions.Emission.SPECULAR
+        Rgb exitance = options.emission() == ReadOptions.Emission.SPECULAR
                 ? values.specularExitance(options.srgb()) : values.luminosityExitance(options.srgb());
         Rgb reflectance = values.reflectance(options.srgb());
         if (reflectance.max() > Surface.MAX_REFLECTANCE) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.IntList;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.SceneAssembly.Reading;
 import radiosity.input.lightwave.lwo.Layer;
@@ -165,7 +166,7 @@ class CorpusTest {
     }
 
     private static void assertScene(JsonNode expected) throws IOException {
-        LightWaveOptions options = LightWaveOptions.defaults().withFrame(Double.NEGATIVE_INFINITY);
+        ReadOptions options = ReadOptions.defaults().withFrame(Double.NEGATIVE_INFINITY);
         Reading reading = SceneAssembly.read(file(expected), options, w -> { });
         Scene scene = reading.scene();
         assertEquals(expected.get("triangles").asInt(), scene.triangles());

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileIndex;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
 
 /** Objects are found where they lie now, and nothing is found that lies elsewhere. */
@@ -50,7 +51,7 @@ class FileSearchTest {
         return Files.write(file, bytes);
     }
 
-    private Optional<String> find(String written, LightWaveOptions options) throws IOException {
+    private Optional<String> find(String written, ReadOptions options) throws IOException {
         Diagnostics notes = new Diagnostics("a.lws", told::add, false);
         Optional<Path> found = SceneAssembly.search(scene, options, notes).object(written);
         notes.flush();
@@ -75,14 +76,14 @@ class FileSearchTest {
         "F:fra/Objects/Amiga,                  project/Objects/amiga",
         "D:\\OBJ\\ROO~1.LWO,                   project/Objects/Room.lwo"})
     void objectsAreFound_howeverTheirPathsAreWritten(String written, String found) throws IOException {
-        assertEquals(Optional.of(found), find(written, LightWaveOptions.defaults()));
+        assertEquals(Optional.of(found), find(written, ReadOptions.defaults()));
         assertEquals(List.of(), told);
     }
 
     @ParameterizedTest
     @CsvSource({"secret.lwo", "../../../elsewhere/secret.lwo", "text.lwo", "gone.lwo", ".", "/", "C:", "chair.lwo/x"})
     void filesOutsideOfTheRoots_andThoseThatAreNoObjects_areNotFound(String written) throws IOException {
-        assertEquals(Optional.empty(), find(written, LightWaveOptions.defaults()));
+        assertEquals(Optional.empty(), find(written, ReadOptions.defaults()));
     }
 
     /** Whatever order a file system lists its files in. */
@@ -99,22 +100,22 @@ class FileSearchTest {
     @Test
     void absolutePathOutside_isNotFound_butInsideItIs() throws IOException {
         assertEquals(Optional.empty(), find(disk.resolve("elsewhere/secret.lwo").toAbsolutePath().toString(),
-                LightWaveOptions.defaults()));
+                ReadOptions.defaults()));
         assertEquals(Optional.of("project/Objects/amiga"), find(disk.resolve("project/Objects/amiga").toAbsolutePath()
-                .toString(), LightWaveOptions.defaults()));
+                .toString(), ReadOptions.defaults()));
     }
 
     @Test
     void contentDirectory_isSearchedToo() throws IOException {
-        LightWaveOptions options = LightWaveOptions.defaults().withContent(List.of(disk.resolve("library")));
+        ReadOptions options = ReadOptions.defaults().withContent(List.of(disk.resolve("library")));
         assertEquals(Optional.of("library/LAMP.LWO"), find("Lamps/lamp.lwo", options));
-        assertEquals(Optional.empty(), find("Lamps/lamp.lwo", LightWaveOptions.defaults()));
+        assertEquals(Optional.empty(), find("Lamps/lamp.lwo", ReadOptions.defaults()));
     }
 
     @Test
     void map_winsOverEverything() throws IOException {
         put("mapped/rooms/near.lwo", Objects.square());
-        LightWaveOptions options = LightWaveOptions.defaults().withMap(Map.of("P:\\Projects", disk.resolve("mapped")));
+        ReadOptions options = ReadOptions.defaults().withMap(Map.of("P:\\Projects", disk.resolve("mapped")));
         assertEquals(Optional.of("mapped/rooms/near.lwo"), find("p:/projects/rooms/near.lwo", options));
         assertEquals(Optional.of("project/Scenes/deep/near.lwo"), find("near.lwo", options));
     }
@@ -127,8 +128,8 @@ class FileSearchTest {
         } catch (UnsupportedOperationException | IOException e) {
             assumeTrue(false, "skipped: this system makes no links");
         }
-        assertEquals(Optional.empty(), find("link.lwo", LightWaveOptions.defaults()));
-        assertEquals(Optional.empty(), find("folder/secret.lwo", LightWaveOptions.defaults()));
+        assertEquals(Optional.empty(), find("link.lwo", ReadOptions.defaults()));
+        assertEquals(Optional.empty(), find("folder/secret.lwo", ReadOptions.defaults()));
     }
 
     @Test
@@ -141,21 +142,21 @@ class FileSearchTest {
         }
         scene = link;
         assertEquals(Optional.of("project/Objects/rooms/hall/chair.lwo"),
-                find("chair.lwo", LightWaveOptions.defaults()));
-        assertEquals(Optional.of("project/Scenes/deep/near.lwo"), find("near.lwo", LightWaveOptions.defaults()));
+                find("chair.lwo", ReadOptions.defaults()));
+        assertEquals(Optional.of("project/Scenes/deep/near.lwo"), find("near.lwo", ReadOptions.defaults()));
     }
 
     @Test
     void twoThatFitEqually_areToldAndTheFirstTaken() throws IOException {
         assertEquals(Optional.of("project/Objects/rooms/hall/chair.lwo"), find("X:chair.lwo",
-                LightWaveOptions.defaults()));
+                ReadOptions.defaults()));
         assertEquals(1, told.size());
         assertTrue(told.get(0).contains("kitchen"), told.toString());
     }
 
     @Test
     void contentDirectoryThatIsNone_isTold() throws IOException {
-        find("near.lwo", LightWaveOptions.defaults().withContent(List.of(disk.resolve("nowhere"))));
+        find("near.lwo", ReadOptions.defaults().withContent(List.of(disk.resolve("nowhere"))));
         assertTrue(told.get(0).contains("nowhere"), told.toString());
     }
 
@@ -163,9 +164,9 @@ class FileSearchTest {
     void missingObjects_areOneWarningWithACount_andAnErrorUnderStrict() throws IOException {
         String text = "LWSC\n1\nLoadObject near.lwo\nLoadObject gone.lwo\nLoadObject gone2.lwo\n";
         Files.writeString(scene, text);
-        LightWaveReader.read(scene, LightWaveOptions.defaults(), told::add);
+        LightWaveReader.read(scene, ReadOptions.defaults(), told::add);
         assertEquals(List.of("a.lws, line 4: objects that are not found are left out: gone.lwo (2 times)"), told);
-        LightWaveOptions strict = LightWaveOptions.defaults().withStrict(true);
+        ReadOptions strict = ReadOptions.defaults().withStrict(true);
         SceneFormatException error = assertThrows(SceneFormatException.class,
                 () -> LightWaveReader.read(scene, strict, told::add));
         assertTrue(error.getMessage().startsWith("a.lws, line 4: expected"), error.getMessage());

@@ -12,7 +12,8 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.input.lightwave.LightWaveOptions.Emission;
+import radiosity.input.file.ReadOptions;
+import radiosity.input.file.ReadOptions.Emission;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -44,7 +45,7 @@ class FixturesTest {
     void paperSpecular_withoutTheOption_isToldAbout() throws IOException {
         List<String> told = new ArrayList<>();
         Scene scene = LightWaveReader.read(Shared.path("lightwave/fixtures/cornell-paper-specular/cornell.lws"),
-                LightWaveOptions.defaults(), told::add);
+                ReadOptions.defaults(), told::add);
         assertTrue(scene.surfaces().stream().noneMatch(Surface::emits));
         assertTrue(told.stream().anyMatch(w -> w.contains("specular")), told.toString());
     }
@@ -64,7 +65,7 @@ class FixturesTest {
     private static Scene read(String file, Emission emission) throws IOException {
         Path path = Shared.path("lightwave/fixtures/" + file);
         List<String> warnings = new ArrayList<>();
-        Scene scene = LightWaveReader.read(path, LightWaveOptions.defaults().withEmission(emission), warnings::add);
+        Scene scene = LightWaveReader.read(path, ReadOptions.defaults().withEmission(emission), warnings::add);
         assertEquals(List.of(), warnings, file);
         return scene;
     }

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
 
 /** Mutants of sound files end in a scene or in the one exception; nothing else is thrown and nothing hangs. */
@@ -32,7 +33,7 @@ class FuzzTest {
     @TempDir
     Path folder;
 
-    private final LightWaveOptions options = LightWaveOptions.defaults().withMaxTriangles(1_000_000);
+    private final ReadOptions options = ReadOptions.defaults().withMaxTriangles(1_000_000);
 
     @ParameterizedTest
     @MethodSource("sound")

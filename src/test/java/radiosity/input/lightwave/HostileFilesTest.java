@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
 
 /** Every kind of broken and hostile input ends in what is sound of it, or in one clear line. */
@@ -40,7 +41,7 @@ public class HostileFilesTest {
         List<String> told = new ArrayList<>();
         int triangles = HostileCase.ERROR;
         try {
-            triangles = LightWaveReader.read(file, LightWaveOptions.defaults(), told::add).triangles();
+            triangles = LightWaveReader.read(file, ReadOptions.defaults(), told::add).triangles();
         } catch (SceneFormatException e) {
             assertTrue(e.getMessage().matches("(?s).*: expected .*, got .*"), e.getMessage());
             told.add(e.getMessage());
@@ -60,7 +61,7 @@ public class HostileFilesTest {
     @ParameterizedTest
     @MethodSource("soundObjects")
     void objectCutAnywhere_endsInASceneOrOneLine(byte[] sound) throws IOException {
-        LightWaveOptions options = LightWaveOptions.defaults();
+        ReadOptions options = ReadOptions.defaults();
         FileSearch search = SceneAssembly.search(Files.write(folder.resolve("cut.lwo"), sound), options,
                 new Diagnostics("cut.lwo", w -> { }, false));
         for (int length = 0; length < sound.length; length++) {

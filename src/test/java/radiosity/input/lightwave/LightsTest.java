@@ -12,7 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import radiosity.input.lightwave.LightWaveOptions.Lights;
+import radiosity.input.file.ReadOptions;
+import radiosity.input.file.ReadOptions.Lights;
 import radiosity.scene.Camera;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
@@ -31,7 +32,7 @@ class LightsTest {
     private final List<String> told = new ArrayList<>();
 
     private Light light(String text) throws IOException {
-        return Scenes.read(folder, text, LightWaveOptions.defaults(), told).lights().get(0);
+        return Scenes.read(folder, text, ReadOptions.defaults(), told).lights().get(0);
     }
 
     private static void assertClose(Vec3 expected, Vec3 got) {
@@ -101,9 +102,9 @@ class LightsTest {
     void intensityEnvelope_isTakenAtTheFrame() throws IOException {
         String text = V1 + "AddLight\nLightType 1\nLgtIntensity (envelope)\n 1\n 2\n 0\n 0 1 0 0 0\n 4\n 40 1 0 0 0\n"
                 + "EndBehavior 1\n";
-        Scene scene = Scenes.read(folder, text, LightWaveOptions.defaults().withFrame(10), told);
+        Scene scene = Scenes.read(folder, text, ReadOptions.defaults().withFrame(10), told);
         assertClose(Rgb.grey(1), scene.lights().get(0).power());
-        assertEquals(0, Scenes.read(folder, text, LightWaveOptions.defaults(), told).lights().size());
+        assertEquals(0, Scenes.read(folder, text, ReadOptions.defaults(), told).lights().size());
     }
 
     @Test
@@ -111,7 +112,7 @@ class LightsTest {
         String text = V1 + Scenes.motion1(3, 0, 4, 0, 0, 0, 1, 1, 1) + "AddLight\n"
                 + motion("LightMotion", 3, 5, 4, 70, 0, 0) + "LightType 2\nTargetObject 1\n"
                 + motion("CameraMotion", 0, 0, 0, 10, 20, 0) + "TargetObject 1\nZoomFactor 2\nCustomSize 200 100\n";
-        Scene scene = Scenes.read(folder, text, LightWaveOptions.defaults(), told);
+        Scene scene = Scenes.read(folder, text, ReadOptions.defaults(), told);
         assertClose(new Vec3(0, -1, 0), scene.lights().get(0).direction());
         Camera camera = scene.camera().orElseThrow();
         assertClose(new Vec3(0.6, 0, -0.8), camera.forward());
@@ -125,7 +126,7 @@ class LightsTest {
         String text = V1 + Scenes.motion1(3, 1, 4, 0, 0, 0, 1, 1, 1) + "AddNullObject n\n"
                 + Scenes.motion1(0, 1, 0, 30, 40, 50, 2, 2, 2) + motion("CameraMotion", 1, 2, 3, 10, 20, 0)
                 + "ParentObject 2\nTargetObject 1\n";
-        Camera camera = Scenes.read(folder, text, LightWaveOptions.defaults(), told).camera().orElseThrow();
+        Camera camera = Scenes.read(folder, text, ReadOptions.defaults(), told).camera().orElseThrow();
         assertClose(new Vec3(3, 1, -4).minus(camera.position()).unit(), camera.forward());
     }
 
@@ -133,7 +134,7 @@ class LightsTest {
     void currentCamera_isTaken() throws IOException {
         String text = V5 + "AddCamera 30000000\n" + Scenes.motion3("CameraMotion", 1) + "AddCamera 30000001\n"
                 + Scenes.motion3("CameraMotion", 2) + "CurrentCamera 1\n";
-        assertEquals(2, Scenes.read(folder, text, LightWaveOptions.defaults(), told).camera().orElseThrow().position()
+        assertEquals(2, Scenes.read(folder, text, ReadOptions.defaults(), told).camera().orElseThrow().position()
                 .x());
     }
 
@@ -152,7 +153,7 @@ class LightsTest {
     private List<Integer> counts(Lights lights, String... scenes) throws IOException {
         List<Integer> counts = new ArrayList<>();
         for (String scene : scenes) {
-            LightWaveOptions options = LightWaveOptions.defaults().withLights(lights).withStrict(true);
+            ReadOptions options = ReadOptions.defaults().withLights(lights).withStrict(true);
             counts.add(Scenes.read(folder, scene, options, told).lights().size());
         }
         return counts;

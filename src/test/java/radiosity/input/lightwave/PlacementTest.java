@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lws.Matrix;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -26,7 +27,7 @@ class PlacementTest {
     private final List<String> told = new ArrayList<>();
 
     private Scene read(String text) throws IOException {
-        Scene scene = Scenes.read(folder, text, LightWaveOptions.defaults(), told);
+        Scene scene = Scenes.read(folder, text, ReadOptions.defaults(), told);
         assertEquals(List.of(), told);
         return scene;
     }
@@ -87,7 +88,7 @@ class PlacementTest {
                 Objects.lwo2Surface("white", "")));
         assertAt(-1, -1, 0, Scenes.origin(read("LWSC\n3\nLoadObjectLayer 1 p.lwo\n"), 0));
         assertAt(-2, 0, 0, Scenes.origin(read("LWSC\n3\nLoadObjectLayer 1 p.lwo\nPivotPosition 2 0 0\n"), 0));
-        assertAt(0, 0, 0, Scenes.left(LightWaveReader.read(folder.resolve("p.lwo"), LightWaveOptions.defaults(),
+        assertAt(0, 0, 0, Scenes.left(LightWaveReader.read(folder.resolve("p.lwo"), ReadOptions.defaults(),
                 told::add)
                 .corner(0, 0)));
     }
@@ -126,7 +127,7 @@ class PlacementTest {
     void boneAsParent_standsForItsObject() throws IOException {
         Scene scene = Scenes.read(folder, "LWSC\n5\nLoadObjectLayer 1 10000000 room.lwo\n"
                 + Scenes.motion3("ObjectMotion", 3) + "AddBone 40020000\nBoneName b\n" + Scenes.motion3("BoneMotion", 9)
-                + "LoadObjectLayer 1 10000001 room.lwo\nParentItem 40020000\n", LightWaveOptions.defaults(), told);
+                + "LoadObjectLayer 1 10000001 room.lwo\nParentItem 40020000\n", ReadOptions.defaults(), told);
         assertAt(3, 0, 0, Scenes.origin(scene, 1));
         assertTrue(told.get(0).contains("bones"), told.toString());
     }
@@ -147,7 +148,7 @@ class PlacementTest {
         String text = "LWSC\n1\nFirstFrame 10\nFramesPerSecond 25\n" + OBJECT1 + "ObjectMotion (unnamed)\n 9\n 2\n"
                 + " 0 0 0 0 0 0 1 1 1\n 0 1 0 0 0\n 40 0 0 0 0 0 1 1 1\n 40 1 0 0 0\nEndBehavior 1\n";
         assertAt(10, 0, 0, Scenes.origin(read(text), 0));
-        assertAt(25, 0, 0, Scenes.origin(Scenes.read(folder, text, LightWaveOptions.defaults().withFrame(25), told),
+        assertAt(25, 0, 0, Scenes.origin(Scenes.read(folder, text, ReadOptions.defaults().withFrame(25), told),
                 0));
     }
 
@@ -171,7 +172,7 @@ class PlacementTest {
         assertEquals(4, read("LWSC\n1\n" + OBJECT1 + OBJECT1 + "ObjDissolve 0.9\n").triangles());
         String afterBone = "AddBone\nBoneName b\nBoneMotion (unnamed)\n 9\n 1\n 0 0 0 0 0 0 1 1 1\n 0 0 0 0 0\n"
                 + "EndBehavior 1\nObjDissolve 1\n";
-        assertEquals(2, Scenes.read(folder, "LWSC\n1\n" + OBJECT1 + OBJECT1 + afterBone, LightWaveOptions.defaults(),
+        assertEquals(2, Scenes.read(folder, "LWSC\n1\n" + OBJECT1 + OBJECT1 + afterBone, ReadOptions.defaults(),
                 told).triangles());
     }
 }

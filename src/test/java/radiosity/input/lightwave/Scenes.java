@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
@@ -14,7 +15,7 @@ final class Scenes {
     }
 
     /** Reads a scene that stands beside a square from (0, 0, 0) to (1, 1, 0), room.lwo. */
-    static Scene read(Path folder, String text, LightWaveOptions options, List<String> told) throws IOException {
+    static Scene read(Path folder, String text, ReadOptions options, List<String> told) throws IOException {
         Files.write(folder.resolve("room.lwo"), Objects.square());
         return LightWaveReader.read(Files.writeString(folder.resolve("a.lws"), text), options, told::add);
     }

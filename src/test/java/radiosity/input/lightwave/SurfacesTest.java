@@ -21,7 +21,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.input.lightwave.LightWaveOptions.Emission;
+import radiosity.input.file.ReadOptions;
+import radiosity.input.file.ReadOptions.Emission;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
@@ -35,13 +36,13 @@ class SurfacesTest {
 
     private final List<String> told = new ArrayList<>();
 
-    private Surface read(byte[] object, LightWaveOptions options) throws IOException {
+    private Surface read(byte[] object, ReadOptions options) throws IOException {
         Path file = Files.write(folder.resolve("thing.lwo"), object);
         return LightWaveReader.read(file, options, told::add).surface(0);
     }
 
     private Surface read(byte[] object) throws IOException {
-        return read(object, LightWaveOptions.defaults());
+        return read(object, ReadOptions.defaults());
     }
 
     private static byte[] old(byte[]... parts) {
@@ -73,7 +74,7 @@ class SurfacesTest {
     @Test
     void oldObject_sharesOf4Bytes_areReadToo() throws IOException {
         byte[] object = old(sub("COLR", u1(255, 255, 255, 0)), sub("SPEC", u4(64)));
-        assertClose(Rgb.grey(0.25), read(object, LightWaveOptions.defaults().withEmission(Emission.SPECULAR))
+        assertClose(Rgb.grey(0.25), read(object, ReadOptions.defaults().withEmission(Emission.SPECULAR))
                 .exitance());
     }
 
@@ -126,7 +127,7 @@ class SurfacesTest {
     void srgb_makesColoursLinear() throws IOException {
         byte[] object = Objects.lwo2(Objects.lwo2Surface("white", "", Objects.colour(0.5, 0.04, 1),
                 Objects.share("DIFF", 0.5)));
-        Surface linear = read(object, LightWaveOptions.defaults().withSrgb(true));
+        Surface linear = read(object, ReadOptions.defaults().withSrgb(true));
         assertClose(new Rgb(0.5 * 0.2140411, 0.5 * 0.04 / 12.92, 0.5), linear.reflectance());
     }
 
@@ -148,7 +149,7 @@ class SurfacesTest {
                 Objects.lwo2(Objects.lwo2Surface("white", "", Objects.share("DIFF", .9))));
         Path file = Files.writeString(folder.resolve("s.lws"), "LWSC\n1\nLoadObject a.lwo\nLoadObject b.lwo\n"
                 + "LoadObject c.lwo\nLoadObject a.lwo\nLoadObject d/c.lwo\n");
-        Scene scene = LightWaveReader.read(file, LightWaveOptions.defaults(), told::add);
+        Scene scene = LightWaveReader.read(file, ReadOptions.defaults(), told::add);
         assertEquals(List.of("white", "c.lwo:white", "c.lwo:white#2"), scene.surfaces().stream().map(Surface::name)
                 .toList());
         assertEquals(10, scene.triangles());
@@ -172,7 +173,7 @@ class SurfacesTest {
                         Iff.join(surfaces));
         Path file = Files.write(folder.resolve("thing.lwo"), object);
         Scene scene = assertTimeoutPreemptively(Duration.ofSeconds(30),
-                () -> LightWaveReader.read(file, LightWaveOptions.defaults(), told::add));
+                () -> LightWaveReader.read(file, ReadOptions.defaults(), told::add));
         String plain = "\\u0001\\u0001";
         assertEquals(List.of(plain, "thing.lwo:" + plain + "#3", "thing.lwo:" + plain, "thing.lwo:" + plain + "#4",
                 "thing.lwo:" + plain + "#5"), scene.surfaces().stream().map(Surface::name).toList());
@@ -182,17 +183,17 @@ class SurfacesTest {
     void strict_makesTheFirstWarningAnError() {
         byte[] object = Objects.lwo2(Objects.lwo2Surface("white", "", Objects.share("DIFF", 5)));
         SceneFormatException error = assertThrows(SceneFormatException.class,
-                () -> read(object, LightWaveOptions.defaults().withStrict(true)));
+                () -> read(object, ReadOptions.defaults().withStrict(true)));
         assertTrue(error.getMessage().contains("strict"), error.getMessage());
     }
 
     @Test
     void budgets_areOneLine() throws IOException {
         SceneFormatException triangles = assertThrows(SceneFormatException.class,
-                () -> read(Objects.square(), LightWaveOptions.defaults().withMaxTriangles(1)));
+                () -> read(Objects.square(), ReadOptions.defaults().withMaxTriangles(1)));
         assertEquals("thing.lwo: expected at most 1 triangles, got 2", triangles.getMessage());
         SceneFormatException bytes = assertThrows(SceneFormatException.class,
-                () -> read(Objects.square(), LightWaveOptions.defaults().withMaxBytes(100)));
+                () -> read(Objects.square(), ReadOptions.defaults().withMaxBytes(100)));
         assertTrue(bytes.getMessage().startsWith("thing.lwo: expected at most 100 bytes, got "), bytes.getMessage());
     }
 }

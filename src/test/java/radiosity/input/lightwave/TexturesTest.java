@@ -21,6 +21,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -40,7 +41,7 @@ class TexturesTest {
     }
 
     private Scene read(byte[] object) throws IOException {
-        return LightWaveReader.read(Files.write(folder.resolve("thing.lwo"), object), LightWaveOptions.defaults(),
+        return LightWaveReader.read(Files.write(folder.resolve("thing.lwo"), object), ReadOptions.defaults(),
                 told::add);
     }
 

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
@@ -20,7 +21,7 @@ class TruthGeometryTest {
         JsonNode surfaces = new ObjectMapper().readTree(Shared.path("truth/scenes/" + name + ".json").toFile())
                 .get("surfaces");
         Scene scene = LightWaveReader.read(Shared.path("truth/lightwave/" + name + ".lws"),
-                LightWaveOptions.defaults(), w -> { });
+                ReadOptions.defaults(), w -> { });
         int triangle = 0;
         for (JsonNode surface : surfaces) {
             int corners = surface.get("vertices").size();

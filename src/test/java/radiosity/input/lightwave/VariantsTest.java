@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 
@@ -31,7 +32,7 @@ class VariantsTest {
 
     private static Scene read(Path file) throws IOException {
         List<String> warnings = new ArrayList<>();
-        Scene scene = LightWaveReader.read(file, LightWaveOptions.defaults(), warnings::add);
+        Scene scene = LightWaveReader.read(file, ReadOptions.defaults(), warnings::add);
         assertEquals(List.of(), warnings);
         return scene;
     }

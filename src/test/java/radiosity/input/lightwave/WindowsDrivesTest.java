@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.input.file.Diagnostics;
+import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 
 /** A scene on one drive of Windows, its objects on another one and on a share: in memory, on every system. */
@@ -26,7 +27,7 @@ class WindowsDrivesTest {
 
     private FileSystem windows;
     private Path scene;
-    private LightWaveOptions options;
+    private ReadOptions options;
     private final List<String> warnings = new ArrayList<>();
 
     @BeforeEach
@@ -42,7 +43,7 @@ class WindowsDrivesTest {
         put("D:\\library\\Objects\\a0\\table.lwo", Objects.square());
         put("D:\\library\\Objects\\broken.lwo", java.util.Arrays.copyOf(Objects.square(), 40));
         put("\\\\server\\share\\Objects\\vase.lwo", Objects.square());
-        options = LightWaveOptions.defaults().withContent(List.of(windows.getPath("D:\\library"),
+        options = ReadOptions.defaults().withContent(List.of(windows.getPath("D:\\library"),
                 windows.getPath("\\\\server\\share\\Objects")));
     }
 
@@ -98,7 +99,7 @@ class WindowsDrivesTest {
 
     @Test
     void mapToAnotherDrive_isFollowed() throws IOException {
-        options = LightWaveOptions.defaults().withMap(Map.of("P:\\", windows.getPath("D:\\library\\Objects")));
+        options = ReadOptions.defaults().withMap(Map.of("P:\\", windows.getPath("D:\\library\\Objects")));
         assertEquals(Optional.of("D:\\library\\Objects\\chair.lwo"), find("p:/chair.lwo"));
     }
 
