@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import radiosity.scene.Hierarchy;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
 import radiosity.scene.Raster;
@@ -18,8 +19,8 @@ import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 
 /**
- * What a host must know of a scene, and the settings, as bytes: original triangles, surfaces with what has become of
- * their images, and lights. Names and the camera stay with the master.
+ * What a host must know of a scene, and the settings, as bytes: original triangles, which object each is of,
+ * surfaces with what has become of their images, and lights. Names and the camera stay with the master.
  */
 public final class SceneBytes {
 
@@ -50,6 +51,8 @@ public final class SceneBytes {
             }
             writeFloats(out, scene.surfaces().stream().allMatch(surface -> surface.maps().isEmpty()) ? new float[0]
                     : scene.textureCoordinates());
+            writeFloats(out, scene.vertexColours());
+            writeInts(out, scene.hierarchy().nodeOf());
             out.writeInt(scene.lights().size());
             for (Light light : scene.lights()) {
                 write(out, light);
@@ -73,13 +76,15 @@ public final class SceneBytes {
                     new Surface.Maps(raster(in), raster(in))));
         }
         float[] textureCoordinates = readFloats(in);
+        float[] vertexColours = readFloats(in);
+        int[] nodeOf = readInts(in);
         List<Light> lights = new ArrayList<>();
         for (int n = Wire.count(in, LIGHT_BYTES), i = 0; i < n; i++) {
             lights.add(new Light("light " + i, constant(Light.Kind.values(), in.readByte()), rgb(in), vec(in), vec(in),
                     vec(in), vec(in), in.readDouble(), in.readDouble(), in.readDouble()));
         }
         return new Task(new Scene("the master's scene", points, corners, surfaceOf, surfaces, lights,
-                Optional.empty(), textureCoordinates), settings);
+                Optional.empty(), textureCoordinates, vertexColours, Hierarchy.unnamed(nodeOf)), settings);
     }
 
     private static void write(DataOutputStream out, RadiositySettings settings) throws IOException {

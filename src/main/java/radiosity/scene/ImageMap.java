@@ -8,16 +8,17 @@ package radiosity.scene;
  * image's values run from 0 to 1.
  *
  * @param target   what is varied
- * @param image    path of the file, found by the reader
+ * @param image    found by the reader
  * @param scale    factor of the image's values: of reflectance without unit, of exitance in W/m²
  * @param grey     the mean of the image's three channels counts, not each of them
+ * @param coded    the image's values are sRGB whatever the user says, and are made linear
  * @param negative 1 - value is taken for each value of the image
  * @param opacity  share of the image, in [0, 1]
  * @param wrapU    what stands outside of u in [0, 1]
  * @param wrapV    what stands outside of v in [0, 1]
  */
-public record ImageMap(Target target, String image, Rgb scale, boolean grey, boolean negative, double opacity,
-                       Wrap wrapU, Wrap wrapV) {
+public record ImageMap(Target target, ImageSource image, Rgb scale, boolean grey, boolean coded, boolean negative,
+                       double opacity, Wrap wrapU, Wrap wrapV) {
 
     /** What an image varies. */
     public enum Target { REFLECTANCE, EXITANCE }
@@ -27,7 +28,7 @@ public record ImageMap(Target target, String image, Rgb scale, boolean grey, boo
 
     public ImageMap {
         if (!(opacity >= 0 && opacity <= 1) || !scale.isFinite()) {
-            throw new IllegalArgumentException("image " + image
+            throw new IllegalArgumentException("image " + image.name()
                     + ": expected an opacity in [0, 1] and a finite scale, got " + opacity + " and " + scale);
         }
     }

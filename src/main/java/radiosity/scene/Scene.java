@@ -20,14 +20,26 @@ import java.util.stream.Stream;
  * @param camera    from where the scene's maker looked at it
  * @param textureCoordinates u, v of each corner, 6 per triangle, v upwards; NaN where a triangle has none; empty if no
  *                  triangle has any
+ * @param vertexColours red, green, blue in [0, 1] with which the surface's reflectance is multiplied at each corner, 9
+ *                  per triangle; empty if they are all 1
+ * @param hierarchy objects, and which triangles are whose
  */
 public record Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
-                    List<Light> lights, Optional<Camera> camera, float[] textureCoordinates) {
+                    List<Light> lights, Optional<Camera> camera, float[] textureCoordinates, float[] vertexColours,
+                    Hierarchy hierarchy) {
+
+    private static final float[] NONE = new float[0];
 
     /** A scene without texture coordinates. */
     public Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
                  List<Light> lights, Optional<Camera> camera) {
-        this(name, points, corners, surfaceOf, surfaces, lights, camera, new float[0]);
+        this(name, points, corners, surfaceOf, surfaces, lights, camera, NONE);
+    }
+
+    /** A scene without colours at vertices and without objects. */
+    public Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
+                 List<Light> lights, Optional<Camera> camera, float[] textureCoordinates) {
+        this(name, points, corners, surfaceOf, surfaces, lights, camera, textureCoordinates, NONE, Hierarchy.NONE);
     }
 
     public Scene {
@@ -37,6 +49,13 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         require(corners.length == 3 * surfaceOf.length, "3 corners per triangle", corners.length);
         require(textureCoordinates.length == 0 || textureCoordinates.length == 6 * surfaceOf.length,
                 "no texture coordinates or 6 per triangle", textureCoordinates.length);
+        require(vertexColours.length == 0 || vertexColours.length == 9 * surfaceOf.length,
+                "no colours at vertices or 9 numbers per triangle", vertexColours.length);
+        for (float colour : vertexColours) {
+            require(colour >= 0 && colour <= 1, "colours in [0, 1]", colour);
+        }
+        require(hierarchy.nodes().isEmpty() || hierarchy.nodeOf().length == surfaceOf.length,
+                "a node for each triangle", hierarchy.nodeOf().length);
         for (double x : points) {
             require(Double.isFinite(x), "finite coordinates", x);
         }
@@ -72,68 +91,112 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return surfaces.get(surfaceOf[triangle]);
     }
 
-    /** Whether what a triangle reflects or emits differs from point to point. */
+    /** The same triangles with other surfaces in place of theirs, and other lights. */
+    public Scene with(List<Surface> otherSurfaces, List<Light> otherLights) {
+        return new Scene(name, points, corners, surfaceOf, otherSurfaces, otherLights, camera, textureCoordinates,
+                vertexColours, hierarchy);
+    }
+
+    /** Whether what a triangle reflects or emits differs from that of its surface. */
     public boolean isMapped(int triangle) {
+        return hasImages(triangle) || isColoured(triangle);
+    }
+
+    /** Whether images of its surface lie on a triangle. */
+    public boolean hasImages(int triangle) {
         return !surface(triangle).maps().isEmpty() && textureCoordinates.length > 0
                 && !Float.isNaN(textureCoordinates[6 * triangle]);
+    }
+
+    /** Whether its vertices have colours other than white. */
+    public boolean isColoured(int triangle) {
+        for (int i = 9 * triangle; i < 9 * triangle + 9 && vertexColours.length > 0; i++) {
+            if (vertexColours[i] != 1) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The colour of a triangle's corner k (0, 1 or 2), with which its reflectance is multiplied. */
+    public Rgb vertexColour(int triangle, int k) {
+        int i = 9 * triangle + 3 * k;
+        return vertexColours.length == 0 ? Rgb.grey(1)
+                : new Rgb(vertexColours[i], vertexColours[i + 1], vertexColours[i + 2]);
     }
 
     /** What there is to see of a triangle at a point on it. */
     public MaterialSample look(int triangle, Vec3 point) {
         Surface surface = surface(triangle);
+        MaterialSample everywhere = new MaterialSample(surface.exitance(), surface.reflectance());
         if (!isMapped(triangle)) {
-            return new MaterialSample(surface.exitance(), surface.reflectance());
+            return everywhere;
         }
-        double[] at = textureCoordinates(triangle, point);
-        return new MaterialSample(surface.maps().exitance().map(map -> map.at(at[0], at[1])).orElse(surface.exitance()),
-                surface.maps().reflectance().map(map -> map.at(at[0], at[1])).orElse(surface.reflectance()));
+        double[] weights = weights(triangle, point);
+        return coloured(triangle, weights, !hasImages(triangle) ? everywhere : surface.look(map ->
+                map.at(textureCoordinate(triangle, 0, weights), textureCoordinate(triangle, 1, weights))));
     }
 
     /** The same in the mean under a part of a triangle. */
     public MaterialSample meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
         Surface surface = surface(triangle);
+        MaterialSample everywhere = new MaterialSample(surface.exitance(), surface.reflectance());
         if (!isMapped(triangle)) {
-            return new MaterialSample(surface.exitance(), surface.reflectance());
+            return everywhere;
         }
-        double[][] at = {textureCoordinates(triangle, a), textureCoordinates(triangle, b),
-                textureCoordinates(triangle, c)};
-        double[] u = {at[0][0], at[1][0], at[2][0]};
-        double[] v = {at[0][1], at[1][1], at[2][1]};
-        return new MaterialSample(surface.maps().exitance().map(map -> map.mean(u, v)).orElse(surface.exitance()),
-                surface.maps().reflectance().map(map -> map.mean(u, v)).orElse(surface.reflectance()));
+        double[][] at = {weights(triangle, a), weights(triangle, b), weights(triangle, c)};
+        double[] middle = {(at[0][0] + at[1][0] + at[2][0]) / 3, (at[0][1] + at[1][1] + at[2][1]) / 3};
+        return coloured(triangle, middle, !hasImages(triangle) ? everywhere : surface.look(map ->
+                map.mean(textureCoordinates(triangle, 0, at), textureCoordinates(triangle, 1, at))));
     }
 
-    /** Pixels of a mapped triangle's pictures per scene unit along an edge, at most. */
+    private MaterialSample coloured(int triangle, double[] weights, MaterialSample of) {
+        if (!isColoured(triangle)) {
+            return of;
+        }
+        Rgb colour = vertexColour(triangle, 0).times(1 - weights[0] - weights[1])
+                .plus(vertexColour(triangle, 1).times(weights[0])).plus(vertexColour(triangle, 2).times(weights[1]));
+        return new MaterialSample(of.exitance(), of.reflectance().times(colour));
+    }
+
+    /** Pixels of a triangle's pictures per scene unit along an edge, at most; 0 where it has none. */
     public double pixelsPerUnit(int triangle) {
         Surface.Maps maps = surface(triangle).maps();
         double most = 0;
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3 && hasImages(triangle); k++) {
             Vec3 p = corner(triangle, k);
             Vec3 q = corner(triangle, (k + 1) % 3);
-            double[] a = textureCoordinates(triangle, p);
-            double[] b = textureCoordinates(triangle, q);
+            double[] a = weights(triangle, p);
+            double[] b = weights(triangle, q);
+            double du = textureCoordinate(triangle, 0, b) - textureCoordinate(triangle, 0, a);
+            double dv = textureCoordinate(triangle, 1, b) - textureCoordinate(triangle, 1, a);
             most = Math.max(most, Stream.concat(maps.exitance().stream(), maps.reflectance().stream())
-                    .mapToDouble(map -> StrictMath.hypot((b[0] - a[0]) * map.width(), (b[1] - a[1]) * map.height()))
+                    .mapToDouble(map -> StrictMath.hypot(du * map.width(), dv * map.height()))
                     .max().orElse(0) / q.minus(p).length());
         }
         return most;
     }
 
-    /** u and v at a point of a triangle that has them. */
-    private double[] textureCoordinates(int triangle, Vec3 point) {
+    /** Weights of corners 1 and 2 of a triangle at a point on it. */
+    private double[] weights(int triangle, Vec3 point) {
         Vec3 a = corner(triangle, 0);
         Vec3 ab = corner(triangle, 1).minus(a);
         Vec3 ac = corner(triangle, 2).minus(a);
         Vec3 n = ab.cross(ac);
-        double s = n.dot(point.minus(a).cross(ac)) / n.dot(n);
-        double t = n.dot(ab.cross(point.minus(a))) / n.dot(n);
-        double[] at = new double[2];
-        for (int i = 0; i < 2; i++) {
-            float first = textureCoordinates[6 * triangle + i];
-            at[i] = first + s * (textureCoordinates[6 * triangle + 2 + i] - first)
-                    + t * (textureCoordinates[6 * triangle + 4 + i] - first);
-        }
-        return at;
+        return new double[] {n.dot(point.minus(a).cross(ac)) / n.dot(n), n.dot(ab.cross(point.minus(a))) / n.dot(n)};
+    }
+
+    /** u (0) or v (1) where corners 1 and 2 have these weights. */
+    private double textureCoordinate(int triangle, int which, double[] weights) {
+        float first = textureCoordinates[6 * triangle + which];
+        return first + weights[0] * (textureCoordinates[6 * triangle + 2 + which] - first)
+                + weights[1] * (textureCoordinates[6 * triangle + 4 + which] - first);
+    }
+
+    /** The same at three points. */
+    private double[] textureCoordinates(int triangle, int which, double[][] weights) {
+        return new double[] {textureCoordinate(triangle, which, weights[0]),
+                textureCoordinate(triangle, which, weights[1]), textureCoordinate(triangle, which, weights[2])};
     }
 
     /** Corner k (0, 1 or 2) of a triangle. */

@@ -2,6 +2,7 @@ package radiosity.scene;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * How a set of triangles emits and reflects. Diffuse; on the visible side only, or on both if two-sided.
@@ -66,6 +67,12 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
     public Surface with(Maps read) {
         return new Surface(name, read.exitance().map(Raster::mean).orElse(exitance),
                 read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read);
+    }
+
+    /** What its maps say, and the surface itself of a quantity without one. */
+    MaterialSample look(Function<Raster, Rgb> value) {
+        return new MaterialSample(maps.exitance().map(value).orElse(exitance),
+                maps.reflectance().map(value).orElse(reflectance));
     }
 
     public boolean emits() {

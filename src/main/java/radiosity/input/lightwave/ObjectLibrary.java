@@ -32,8 +32,13 @@ final class ObjectLibrary {
     /** A layer of a file, or all of it. */
     private record PartKey(Path file, int layer) { }
 
-    /** Triangles and the name of the file they are from. */
-    record Part(ObjectMesh mesh, String name) { }
+    /**
+     * What instances share.
+     *
+     * @param name     of the file they are from
+     * @param geometry its path from the scene, with the number of the layer where it is not the first
+     */
+    record Part(ObjectMesh mesh, String name, String geometry) { }
 
     ObjectLibrary(FileSearch search, ReadOptions options, Diagnostics notes) {
         this.search = search;
@@ -76,20 +81,14 @@ final class ObjectLibrary {
     }
 
     private Optional<Part> cut(ObjectModel object, int layer, SceneItem item, String name, Diagnostics objectNotes) {
-        if (layer == SceneItem.WHOLE_FILE) {
-            return Optional.of(new Part(ObjectMesh.of(object, object.layers, work, objectNotes), fileName(name)));
-        }
-        List<Layer> layers = object.layers(layer);
-        if (layers.isEmpty()) {
+        List<Layer> layers = layer == SceneItem.WHOLE_FILE ? object.layers : object.layers(layer);
+        if (layers.isEmpty() && layer != SceneItem.WHOLE_FILE) {
             notes.note(item.place(), "layers that their object does not have are left out",
                     "layer " + (layer + 1) + " of " + name);
             return Optional.empty();
         }
-        return Optional.of(new Part(ObjectMesh.of(object, layers, work, objectNotes), fileName(name)));
-    }
-
-    private static String fileName(String path) {
-        return path.substring(path.lastIndexOf('/') + 1);
+        return Optional.of(new Part(ObjectMesh.of(object, layers, work, objectNotes),
+                name.substring(name.lastIndexOf('/') + 1), layer > 0 ? name + ":" + (layer + 1) : name));
     }
 
     private Optional<ObjectModel> load(Path file, String name, Diagnostics objectNotes) throws IOException {

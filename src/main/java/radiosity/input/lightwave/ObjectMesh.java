@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
@@ -19,24 +20,11 @@ import radiosity.input.polygon.Triangulation;
 /**
  * The triangles of some layers of an object, in its own left-handed coordinates; made once for all its instances.
  *
- * @param points    x, y, z of each point that a triangle uses
- * @param corners   3 points per triangle, clockwise seen from the visible side
- * @param surfaceOf index into surfaces, 1 per triangle
+ * @param triangles as all instances have them
  * @param surfaces  as the object describes them
- * @param textureCoordinates u, v of each corner, 6 per triangle; empty if there are none
  * @param pivot     x, y, z of the point about which the object turns if its scene names no other
  */
-record ObjectMesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceValues> surfaces,
-        float[] textureCoordinates,
-            double[] pivot) {
-
-    int triangles() {
-        return surfaceOf.length;
-    }
-
-    int pointCount() {
-        return points.length / 3;
-    }
+record ObjectMesh(TriangleMesh triangles, List<SurfaceValues> surfaces, double[] pivot) {
 
     /** Cuts the polygons of the layers; what is wrong with them is noted. */
     static ObjectMesh of(ObjectModel object, List<Layer> layers, WorkBudget work, Diagnostics notes) {
@@ -143,8 +131,8 @@ record ObjectMesh(float[] points, int[] corners, int[] surfaceOf, List<SurfaceVa
         }
 
         ObjectMesh build(double[] pivot) {
-            return new ObjectMesh(points.toArray(), corners.toArray(), surfaceOf.toArray(), List.copyOf(surfaces),
-                    coordinates.toArray(), pivot);
+            return new ObjectMesh(new TriangleMesh(points.toArray(), corners.toArray(), surfaceOf.toArray(),
+                    coordinates.toArray(), new float[0]), List.copyOf(surfaces), pivot);
         }
     }
 }

@@ -2,10 +2,19 @@ package radiosity.input.lightwave;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
+import radiosity.input.assembly.Placing;
+import radiosity.input.assembly.SceneDraft;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.FileSniffer;
@@ -14,8 +23,6 @@ import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.lwo.ObjectFile;
 import radiosity.input.lightwave.lwo.ObjectModel;
-import radiosity.input.lightwave.lwo.SurfaceValues;
-import radiosity.input.lightwave.lws.Matrix;
 import radiosity.input.lightwave.lws.Motion;
 import radiosity.input.lightwave.lws.Placement;
 import radiosity.input.lightwave.lws.SceneCamera;
@@ -23,39 +30,33 @@ import radiosity.input.lightwave.lws.SceneDescription;
 import radiosity.input.lightwave.lws.SceneItem;
 import radiosity.input.lightwave.lws.SceneLights;
 import radiosity.input.lightwave.lws.SceneParser;
+import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 
 /** Brings together what a scene is made of: placed objects, their surfaces, lights and the camera. */
 public final class SceneAssembly {
 
-    /** Memory that one triangle and one point take in a scene, bytes. */
-    private static final int TRIANGLE_BYTES = 16 + 24;
-    private static final int POINT_BYTES = 24;
-    /** Coordinates beyond this lose their squares. */
-    private static final double FARTHEST = 1e70;
-
     private final String name;
     private final ReadOptions options;
     private final Diagnostics notes;
     private final SurfaceTable surfaces;
-    private final List<Instance> instances = new ArrayList<>();
+    private final SceneDraft draft;
     private List<Light> lights = List.of();
     private Optional<Camera> camera = Optional.empty();
     private SceneDescription description;
     private Placement placement;
-
-    /** A mesh, where it stands, and the file it is from. */
-    private record Instance(ObjectMesh mesh, Matrix world, String file) { }
 
     private SceneAssembly(String name, ReadOptions options, Diagnostics notes) {
         this.name = name;
         this.options = options;
         this.notes = notes;
         this.surfaces = new SurfaceTable(options, notes);
+        this.draft = new SceneDraft(name, options, notes);
     }
 
     /** A scene with what it was made from; an object alone has no description and no placement. */
@@ -95,9 +96,10 @@ public final class SceneAssembly {
         return new Reading(assembly.toScene(), assembly.description, assembly.placement);
     }
 
-    private void addObject(ObjectModel object) {
-        instances.add(new Instance(ObjectMesh.of(object, object.layers, new WorkBudget(), notes), Matrix.IDENTITY,
-                name));
+    private void addObject(ObjectModel object) throws SceneFormatException {
+        int node = draft.node(new SceneNode(name.replaceFirst("(?i)\\.lwo$", ""), -1, name, Affine.IDENTITY), "");
+        ObjectMesh mesh = ObjectMesh.of(object, object.layers, new WorkBudget(), notes);
+        draft.add(mesh.triangles(), Placing.leftHanded(Affine.IDENTITY), surfaceNumbers(mesh, name), node, "");
     }
 
     private void addScene(SceneDescription scene, ObjectLibrary library) throws IOException {
@@ -113,9 +115,12 @@ public final class SceneAssembly {
             parts.add(part.filter(p -> isSeen(object, instant)));
         }
         library.flush();
+        int[] nodes = addNodes(objects, parts);
         for (int i = 0; i < parts.size(); i++) {
             if (parts.get(i).isPresent()) {
-                addInstance(parts.get(i).get(), placement.world(objects.get(i)), objects.get(i));
+                ObjectLibrary.Part part = parts.get(i).get();
+                draft.add(part.mesh().triangles(), Placing.leftHanded(placement.world(objects.get(i))),
+                        surfaceNumbers(part.mesh(), part.name()), nodes[i], objects.get(i).place());
             }
         }
         lights = new SceneLights(scene, placement, instant, notes).lights();
@@ -127,37 +132,49 @@ public final class SceneAssembly {
         return object.number(keyword, instant, 0) < 1;
     }
 
-    private void addInstance(ObjectLibrary.Part part, Matrix world, SceneItem object) {
-        double reach = 0;
-        for (float x : part.mesh().points()) {
-            reach = Math.max(reach, Math.abs(x));
+    /**
+     * Adds a node for each object, null objects too, parents first; one whose parent is no object stands for itself.
+     *
+     * @return the number of each object's node
+     */
+    private int[] addNodes(List<SceneItem> objects, List<Optional<ObjectLibrary.Part>> parts)
+            throws SceneFormatException {
+        Map<SceneItem, Integer> numbers = new IdentityHashMap<>();
+        for (int i = 0; i < objects.size(); i++) {
+            numbers.put(objects.get(i), i);
         }
-        double factor = 0;
-        for (double m : world.m()) {
-            factor += Math.abs(m);
+        int[] nodes = new int[objects.size()];
+        Arrays.fill(nodes, -1);
+        for (SceneItem object : objects) {
+            Deque<SceneItem> chain = new ArrayDeque<>();
+            Set<SceneItem> inChain = Collections.newSetFromMap(new IdentityHashMap<>());
+            for (SceneItem link = object; numbers.containsKey(link) && nodes[numbers.get(link)] < 0
+                    && inChain.add(link); link = placement.parent(link)) {
+                chain.push(link);
+            }
+            for (SceneItem link : chain) {
+                Integer parent = numbers.get(placement.parent(link));
+                boolean stands = parent == null || nodes[parent] < 0;
+                Affine local = stands ? placement.world(link) : placement.local(link);
+                String geometry = parts.get(numbers.get(link)).map(ObjectLibrary.Part::geometry).orElse("");
+                nodes[numbers.get(link)] = draft.node(new SceneNode(link.name(), stands ? -1 : nodes[parent], geometry,
+                        rightHanded(local)), link.place());
+            }
         }
-        if (factor * Math.max(1, reach) < FARTHEST) {
-            instances.add(new Instance(part.mesh(), world, part.name()));
-        } else {
-            notes.note(object.place(), "objects too large or too far away for their numbers are left out", part.name());
-        }
+        return nodes;
     }
 
-    /** Places all instances; a scene without a triangle is an error. */
+    /** The same map between spaces whose z points the other way. */
+    private static Affine rightHanded(Affine map) {
+        double[] m = map.m().clone();
+        for (int i : new int[] {2, 6, 8, 9, 11}) {
+            m[i] = 0 - m[i];
+        }
+        return new Affine(m);
+    }
+
     private Scene toScene() throws SceneFormatException {
-        Triangles triangles = place();
-        if (triangles.flat() > 0) {
-            notes.note("", "triangles without area where they are placed are left out",
-                    triangles.flat() + " triangles");
-        }
-        if (triangles.surfaceOf().length == 0) {
-            notes.flush();
-            throw notes.error("", "at least one polygon with an area", "none");
-        }
-        List<Light> taken = takenLights();
-        notes.flush();
-        return new Scene(name, triangles.points(), triangles.corners(), triangles.surfaceOf(), surfaces.surfaces(),
-                taken, camera, triangles.textureCoordinates());
+        return draft.scene(surfaces.surfaces(), takenLights(), camera);
     }
 
     /** The lights that the options take: with "auto" none where a surface emits. */
@@ -174,40 +191,7 @@ public final class SceneAssembly {
         return taken ? lights : List.of();
     }
 
-    private Triangles place() throws SceneFormatException {
-        long count = 0;
-        long points = 0;
-        boolean textured = false;
-        for (Instance instance : instances) {
-            count += instance.mesh.triangles();
-            points += instance.mesh.pointCount();
-            textured |= instance.mesh.textureCoordinates().length > 0;
-        }
-        checkBudget(count, points);
-        Triangles triangles = new Triangles((int) points, (int) count, textured);
-        for (Instance instance : instances) {
-            triangles.add(instance.mesh, instance.world, surfaceNumbers(instance));
-        }
-        return triangles;
-    }
-
-    private void checkBudget(long triangles, long points) throws SceneFormatException {
-        if (triangles > options.maxTriangles() || points > Integer.MAX_VALUE / 3 - 8) {
-            throw notes.error("", "at most " + options.maxTriangles() + " triangles", String.valueOf(triangles));
-        }
-        long bytes = triangles * TRIANGLE_BYTES + points * POINT_BYTES;
-        if (bytes > Runtime.getRuntime().maxMemory() / 2) {
-            throw notes.error("", "a scene that fits in half of " + (Runtime.getRuntime().maxMemory() >> 20) + " MiB",
-                    triangles + " triangles of " + points + " points");
-        }
-    }
-
-    private int[] surfaceNumbers(Instance instance) {
-        List<SurfaceValues> used = instance.mesh.surfaces();
-        int[] numbers = new int[used.size()];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = surfaces.index(instance.file, used.get(i));
-        }
-        return numbers;
+    private int[] surfaceNumbers(ObjectMesh mesh, String file) {
+        return mesh.surfaces().stream().mapToInt(used -> surfaces.index(file, used)).toArray();
     }
 }

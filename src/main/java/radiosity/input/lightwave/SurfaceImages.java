@@ -12,6 +12,7 @@ import radiosity.input.lightwave.lwo.ObjectModel;
 import radiosity.input.lightwave.lwo.SurfaceValues;
 import radiosity.input.lightwave.lwo.TextureBlock;
 import radiosity.scene.ImageMap.Target;
+import radiosity.scene.ImageSource;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Rgb;
 
@@ -115,7 +116,7 @@ final class SurfaceImages {
     }
 
     private static ImageMap map(TextureBlock texture, Target target, Rgb scale, boolean grey) {
-        return new ImageMap(target, texture.found, SurfaceValues.sound(scale), grey, texture.negative,
-                Math.min(1, texture.opacity), texture.wrapU, texture.wrapV);
+        return new ImageMap(target, ImageSource.file(texture.found), SurfaceValues.sound(scale), grey, false,
+                texture.negative, Math.min(1, texture.opacity), texture.wrapU, texture.wrapV);
     }
 }

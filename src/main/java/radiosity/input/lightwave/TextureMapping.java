@@ -3,7 +3,8 @@ package radiosity.input.lightwave;
 import radiosity.input.lightwave.lwo.CornerCoordinates;
 import radiosity.input.lightwave.lwo.Layer;
 import radiosity.input.lightwave.lwo.TextureBlock;
-import radiosity.input.lightwave.lws.Matrix;
+import radiosity.input.lightwave.lws.Turn;
+import radiosity.scene.Affine;
 
 /**
  * How one image lies on the triangles of a layer: gives texture coordinates to their corners.
@@ -18,12 +19,12 @@ final class TextureMapping {
     private final TextureBlock texture;
     private final Layer layer;
     private final CornerCoordinates coordinates;
-    private final Matrix turned;
+    private final Affine turned;
 
     TextureMapping(TextureBlock texture, Layer layer) {
         this.texture = texture;
         this.layer = layer;
-        this.turned = Matrix.turn(texture.rotation[0], texture.rotation[1], texture.rotation[2]);
+        this.turned = Turn.of(texture.rotation[0], texture.rotation[1], texture.rotation[2]);
         this.coordinates = texture.projection == TextureBlock.Projection.UV
                 ? new CornerCoordinates(layer, texture.map) : null;
     }

@@ -3,6 +3,7 @@ package radiosity.mesh.cut;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.PointNumbers;
+import radiosity.scene.Hierarchy;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.Hash;
@@ -29,9 +30,7 @@ public final class QuadSplitter {
     private int pointCount;
     /** 3 per triangle. */
     private int[] corners;
-    /** 1 per triangle. */
-    private int[] surfaceOf;
-    /** 1 per triangle: which of the scene it is, or -1. */
+    /** 1 per triangle: which of the scene it is, or is a piece of. */
     private int[] origin;
     private int triangles;
 
@@ -42,7 +41,6 @@ public final class QuadSplitter {
         points = scene.points().clone();
         pointCount = points.length / 3;
         corners = new int[scene.corners().length];
-        surfaceOf = new int[scene.triangles()];
         origin = new int[scene.triangles()];
     }
 
@@ -60,7 +58,7 @@ public final class QuadSplitter {
         }
         for (int t = 0; t < partner.length; t++) {
             if (partner[t] < 0) {
-                strips.add(strips.corner(t, 0), strips.corner(t, 1), strips.corner(t, 2), scene.surfaceOf()[t], t);
+                strips.add(strips.corner(t, 0), strips.corner(t, 1), strips.corner(t, 2), t);
             } else if (partner[t] > t) {
                 strips.cut(t, partner[t]);
             }
@@ -78,8 +76,8 @@ public final class QuadSplitter {
                 int k = longest(t);
                 int p = number[corner(t, k)];
                 int q = number[corner(t, k + 1)];
-                int u = edges.findOrAdd(Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]),
-                        t);
+                long key = Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]);
+                int u = edges.findOrAdd(Hash.mix(key, scene.hierarchy().of(t)), t);
                 if (u != t && partner[u] < 0 && areOne(t, u) && pieces(quadrangle(t, u)) > 1) {
                     partner[t] = u;
                     partner[u] = t;
@@ -90,7 +88,8 @@ public final class QuadSplitter {
     }
 
     private boolean isPlain(int t) {
-        return scene.textureCoordinates().length == 0 || Float.isNaN(scene.textureCoordinates()[6 * t]);
+        return (scene.textureCoordinates().length == 0 || Float.isNaN(scene.textureCoordinates()[6 * t]))
+                && !scene.isColoured(t);
     }
 
     private int corner(int t, int k) {
@@ -148,8 +147,8 @@ public final class QuadSplitter {
             int b = between(q[0], q[1], i + 1, n);
             int c = between(q[3], q[2], i + 1, n);
             int d = between(q[3], q[2], i, n);
-            add(a, b, c, scene.surfaceOf()[t], -1);
-            add(a, c, d, scene.surfaceOf()[t], -1);
+            add(a, b, c, t);
+            add(a, c, d, t);
         }
     }
 
@@ -173,30 +172,37 @@ public final class QuadSplitter {
         return p;
     }
 
-    /** @param from the triangle that it is, or -1 for a piece */
-    private void add(int a, int b, int c, int surface, int from) {
-        if (triangles == surfaceOf.length) {
-            surfaceOf = Arrays.copyOf(surfaceOf, 2 * triangles);
+    /** @param from the triangle of the scene that it is, or is a piece of */
+    private void add(int a, int b, int c, int from) {
+        if (triangles == origin.length) {
             origin = Arrays.copyOf(origin, 2 * triangles);
             corners = Arrays.copyOf(corners, 6 * triangles);
         }
         corners[3 * triangles] = a;
         corners[3 * triangles + 1] = b;
         corners[3 * triangles + 2] = c;
-        origin[triangles] = from;
-        surfaceOf[triangles++] = surface;
+        origin[triangles++] = from;
     }
 
     private Scene made() {
         float[] texture = new float[scene.textureCoordinates().length == 0 ? 0 : 6 * triangles];
-        for (int t = 0; t < triangles && texture.length > 0; t++) {
-            if (origin[t] < 0) {
-                Arrays.fill(texture, 6 * t, 6 * t + 6, Float.NaN);
-            } else {
+        float[] colours = new float[scene.vertexColours().length == 0 ? 0 : 9 * triangles];
+        int[] nodeOf = new int[scene.hierarchy().nodeOf().length == 0 ? 0 : triangles];
+        int[] surfaceOf = new int[triangles];
+        for (int t = 0; t < triangles; t++) {
+            surfaceOf[t] = scene.surfaceOf()[origin[t]];
+            if (nodeOf.length > 0) {
+                nodeOf[t] = scene.hierarchy().of(origin[t]);
+            }
+            if (texture.length > 0) {
                 System.arraycopy(scene.textureCoordinates(), 6 * origin[t], texture, 6 * t, 6);
+            }
+            if (colours.length > 0) {
+                System.arraycopy(scene.vertexColours(), 9 * origin[t], colours, 9 * t, 9);
             }
         }
         return new Scene(scene.name(), Arrays.copyOf(points, 3 * pointCount), Arrays.copyOf(corners, 3 * triangles),
-                Arrays.copyOf(surfaceOf, triangles), scene.surfaces(), scene.lights(), scene.camera(), texture);
+                surfaceOf, scene.surfaces(), scene.lights(), scene.camera(), texture, colours,
+                new Hierarchy(scene.hierarchy().nodes(), nodeOf));
     }
 }

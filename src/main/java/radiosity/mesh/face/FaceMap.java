@@ -1,10 +1,13 @@
 package radiosity.mesh.face;
 
+import java.util.Arrays;
+import java.util.Optional;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 
 /**
- * The means of a picture under a face and under the nodes below it, down to the size of its pixels.
+ * The means of what a picture, and colours at corners, make of a face and of the nodes below it, down to the size of
+ * pixels and to small differences of colour.
  *
  * <p>The mean under a node is that of its four children, so what is summed over elements is the same on every mesh. A
  * node that is smaller than the smallest here has what the one around it has.
@@ -16,22 +19,60 @@ final class FaceMap {
     /** A part that covers fewer pixels is not divided. */
     private static final double PIXELS = 4;
 
+    /** A part between whose corners colours differ by less is not divided. */
+    private static final double STEP = 1.0 / 64;
+
     private final int depth;
     /** 3 per node, level by level; within a level in the order of {@link NodePath}. */
     private final float[] mean;
 
     /**
-     * @param u of the face's corners, in the face's order; not modified
-     * @param v of the face's corners, upwards; not modified
+     * What is to be seen of a face.
+     *
+     * @param raster     a picture
+     * @param everywhere what holds without one
+     * @param u          of the face's corners, in the face's order; not modified
+     * @param v          of the face's corners, upwards; not modified
+     * @param colours    factors for red, green and blue, 3 of each: of the face's corners; not modified
      */
-    FaceMap(Raster raster, double[] u, double[] v) {
-        int levels = 0;
-        for (double pixels = raster.pixels(u, v); pixels > PIXELS && levels < DEEPEST; pixels /= 4) {
-            levels++;
+    record Look(Optional<Raster> raster, Rgb everywhere, double[] u, double[] v, double[][] colours) {
+
+        /** The part of it that a child of its face has. */
+        Look child(int k) {
+            double[][] parts = new double[3][];
+            Arrays.setAll(parts, c -> Subdivision.values(colours[c], 1, k));
+            return new Look(raster, everywhere, Subdivision.values(u, 1, k), Subdivision.values(v, 1, k), parts);
         }
-        depth = levels;
+
+        Rgb mean() {
+            Rgb colour = new Rgb(mean(colours[0]), mean(colours[1]), mean(colours[2]));
+            return raster.map(picture -> picture.mean(u, v)).orElse(everywhere).times(colour);
+        }
+
+        private static double mean(double[] of) {
+            return (of[0] + of[1] + of[2]) / 3;
+        }
+
+        /** Into how many levels of parts its face is to be divided. */
+        int levels() {
+            int levels = 0;
+            double pixels = raster.map(picture -> picture.pixels(u, v)).orElse(0.0);
+            double step = 0;
+            for (double[] of : colours) {
+                step = Math.max(step, Arrays.stream(of).max().orElse(0) - Arrays.stream(of).min().orElse(0));
+            }
+            for (; (pixels > PIXELS || step > STEP) && levels < DEEPEST; pixels /= 4) {
+                step /= 2;
+                levels++;
+            }
+            return levels;
+        }
+    }
+
+    FaceMap(Look look) {
+        depth = look.levels();
         mean = new float[3 * first(depth + 1)];
-        fill(raster, u, v, 0, 0);
+        fill(look, 0, 0);
     }
 
     /** Number of nodes above a level. */
@@ -39,17 +80,17 @@ final class FaceMap {
         return ((1 << 2 * level) - 1) / 3;
     }
 
-    private void fill(Raster raster, double[] u, double[] v, int level, int number) {
+    private void fill(Look look, int level, int number) {
         int at = 3 * (first(level) + number);
         if (level == depth) {
-            Rgb here = raster.mean(u, v);
+            Rgb here = look.mean();
             for (int c = 0; c < 3; c++) {
                 mean[at + c] = (float) here.channel(c);
             }
             return;
         }
         for (int k = 0; k < 4; k++) {
-            fill(raster, Subdivision.values(u, 1, k), Subdivision.values(v, 1, k), level + 1, 4 * number + k);
+            fill(look.child(k), level + 1, 4 * number + k);
         }
         int child = 3 * (first(level + 1) + 4 * number);
         for (int c = 0; c < 3; c++) {

@@ -3,39 +3,58 @@ package radiosity.mesh.face;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.IntToDoubleFunction;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** The pictures of one quantity, exitance or reflectance, on all faces that have one. */
+/** What varies one quantity, exitance or reflectance, on all faces where it is not the same everywhere. */
 final class FaceMaps {
 
     /** 1 per face, or null; null where no face has any. */
     private final FaceMap[] maps;
 
-    /** @param kind the quantity */
-    FaceMaps(Faces faces, Function<Surface.Maps, Optional<Raster>> kind) {
+    /**
+     * @param kind       the quantity's picture
+     * @param everywhere the quantity where a surface has no picture
+     * @param coloured   whether the scene's colours at vertices are factors of the quantity
+     */
+    FaceMaps(Faces faces, Function<Surface.Maps, Optional<Raster>> kind, Function<Surface, Rgb> everywhere,
+             boolean coloured) {
         Scene scene = faces.scene();
-        boolean none = scene.surfaces().stream().allMatch(surface -> kind.apply(surface.maps()).isEmpty());
+        boolean none = (!coloured || scene.vertexColours().length == 0)
+                && scene.surfaces().stream().allMatch(surface -> kind.apply(surface.maps()).isEmpty());
         maps = none ? null : new FaceMap[faces.count()];
         for (int f = 0; !none && f < maps.length; f++) {
             int triangle = faces.triangle(f);
-            Optional<Raster> raster = kind.apply(scene.surface(triangle).maps());
-            if (raster.isPresent() && scene.isMapped(triangle)) {
-                maps[f] = new FaceMap(raster.get(), coordinates(faces, f, 0), coordinates(faces, f, 1));
+            Surface surface = scene.surface(triangle);
+            Optional<Raster> raster = scene.hasImages(triangle) ? kind.apply(surface.maps()) : Optional.empty();
+            boolean varied = coloured && scene.isColoured(triangle);
+            if (raster.isPresent() || varied) {
+                float[] uv = scene.textureCoordinates();
+                int first = 6 * triangle;
+                double[][] colours = new double[3][];
+                for (int c = 0; c < 3; c++) {
+                    int channel = c;
+                    colours[c] = varied ? atCorners(faces, f, j -> scene.vertexColour(triangle, j).channel(channel))
+                            : new double[] {1, 1, 1};
+                }
+                maps[f] = new FaceMap(new FaceMap.Look(raster, everywhere.apply(surface),
+                        raster.isEmpty() ? new double[3] : atCorners(faces, f, j -> uv[first + 2 * j]),
+                        raster.isEmpty() ? new double[3] : atCorners(faces, f, j -> uv[first + 2 * j + 1]), colours));
             }
         }
     }
 
-    /** u (0) or v (1) of a face's corners. */
-    private static double[] coordinates(Faces faces, int face, int which) {
+    /** At a face's corners what its original triangle's corners have. */
+    private static double[] atCorners(Faces faces, int face, IntToDoubleFunction original) {
         double[] of = new double[3];
         for (int k = 0; k < 3; k++) {
             double[] weight = weights(faces, face, k);
             for (int j = 0; j < 3; j++) {
-                of[k] += weight[j] * faces.scene().textureCoordinates()[6 * faces.triangle(face) + 2 * j + which];
+                of[k] += weight[j] * original.applyAsDouble(j);
             }
         }
         return of;
@@ -60,7 +79,7 @@ final class FaceMaps {
         return maps != null && maps[face] != null;
     }
 
-    /** In the mean over a face; the surface's where it has no picture. */
+    /** In the mean over a face; the surface's where nothing varies it. */
     double mean(int face, int colour, Rgb everywhere) {
         return at(face, NodePath.FACE, colour, everywhere.channel(colour));
     }

@@ -22,8 +22,8 @@ final class FaceMaterials {
         channels = kinds.colours * kinds.layers();
         exitance = new double[ArraySize.of("exitance of faces in " + channels + " channels", channels, faces.count())];
         reflectance = new double[exitance.length];
-        exitanceMaps = new FaceMaps(faces, Surface.Maps::exitance);
-        reflectanceMaps = new FaceMaps(faces, Surface.Maps::reflectance);
+        exitanceMaps = new FaceMaps(faces, Surface.Maps::exitance, Surface::exitance, false);
+        reflectanceMaps = new FaceMaps(faces, Surface.Maps::reflectance, Surface::reflectance, true);
         for (int f = 0; f < faces.count(); f++) {
             int s = scene.surfaceOf()[faces.triangle(f)];
             Surface surface = scene.surfaces().get(s);

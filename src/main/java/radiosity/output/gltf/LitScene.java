@@ -92,9 +92,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
      */
     public static LitScene unlit(Scene scene) {
         List<Surface> surfaces = scene.surfaces().stream().map(LitScene::unlit).toList();
-        Scene painted = new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(), surfaces,
-                List.of(), scene.camera(), scene.textureCoordinates());
-        Solution solution = shaded(painted);
+        Solution solution = shaded(scene.with(surfaces, List.of()));
         Aabb box = Aabb.of(solution.positions());
         return new LitScene(Mesh.of(solution, box.centre()), box.centre(), DefaultCamera.of(solution),
                 List.of(), Optional.empty(), "unlit");

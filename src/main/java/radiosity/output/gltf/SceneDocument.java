@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import radiosity.output.image.PictureFormat;
@@ -13,7 +14,9 @@ import radiosity.output.image.ToneMapping;
 import radiosity.output.lightmap.TextureBake;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Camera;
+import radiosity.scene.Hierarchy;
 import radiosity.scene.Rgb;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
@@ -41,9 +44,17 @@ final class SceneDocument {
     /** Top node of the second scene; null where there is none. */
     private ObjectNode textures;
     final List<Object> arrays = new ArrayList<>();
+    /** 1 per node of the hierarchy. */
+    private final List<ObjectNode> objects = new ArrayList<>();
+    /** Meshes of each, by number. */
+    private final List<List<Integer>> meshesOf = new ArrayList<>();
+    /** Numbers of materials, by surface and side. */
+    private final Map<Side, Integer> materials = new HashMap<>();
+
+    private record Side(Surface surface, boolean back) { }
 
     /** @param origin where the file's positions count from; becomes the translation of the one top node */
-    SceneDocument(String sceneName, String generator, Vec3 origin) {
+    SceneDocument(String sceneName, String generator, Vec3 origin, Hierarchy hierarchy) {
         root.putObject("asset").put("version", "2.0").put("generator", generator);
         root.putArray("extensionsUsed").add(UNLIT);
         root.put("scene", 0);
@@ -51,6 +62,34 @@ final class SceneDocument {
         top = list("nodes").addObject().put("name", sceneName);
         if (!origin.equals(Vec3.ZERO)) {
             put(top.putArray("translation"), origin);
+        }
+        hierarchy.nodes().forEach(this::object);
+    }
+
+    /** An object of the input: not placed, as all positions count from the origin; where it was is told besides. */
+    private void object(SceneNode of) {
+        ObjectNode parent = of.parent() < 0 ? top : objects.get(of.parent());
+        ObjectNode node = child(parent).put("name", of.name());
+        ObjectNode told = node.putObject("extras").putObject("object").put("geometry", of.geometry());
+        if (of.placement().isFinite()) {
+            ArrayNode matrix = told.putArray("matrix");
+            for (int i = 0; i < 16; i++) {
+                matrix.add(i % 4 == 3 ? (i == 15 ? 1.0 : 0.0) : of.placement().m()[4 * (i % 4) + i / 4]);
+            }
+        }
+        objects.add(node);
+        meshesOf.add(new ArrayList<>(1));
+    }
+
+    /** Puts the meshes so far on the nodes of their objects: one alone on the node itself, several each below it. */
+    void placeMeshes() {
+        for (int n = 0; n < objects.size(); n++) {
+            List<Integer> meshes = meshesOf.get(n);
+            for (int mesh : meshes) {
+                ObjectNode node = meshes.size() == 1 ? objects.get(n) : child(objects.get(n))
+                        .put("name", list("meshes").get(mesh).get("name").textValue());
+                node.put("mesh", mesh);
+            }
         }
     }
 
@@ -93,8 +132,13 @@ final class SceneDocument {
             attributes.put("_IRRADIANCE_" + layer, vec3(mesh.layers().get(layer)));
         }
         primitive.put("indices", accessor(view(mesh.corners(), INDICES), UNSIGNED_INT, 3 * mesh.elements(), "SCALAR"));
-        primitive.put("material", material(mesh.surface(), mesh.back(), name));
-        child().put("name", name).put("mesh", list("meshes").size() - 1);
+        primitive.put("material", materials.computeIfAbsent(new Side(mesh.surface(), mesh.back()),
+                side -> material(side.surface, side.back, name)));
+        if (mesh.node() < 0) {
+            child(top).put("name", name).put("mesh", list("meshes").size() - 1);
+        } else {
+            meshesOf.get(mesh.node()).add(list("meshes").size() - 1);
+        }
     }
 
     /** Begins a second scene, in which light is in textures; its sides follow. */
@@ -126,8 +170,8 @@ final class SceneDocument {
                 .putObject("baseColorTexture").put("index", list("textures").size() - 1);
     }
 
-    private ObjectNode child() {
-        top.withArrayProperty("children").add(list("nodes").size());
+    private ObjectNode child(ObjectNode parent) {
+        parent.withArrayProperty("children").add(list("nodes").size());
         return list("nodes").addObject();
     }
 
@@ -210,7 +254,7 @@ final class SceneDocument {
         ObjectNode node = list("cameras").addObject().put("type", "perspective");
         node.putObject("perspective").put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect())
                 .put("znear", near);
-        ObjectNode child = child().put("name", "camera").put("camera", 0);
+        ObjectNode child = child(top).put("name", "camera").put("camera", 0);
         ArrayNode rotation = child.putArray("rotation");
         for (double q : CameraPose.quaternion(camera)) {
             rotation.add(q);

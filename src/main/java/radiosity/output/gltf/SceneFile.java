@@ -20,6 +20,7 @@ import radiosity.output.mesh.Mesh;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
@@ -91,10 +92,12 @@ public final class SceneFile implements Closeable {
         Solution closed = TJunctions.close(solution);
         Aabb box = Aabb.of(closed.positions());
         Vec3 origin = origin(box);
-        SceneDocument document = new SceneDocument(closed.scene().name(), program(), origin);
+        SceneDocument document = new SceneDocument(closed.scene().name(), program(), origin,
+                closed.scene().hierarchy());
         for (Mesh mesh : Mesh.of(closed, origin)) {
             document.mesh(mesh, toneMapping);
         }
+        document.placeMeshes();
         double near = box.diagonal() > 0 ? NEAR * box.diagonal() : NEAR;
         camera.ifPresent(c -> document.camera(c, near, origin));
         Map<String, Object> content = content(closed, extras);
@@ -176,9 +179,14 @@ public final class SceneFile implements Closeable {
         }
     }
 
-    /** One mesh per side of a surface, in the order of the file. */
+    /** One mesh per object and side of a surface, in the order of the file. */
     public List<Mesh> meshes() throws IOException {
         return meshes.read();
+    }
+
+    /** The objects of the input, each after its parent; empty where it named none. */
+    public List<SceneNode> objects() throws IOException {
+        return meshes.objects();
     }
 
     /** Whose light is kept apart in layers; empty where it is not. */

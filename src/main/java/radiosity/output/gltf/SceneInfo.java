@@ -21,6 +21,7 @@ import java.util.stream.Stream;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 
@@ -90,6 +91,9 @@ public final class SceneInfo {
             box.include(position);
             radiosity.include(accessor(primitive.at("attributes").at("_RADIOSITY")));
         }
+        List<SceneNode> objects = file.objects();
+        line("objects", objects.isEmpty() ? "none named" : objects.size() + ": "
+                + names(objects.stream().map(SceneNode::name)));
         line("surfaces", surfaces.size() + ": " + names(surfaces.stream()));
         line("elements", String.valueOf(elements));
         line("vertices", String.valueOf(vertices));

@@ -3,15 +3,24 @@ package radiosity.output.gltf;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.PriorityQueue;
+import java.util.Queue;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import radiosity.output.mesh.Mesh;
+import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** Reads the default scene of a scene file: the children of its one top node. */
+/** Reads the default scene of a scene file: what is below its one top node. */
 final class SceneMeshes {
 
     private static final int FLOAT = 5126;
@@ -21,6 +30,9 @@ final class SceneMeshes {
     private final List<Lamp> lamps;
     private final JsonCursor root;
     private final JsonCursor top;
+    /** All, each after its parent. */
+    private final List<Placed> nodes = new ArrayList<>();
+    private final List<SceneNode> objects = new ArrayList<>();
 
     /** @param lamps whose light is kept apart */
     SceneMeshes(GlbReader glb, List<Lamp> lamps) throws IOException {
@@ -29,6 +41,54 @@ final class SceneMeshes {
         root = new JsonCursor(glb.name, glb.json);
         JsonCursor scene = root.at("scenes").at(root.at("scene").integer());
         top = root.at("nodes").at(scene.at("nodes").at(0).integer());
+        collect();
+    }
+
+    /**
+     * A node of the file.
+     *
+     * @param number its place in the file's list
+     * @param object index of the object that it is or is a part of, or -1
+     */
+    private record Placed(JsonCursor node, int number, int object) { }
+
+    /** Walks through the nodes, as far as their parents let it in the file's order; meeting one twice is an error. */
+    private void collect() throws IOException {
+        Queue<Placed> ahead = new PriorityQueue<>(Comparator.comparingInt(Placed::number));
+        ahead.add(new Placed(top, -1, -1));
+        Set<Integer> met = new HashSet<>();
+        while (!ahead.isEmpty()) {
+            Placed parent = ahead.remove();
+            int object = parent.object;
+            Optional<JsonCursor> told = parent.node.optional("extras").flatMap(extras -> extras.optional("object"));
+            if (told.isPresent()) {
+                objects.add(object(parent.node, told.get(), object));
+                object = objects.size() - 1;
+            }
+            nodes.add(new Placed(parent.node, parent.number, object));
+            Optional<JsonCursor> children = parent.node.optional("children");
+            for (int i = 0; children.isPresent() && i < children.get().size(); i++) {
+                int index = children.get().at(i).integer();
+                if (!met.add(index)) {
+                    throw children.get().wrong("nodes that have one parent");
+                }
+                ahead.add(new Placed(root.at("nodes").at(index), index, object));
+            }
+        }
+    }
+
+    private static SceneNode object(JsonCursor node, JsonCursor told, int parent) throws IOException {
+        double[] m = new double[12];
+        Optional<JsonCursor> matrix = told.optional("matrix");
+        for (int i = 0; i < m.length; i++) {
+            m[i] = matrix.isEmpty() ? Double.NaN : matrix.get().numbers(16)[4 * (i % 4) + i / 4];
+        }
+        return new SceneNode(node.at("name").text(), parent, told.at("geometry").text(), new Affine(m));
+    }
+
+    /** The input's objects, each after its parent. */
+    List<SceneNode> objects() {
+        return List.copyOf(objects);
     }
 
     Vec3 origin() throws IOException {
@@ -44,24 +104,12 @@ final class SceneMeshes {
         return new Vec3(t[0], t[1], t[2]);
     }
 
-    private List<JsonCursor> children(String with) throws IOException {
-        List<JsonCursor> children = new ArrayList<>();
-        Optional<JsonCursor> list = top.optional("children");
-        for (int i = 0; list.isPresent() && i < list.get().size(); i++) {
-            JsonCursor node = root.at("nodes").at(list.get().at(i).integer());
-            if (node.optional(with).isPresent()) {
-                children.add(node);
-            }
-        }
-        return children;
-    }
-
     Optional<Camera> camera() throws IOException {
-        List<JsonCursor> nodes = children("camera");
-        if (nodes.isEmpty()) {
+        Optional<JsonCursor> first = nodes.stream().map(Placed::node).filter(n -> n.node().has("camera")).findFirst();
+        if (first.isEmpty()) {
             return Optional.empty();
         }
-        JsonCursor node = nodes.get(0);
+        JsonCursor node = first.get();
         JsonCursor perspective = root.at("cameras").at(node.at("camera").integer()).at("perspective");
         try {
             return Optional.of(CameraPose.camera(translation(node).plus(origin()), node.at("rotation").numbers(4),
@@ -72,11 +120,15 @@ final class SceneMeshes {
     }
 
     List<Mesh> read() throws IOException {
-        List<Mesh> meshes = new ArrayList<>();
-        for (JsonCursor node : children("mesh")) {
-            meshes.add(mesh(root.at("meshes").at(node.at("mesh").integer()).at("primitives").at(0)));
+        SortedMap<Integer, Mesh> meshes = new TreeMap<>();
+        for (Placed placed : nodes) {
+            Optional<JsonCursor> mesh = placed.node.optional("mesh");
+            if (mesh.isPresent()) {
+                int number = mesh.get().integer();
+                meshes.put(number, mesh(root.at("meshes").at(number).at("primitives").at(0), placed.object));
+            }
         }
-        return meshes;
+        return List.copyOf(meshes.values());
     }
 
     /** The second scene, if there is one. */
@@ -106,15 +158,15 @@ final class SceneMeshes {
                 glb.view(image.at("bufferView").integer()).array());
     }
 
-    private Mesh mesh(JsonCursor primitive) throws IOException {
+    private Mesh mesh(JsonCursor primitive, int object) throws IOException {
         JsonCursor attributes = primitive.at("attributes");
         float[] positions = floats(attributes.at("POSITION"), -1);
         int n = positions.length / 3;
         JsonCursor extras = root.at("materials").at(primitive.at("material").integer()).at("extras");
-        return new Mesh(surface(extras), extras.at("back").node().booleanValue(), positions,
+        return new Mesh(surface(extras), object, extras.at("back").node().booleanValue(), positions,
                 floats(attributes.at("NORMAL"), n), floats(attributes.at("_IRRADIANCE"), n),
                 floats(attributes.at("_RADIOSITY"), n), reflectance(attributes, n), layers(attributes, n),
-                        corners(primitive.at("indices"), n));
+                corners(primitive.at("indices"), n));
     }
 
     private float[] reflectance(JsonCursor attributes, int vertices) throws IOException {

@@ -6,12 +6,16 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import radiosity.scene.ImageSource;
 import radiosity.scene.Srgb;
 
 /**
@@ -62,8 +66,9 @@ final class ImageFile {
     }
 
     /** @throws IOException with a reason for the user if it cannot be read */
-    static ImageFile read(Path path) throws IOException {
-        try (ImageInputStream in = ImageIO.createImageInputStream(path.toFile())) {
+    static ImageFile read(ImageSource source) throws IOException {
+        Object input = source.content().isPresent() ? stream(source.content().get()) : Path.of(source.name()).toFile();
+        try (ImageInputStream in = ImageIO.createImageInputStream(input)) {
             Iterator<ImageReader> readers = in == null ? null : ImageIO.getImageReaders(in);
             if (readers == null || !readers.hasNext()) {
                 throw new IOException(in == null ? "a file that cannot be read" : "a format that is not known");
@@ -82,6 +87,12 @@ final class ImageFile {
                 reader.dispose();
             }
         }
+    }
+
+    private static InputStream stream(ByteBuffer content) {
+        byte[] bytes = new byte[content.remaining()];
+        content.duplicate().get(bytes);
+        return new ByteArrayInputStream(bytes);
     }
 
     int width() {

@@ -2,7 +2,6 @@ package radiosity.output.image;
 
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -10,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import radiosity.scene.ImageMap;
+import radiosity.scene.ImageSource;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -20,8 +20,8 @@ public final class SurfaceMaps {
 
     private final boolean srgb;
     private final Consumer<String> warnings;
-    /** By path; empty where one cannot be read. */
-    private final Map<String, Optional<ImageFile>> images = new HashMap<>();
+    /** Empty where one cannot be read. */
+    private final Map<ImageSource, Optional<ImageFile>> images = new HashMap<>();
 
     private SurfaceMaps(boolean srgb, Consumer<String> warnings) {
         this.srgb = srgb;
@@ -36,8 +36,7 @@ public final class SurfaceMaps {
     public static Scene read(Scene scene, boolean srgb, Consumer<String> warnings) {
         SurfaceMaps maps = new SurfaceMaps(srgb, warnings);
         List<Surface> surfaces = scene.surfaces().stream().map(maps::read).toList();
-        return new Scene(scene.name(), scene.points(), scene.corners(), scene.surfaceOf(), surfaces, scene.lights(),
-                scene.camera(), scene.textureCoordinates());
+        return scene.with(surfaces, scene.lights());
     }
 
     private Surface read(Surface surface) {
@@ -80,12 +79,13 @@ public final class SurfaceMaps {
         return files.stream().mapToInt(ImageFile::height).max().orElseThrow();
     }
 
-    private Optional<ImageFile> image(String path) {
-        return images.computeIfAbsent(path, p -> {
+    private Optional<ImageFile> image(ImageSource source) {
+        return images.computeIfAbsent(source, image -> {
             try {
-                return Optional.of(ImageFile.read(Path.of(p)));
+                return Optional.of(ImageFile.read(image));
             } catch (IOException | InvalidPathException e) {
-                warnings.accept(p + ": expected an image, got " + e.getMessage() + "; the base colour is taken");
+                warnings.accept(image.name() + ": expected an image, got " + e.getMessage()
+                        + "; the base colour is taken");
                 return Optional.empty();
             }
         });
@@ -103,7 +103,7 @@ public final class SurfaceMaps {
             for (int m = 0; m < maps.size(); m++) {
                 ImageFile file = files.get(m);
                 double image = file.value(x * file.width() / width, y * file.height() / height, i % 3, maps.get(m)
-                        .grey(), srgb);
+                        .grey(), srgb || maps.get(m).coded());
                 value = varied(maps.get(m), value, base.channel(i % 3), i % 3, image);
             }
             rgb[i] = (float) Math.max(0, Math.min(Math.min(most, Float.MAX_VALUE), value));

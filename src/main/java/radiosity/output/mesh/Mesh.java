@@ -3,7 +3,11 @@ package radiosity.output.mesh;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
+import radiosity.scene.Hierarchy;
 import radiosity.scene.Lamp;
 import radiosity.scene.MaterialSample;
 import radiosity.scene.Rgb;
@@ -12,9 +16,10 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 
 /**
- * One side of one surface as the scene file holds it: indexed triangles with light at their vertices.
+ * One side of one surface of one object as the scene file holds it: indexed triangles with light at their vertices.
  *
  * @param surface    what it is made of
+ * @param node       whose it is: index among the nodes of the scene's hierarchy; -1 where it has none
  * @param back       whether this is the back of a two-sided surface
  * @param positions  x, y, z relative to the file's origin, 3 per vertex, scene units
  * @param normals    unit vectors out of the visible side, 3 per vertex
@@ -24,8 +29,8 @@ import radiosity.solution.Solution;
  * @param layers     of each lamp its share of the irradiance, 3 per vertex, W/m²; empty where they are not kept apart
  * @param corners    vertices, 3 per element, counter-clockwise seen from the visible side
  */
-public record Mesh(Surface surface, boolean back, float[] positions, float[] normals, float[] irradiance,
-                   float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
+public record Mesh(Surface surface, int node, boolean back, float[] positions, float[] normals,
+                   float[] irradiance, float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
 
     public Mesh {
         layers = List.copyOf(layers);
@@ -81,7 +86,7 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
             h[i] = (float) sum;
             b[i] = (float) (exitance(i) * dimmed(lit, i % 3) + reflectance(i) * sum);
         }
-        return new Mesh(lit, back, positions, normals, h, b, reflectance, layers, corners);
+        return new Mesh(lit, node, back, positions, normals, h, b, reflectance, layers, corners);
     }
 
     private double reflectance(int i) {
@@ -120,22 +125,38 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
     }
 
     /**
-     * The meshes of a solution, surface by surface, front before back; a side without elements has none.
+     * The meshes of a solution, surface by surface, front before back, object by object; what would be empty is none.
      *
      * @param origin what is subtracted from every position
      */
     public static List<Mesh> of(Solution solution, Vec3 origin) {
-        int[][] elements = bySide(solution);
+        int[][] sides = bySide(solution);
         int[] local = new int[solution.vertices()];
         Arrays.fill(local, -1);
         List<Mesh> meshes = new ArrayList<>();
-        for (int side = 0; side < elements.length; side++) {
-            if (elements[side].length > 0) {
-                Surface surface = solution.scene().surfaces().get(side >> 1);
-                meshes.add(of(solution, origin, surface, (side & 1) == 1, elements[side], local));
+        for (int side = 0; side < sides.length; side++) {
+            Surface surface = solution.scene().surfaces().get(side >> 1);
+            for (Map.Entry<Integer, int[]> part : byNode(solution, sides[side]).entrySet()) {
+                meshes.add(of(solution, origin, surface, part.getKey(), (side & 1) == 1, part.getValue(), local));
             }
         }
         return meshes;
+    }
+
+    /** Some elements by the nodes that they belong to, each list in the order of the one given. */
+    private static SortedMap<Integer, int[]> byNode(Solution solution, int[] elements) {
+        SortedMap<Integer, int[]> parts = new TreeMap<>();
+        Hierarchy hierarchy = solution.scene().hierarchy();
+        int[] nodes = Arrays.stream(elements).map(e -> hierarchy.of(solution.faceOf()[e] >> 1)).toArray();
+        SortedMap<Integer, Integer> counts = new TreeMap<>();
+        for (int node : nodes) {
+            counts.merge(node, 1, Integer::sum);
+        }
+        counts.forEach((node, count) -> parts.put(node, new int[count]));
+        for (int i = elements.length - 1; i >= 0; i--) {
+            parts.get(nodes[i])[counts.merge(nodes[i], -1, Integer::sum)] = elements[i];
+        }
+        return parts;
     }
 
     /** The elements of each side, ascending: 2 * surface for its front, + 1 for its back. */
@@ -158,7 +179,7 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
     }
 
     /** @param local -1 per vertex of the solution, before and after */
-    private static Mesh of(Solution solution, Vec3 origin, Surface surface, boolean back, int[] elements,
+    private static Mesh of(Solution solution, Vec3 origin, Surface surface, int node, boolean back, int[] elements,
                            int[] local) {
         int[] corners = new int[3 * elements.length];
         int[] vertices = new int[3 * elements.length];
@@ -173,9 +194,11 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
             }
             corners[i] = local[v];
         }
-        Mesh mesh = new Mesh(surface, back, new float[3 * count], new float[3 * count], new float[3 * count],
-                new float[3 * count], new float[surface.maps().isEmpty() ? 0 : 3 * count],
-                        layers(solution.lamps().size(), 3 * count), corners);
+        boolean varied = !surface.maps().isEmpty()
+                || Arrays.stream(elements).anyMatch(e -> solution.scene().isColoured(solution.faceOf()[e] >> 1));
+        Mesh mesh = new Mesh(surface, node, back, new float[3 * count], new float[3 * count], new float[3 * count],
+                new float[3 * count], new float[varied ? 3 * count : 0], layers(solution.lamps().size(), 3 * count),
+                corners);
         MaterialSample[] looks = mesh.looks(solution, elements);
         for (int i = 0; i < count; i++) {
             mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]), looks[i]);
@@ -192,7 +215,7 @@ public record Mesh(Surface surface, boolean back, float[] positions, float[] nor
     private MaterialSample[] looks(Solution solution, int[] elements) {
         MaterialSample[] looks = new MaterialSample[vertices()];
         Arrays.fill(looks, new MaterialSample(surface.exitance(), surface.reflectance()));
-        if (surface.maps().isEmpty()) {
+        if (reflectance.length == 0) {
             return looks;
         }
         Arrays.fill(looks, new MaterialSample(Rgb.BLACK, Rgb.BLACK));

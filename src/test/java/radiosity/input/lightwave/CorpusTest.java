@@ -24,10 +24,10 @@ import radiosity.input.lightwave.lwo.Layer;
 import radiosity.input.lightwave.lwo.ObjectFile;
 import radiosity.input.lightwave.lwo.ObjectModel;
 import radiosity.input.lightwave.lwo.SurfaceValues;
-import radiosity.input.lightwave.lws.Matrix;
 import radiosity.input.lightwave.lws.SceneDescription;
 import radiosity.input.lightwave.lws.SceneItem;
 import radiosity.input.polygon.Triangulation;
+import radiosity.scene.Affine;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -207,7 +207,7 @@ class CorpusTest {
         assertEquals(expected.get("items").size(), scene.items.size());
         for (JsonNode item : expected.get("items")) {
             SceneItem.Kind kind = SceneItem.Kind.valueOf(item.get("type").asText().toUpperCase(java.util.Locale.ROOT));
-            Matrix world = reading.placement().world(scene.items(kind).get(item.get("number").asInt()));
+            Affine world = reading.placement().world(scene.items(kind).get(item.get("number").asInt()));
             for (int i = 0; i < 12; i++) {
                 double value = item.get("world").get(i).asDouble();
                 assertEquals(value, world.m()[i], 1e-5 * Math.max(1, Math.abs(value)), kind + " world " + i);

@@ -11,7 +11,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.input.file.ReadOptions;
-import radiosity.input.lightwave.lws.Matrix;
+import radiosity.input.lightwave.lws.Turn;
+import radiosity.scene.Affine;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
@@ -39,11 +40,11 @@ class PlacementTest {
     @Test
     void headingPitchBank_turnAsLightWaveDoes() {
         double quarter = Math.PI / 2;
-        assertDirection(1, 0, 0, Matrix.turn(quarter, 0, 0).direction(0, 0, 1));
-        assertDirection(0, -1, 0, Matrix.turn(0, quarter, 0).direction(0, 0, 1));
-        assertDirection(0, 1, 0, Matrix.turn(0, 0, quarter).direction(1, 0, 0));
-        Matrix all = Matrix.turn(0.3, 0.4, 0.5);
-        Matrix steps = Matrix.turn(0.3, 0, 0).times(Matrix.turn(0, 0.4, 0)).times(Matrix.turn(0, 0, 0.5));
+        assertDirection(1, 0, 0, Turn.of(quarter, 0, 0).direction(0, 0, 1));
+        assertDirection(0, -1, 0, Turn.of(0, quarter, 0).direction(0, 0, 1));
+        assertDirection(0, 1, 0, Turn.of(0, 0, quarter).direction(1, 0, 0));
+        Affine all = Turn.of(0.3, 0.4, 0.5);
+        Affine steps = Turn.of(0.3, 0, 0).times(Turn.of(0, 0.4, 0)).times(Turn.of(0, 0, 0.5));
         for (int i = 0; i < 12; i++) {
             assertEquals(steps.m()[i], all.m()[i], 1e-15);
         }

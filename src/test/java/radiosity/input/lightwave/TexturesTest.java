@@ -87,15 +87,15 @@ class TexturesTest {
                 maps.stream().map(ImageMap::target).toList());
         assertEquals(0.8, maps.get(0).scale().g(), 1e-6);
         assertEquals(2, maps.get(1).scale().g(), 1e-6);
-        assertTrue(maps.get(0).image().endsWith("wood.png"), maps.get(0).image());
+        assertTrue(maps.get(0).image().name().endsWith("wood.png"), maps.get(0).image().name());
     }
 
     @Test
     void luminosityAndDiffuseImages_scaleTheColour() throws IOException {
         List<ImageMap> maps = read(object(SoundFiles.imageBlock("LUMI", 0), SoundFiles.imageBlock("DIFF", 0)))
                 .surfaces().get(0).textures();
-        assertEquals(new ImageMap(ImageMap.Target.EXITANCE, maps.get(0).image(), new Rgb(0.5, 0.25, 1), true, false, 1,
-                ImageMap.Wrap.REPEAT, ImageMap.Wrap.REPEAT), maps.get(0));
+        assertEquals(new ImageMap(ImageMap.Target.EXITANCE, maps.get(0).image(), new Rgb(0.5, 0.25, 1), true, false,
+                false, 1, ImageMap.Wrap.REPEAT, ImageMap.Wrap.REPEAT), maps.get(0));
         assertEquals(ImageMap.Target.REFLECTANCE, maps.get(1).target());
     }
 

@@ -97,6 +97,14 @@ class DamagedSceneFileTest extends WrittenScene {
                 assertRefused());
     }
 
+    @Test
+    void nodesInACircle_areRefusedInOneLine() throws IOException {
+        writeGlb("""
+                {"asset":{"version":"2.0","extras":{"radiosity":{"formatVersion":1}}},"scene":0,"scenes":[{"nodes":[0]}],
+                "nodes":[{"children":[1]},{"children":[2]},{"children":[1]}]}""");
+        assertEquals(file + ", JSON /nodes/2/children: expected nodes that have one parent, got [1]", assertRefused());
+    }
+
     private void writeGlb(String json) throws IOException {
         AtomicFile.write(file, channel -> GlbWriter.write(channel, json.getBytes(StandardCharsets.UTF_8), List.of()));
     }

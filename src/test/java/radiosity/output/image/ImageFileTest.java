@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.ImageSource;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -114,6 +115,6 @@ class ImageFileTest {
     void floatsInATiffFile_areNotBlack() throws IOException {
         Path file = folder.resolve("float.tiff");
         assertTrue(ImageIO.write(pixel(GREY, DataBuffer.TYPE_FLOAT, false, false, .5), "tiff", file.toFile()));
-        assertEquals(.5, ImageFile.read(file).value(0, 0, 0, false, false), 1e-7);
+        assertEquals(.5, ImageFile.read(ImageSource.file(file.toString())).value(0, 0, 0, false, false), 1e-7);
     }
 }

@@ -20,6 +20,7 @@ import radiosity.output.mesh.Mesh;
 import radiosity.scene.ImageMap;
 import radiosity.scene.ImageMap.Target;
 import radiosity.scene.ImageMap.Wrap;
+import radiosity.scene.ImageSource;
 import radiosity.scene.MaterialSample;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -48,7 +49,8 @@ class SurfaceMapsTest {
     }
 
     private static ImageMap map(Path file, Target target, double scale, double opacity) {
-        return new ImageMap(target, file.toString(), Rgb.grey(scale), false, false, opacity, Wrap.EDGE, Wrap.EDGE);
+        return new ImageMap(target, ImageSource.file(file.toString()), Rgb.grey(scale), false, false, false, opacity,
+                Wrap.EDGE, Wrap.EDGE);
     }
 
     /** A square whose texture coordinates are x and y. */

@@ -1,5 +1,7 @@
 package radiosity.input.lightwave.lws;
 
+import radiosity.scene.Affine;
+
 /** Turns lights and cameras that have a target towards it: heading and pitch are replaced, bank stays. */
 final class LookAt {
 
@@ -12,25 +14,25 @@ final class LookAt {
     }
 
     /** Where an item stands and how it is turned, its target regarded. */
-    Matrix world(SceneItem item) {
+    Affine world(SceneItem item) {
         SceneItem target = placement.target(item);
         if (target == null || target == item) {
             return placement.world(item);
         }
         double[] at = placement.position(target);
         double[] from = placement.position(item);
-        Matrix parent = placement.parentWorld(item);
+        Affine parent = placement.parentWorld(item);
         double[] d = parent.unturn(new double[] {at[0] - from[0], at[1] - from[1], at[2] - from[2]});
         double flat = StrictMath.hypot(d[0], d[2]);
         if (!(flat + Math.abs(d[1]) > 0) || !Double.isFinite(flat + d[1])) {
             return placement.world(item);
         }
-        Matrix turned = parent.times(Matrix.turn(StrictMath.atan2(d[0], d[2]), -StrictMath.atan2(d[1], flat),
+        Affine turned = parent.times(Turn.of(StrictMath.atan2(d[0], d[2]), -StrictMath.atan2(d[1], flat),
                 item.motion.bank(instant))).times(item.motion.scale(instant));
         double[] m = turned.m().clone();
         m[3] = from[0];
         m[7] = from[1];
         m[11] = from[2];
-        return new Matrix(m);
+        return new Affine(m);
     }
 }

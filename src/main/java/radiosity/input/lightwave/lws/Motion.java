@@ -1,5 +1,7 @@
 package radiosity.input.lightwave.lws;
 
+import radiosity.scene.Affine;
+
 /**
  * Position, rotation and scale of an item in time: nine channels, of which cameras often have but six.
  *
@@ -21,20 +23,20 @@ public record Motion(Envelope[] channels, boolean old, boolean inFrames) {
         return old && channel >= HEADING && channel < SCALE ? Math.toRadians(value) : value;
     }
 
-    Matrix position(Instant instant) {
-        return Matrix.move(at(0, instant), at(1, instant), at(2, instant));
+    Affine position(Instant instant) {
+        return Affine.move(at(0, instant), at(1, instant), at(2, instant));
     }
 
-    Matrix rotation(Instant instant) {
-        return Matrix.turn(at(HEADING, instant), at(HEADING + 1, instant), at(HEADING + 2, instant));
+    Affine rotation(Instant instant) {
+        return Turn.of(at(HEADING, instant), at(HEADING + 1, instant), at(HEADING + 2, instant));
     }
 
     double bank(Instant instant) {
         return at(HEADING + 2, instant);
     }
 
-    Matrix scale(Instant instant) {
-        return Matrix.scale(at(SCALE, instant), at(SCALE + 1, instant), at(SCALE + 2, instant));
+    Affine scale(Instant instant) {
+        return Affine.scale(at(SCALE, instant), at(SCALE + 1, instant), at(SCALE + 2, instant));
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import radiosity.input.file.Diagnostics;
+import radiosity.scene.Affine;
 
 /**
  * Where the items of a scene stand at a time.
@@ -25,7 +26,7 @@ public final class Placement {
     private final Diagnostics notes;
     private final Map<SceneItem, double[]> layerPivots = new IdentityHashMap<>();
     private final Map<SceneItem, Optional<SceneItem>> parents = new IdentityHashMap<>();
-    private final Map<SceneItem, Matrix> worlds = new IdentityHashMap<>();
+    private final Map<SceneItem, Affine> worlds = new IdentityHashMap<>();
     private final Map<Long, SceneItem> byId = new HashMap<>();
     private final Map<SceneItem.Kind, List<SceneItem>> byKind = new HashMap<>();
 
@@ -52,7 +53,7 @@ public final class Placement {
     }
 
     /** From an item's own space to that of the scene. */
-    public Matrix world(SceneItem item) {
+    public Affine world(SceneItem item) {
         Deque<SceneItem> chain = new ArrayDeque<>();
         Map<SceneItem, Boolean> inChain = new IdentityHashMap<>();
         SceneItem link = item;
@@ -64,7 +65,7 @@ public final class Placement {
             chain.push(link);
             link = parent(link);
         }
-        Matrix world = link == null || !worlds.containsKey(link) ? Matrix.IDENTITY : worlds.get(link);
+        Affine world = link == null || !worlds.containsKey(link) ? Affine.IDENTITY : worlds.get(link);
         for (SceneItem next : chain) {
             world = world.times(local(next));
             worlds.put(next, world);
@@ -73,20 +74,21 @@ public final class Placement {
     }
 
     /** The space an item is placed in. */
-    Matrix parentWorld(SceneItem item) {
+    Affine parentWorld(SceneItem item) {
         SceneItem parent = parent(item);
-        return parent == null || parent == item ? Matrix.IDENTITY : world(parent);
+        return parent == null || parent == item ? Affine.IDENTITY : world(parent);
     }
 
-    private Matrix local(SceneItem item) {
+    /** From an item's own space to its parent's. */
+    public Affine local(SceneItem item) {
         double[] pivot = pivot(item);
-        Matrix matrix = item.motion.position(instant);
+        Affine matrix = item.motion.position(instant);
         if (item.has("PivotRotation")) {
             double[] r = item.numbers("PivotRotation", instant, 0, 0, 0);
-            matrix = matrix.times(Matrix.turn(Math.toRadians(r[0]), Math.toRadians(r[1]), Math.toRadians(r[2])));
+            matrix = matrix.times(Turn.of(Math.toRadians(r[0]), Math.toRadians(r[1]), Math.toRadians(r[2])));
         }
         return matrix.times(item.motion.rotation(instant)).times(item.motion.scale(instant))
-                .times(Matrix.move(-pivot[0], -pivot[1], -pivot[2]));
+                .times(Affine.move(-pivot[0], -pivot[1], -pivot[2]));
     }
 
     private double[] pivot(SceneItem item) {
@@ -98,12 +100,13 @@ public final class Placement {
     /** Where an item's pivot stands in the scene. */
     double[] position(SceneItem item) {
         double[] pivot = pivot(item);
-        Matrix world = world(item);
+        Affine world = world(item);
         return new double[] {world.point(0, pivot[0], pivot[1], pivot[2]), world.point(1, pivot[0], pivot[1], pivot[2]),
             world.point(2, pivot[0], pivot[1], pivot[2])};
     }
 
-    private SceneItem parent(SceneItem item) {
+    /** What an item moves with; null if nothing. */
+    public SceneItem parent(SceneItem item) {
         return parents.computeIfAbsent(item, i -> Optional.ofNullable(i.has("ParentItem")
                 ? byReference(i, "ParentItem") : byNumber(i, "ParentObject"))).orElse(null);
     }

@@ -3,6 +3,7 @@ package radiosity.input.lightwave.lws;
 import java.util.List;
 import java.util.Optional;
 import radiosity.input.file.Diagnostics;
+import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
@@ -35,7 +36,7 @@ public final class SceneCamera {
     }
 
     private Optional<Camera> camera(SceneItem item) {
-        Matrix world = new LookAt(placement, instant).world(item);
+        Affine world = new LookAt(placement, instant).world(item);
         Vec3 forward = SceneLights.right(world.direction(0, 0, 1)).unit();
         Vec3 up = SceneLights.right(world.direction(0, 1, 0));
         up = up.minus(forward.times(up.dot(forward))).unit();

@@ -26,6 +26,8 @@ public final class SceneItem {
     final long id;
     /** Path of an object as written; null for a null object and all others. */
     public String file;
+    /** Name of a null object as written; null for all others. */
+    String nullName;
     /** Number of the layer in its file. */
     public int layer = WHOLE_FILE;
     Motion motion = Motion.NONE;
@@ -83,6 +85,19 @@ public final class SceneItem {
 
     public double number(String keyword, Motion.Instant instant, double otherwise) {
         return numbers(keyword, instant, otherwise)[0];
+    }
+
+    /**
+     * What the user calls an object: a null object by its name, others by their file's without path and ending, with
+     * the number of the layer where it is not the first.
+     */
+    public String name() {
+        if (!isLoaded()) {
+            return nullName == null ? "" : nullName;
+        }
+        String plain = file.substring(1 + Math.max(file.lastIndexOf('/'), Math.max(file.lastIndexOf('\\'),
+                file.lastIndexOf(':')))).replaceFirst("(?i)\\.lwo$", "");
+        return layer > 0 ? plain + ":" + (layer + 1) : plain;
     }
 
     /** Whether it is an object with a file, and no null object. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.lightwave.SceneAssembly;
+import radiosity.scene.Affine;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
@@ -75,7 +76,7 @@ public final class SceneLights {
     }
 
     private void add(SceneItem item, Light.Kind kind, Rgb power, List<Light> lights) {
-        Matrix world = new LookAt(placement, instant).world(item);
+        Affine world = new LookAt(placement, instant).world(item);
         boolean isSomewhere = power.isFinite();
         for (double m : world.m()) {
             isSomewhere &= Double.isFinite(m);
@@ -88,7 +89,7 @@ public final class SceneLights {
         }
     }
 
-    private Light make(SceneItem item, Light.Kind kind, Rgb power, Matrix world) {
+    private Light make(SceneItem item, Light.Kind kind, Rgb power, Affine world) {
         double range = item.number("LightRange", instant, 1);
         String cone = item.has("LightConeAngle") ? "LightConeAngle" : "ConeAngle";
         String edge = item.has("LightEdgeAngle") ? "LightEdgeAngle" : "EdgeAngle";

@@ -82,7 +82,7 @@ public final class SceneParser {
         switch (keyword) {
             case "LoadObject" -> loadObject(value);
             case "LoadObjectLayer" -> loadLayer(value);
-            case "AddNullObject" -> begin(SceneItem.Kind.OBJECT, firstIdentity(value));
+            case "AddNullObject" -> addNull(value);
             case "AddLight" -> begin(SceneItem.Kind.LIGHT, identity(value));
             case "AddCamera" -> begin(SceneItem.Kind.CAMERA, identity(value));
             case "AddBone" -> addBone(value);
@@ -152,6 +152,12 @@ public final class SceneParser {
         }
     }
 
+    /** From version 4 on the identity stands before the name, which may hold blanks. */
+    private void addNull(String value) {
+        boolean identified = scene.version >= SceneDescription.WITH_IDENTITIES;
+        begin(SceneItem.Kind.OBJECT, identity(firstWord(value))).nullName = identified ? afterWord(value) : value;
+    }
+
     private void addBone(String value) {
         notes.note(lines.place(), "bones do not bend objects here");
         begin(SceneItem.Kind.BONE, identity(value));
@@ -159,10 +165,6 @@ public final class SceneParser {
 
     private long identity(String value) {
         return scene.version >= SceneDescription.WITH_IDENTITIES ? SceneNumbers.whole(value, 16) : -1;
-    }
-
-    private long firstIdentity(String value) {
-        return identity(firstWord(value));
     }
 
     private static String firstWord(String text) {

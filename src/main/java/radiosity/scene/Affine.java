@@ -1,40 +1,24 @@
-package radiosity.input.lightwave.lws;
+package radiosity.scene;
 
 /**
- * An affine map of column vectors in LightWave's left-handed space: rows of 3 factors and an offset.
- *
- * <p>Ry(h) takes +z to +x, Rx(p) takes +z to -y, Rz(b) takes +x to +y.
+ * An affine map of column vectors: rows of 3 factors and an offset.
  *
  * @param m 12 numbers by rows; not modified
  */
-public record Matrix(double[] m) {
+public record Affine(double[] m) {
 
-    public static final Matrix IDENTITY = new Matrix(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+    public static final Affine IDENTITY = new Affine(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
 
-    static Matrix move(double x, double y, double z) {
-        return new Matrix(new double[] {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
+    public static Affine move(double x, double y, double z) {
+        return new Affine(new double[] {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
     }
 
-    static Matrix scale(double x, double y, double z) {
-        return new Matrix(new double[] {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
-    }
-
-    /** Ry(heading) Rx(pitch) Rz(bank), radians. */
-    public static Matrix turn(double heading, double pitch, double bank) {
-        double ch = StrictMath.cos(heading);
-        double sh = StrictMath.sin(heading);
-        double cp = StrictMath.cos(pitch);
-        double sp = StrictMath.sin(pitch);
-        double cb = StrictMath.cos(bank);
-        double sb = StrictMath.sin(bank);
-        return new Matrix(new double[] {
-            ch * cb + sh * sp * sb, -ch * sb + sh * sp * cb, sh * cp, 0,
-            cp * sb, cp * cb, -sp, 0,
-            -sh * cb + ch * sp * sb, sh * sb + ch * sp * cb, ch * cp, 0});
+    public static Affine scale(double x, double y, double z) {
+        return new Affine(new double[] {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
     }
 
     /** This map after the other. */
-    public Matrix times(Matrix other) {
+    public Affine times(Affine other) {
         double[] product = new double[12];
         for (int row = 0; row < 12; row += 4) {
             for (int column = 0; column < 4; column++) {
@@ -42,7 +26,7 @@ public record Matrix(double[] m) {
                         + m[row + 2] * other.m[8 + column] + (column == 3 ? m[row + 3] : 0);
             }
         }
-        return new Matrix(product);
+        return new Affine(product);
     }
 
     /** Component k (0, 1 or 2) of where a point goes. */
@@ -77,7 +61,8 @@ public record Matrix(double[] m) {
                     + d[0] * (m[4] * m[9] - m[5] * m[8])) / det};
     }
 
-    boolean isFinite() {
+    /** Whether all 12 are numbers, and not too large to be added. */
+    public boolean isFinite() {
         double sum = 0;
         for (double v : m) {
             sum += Math.abs(v);

@@ -1,15 +1,12 @@
-package radiosity.input.lightwave;
+package radiosity.input.assembly;
 
 import java.util.Arrays;
-import radiosity.input.lightwave.lws.Matrix;
 
 /**
- * The triangles of a scene while its objects are placed: right-handed, in the scene's space.
- *
- * <p>(x, y, z) becomes (x, y, -z), and as that mirrors, the corners are taken the other way round; an object that is
- * mirrored itself is turned once more.
+ * The triangles of a scene while its objects are placed: right-handed, in the scene's space. The corners of a mesh that
+ * is mirrored are taken the other way round.
  */
-final class Triangles {
+final class PlacedTriangles {
 
     /** A triangle with less than this share of the square of its longest edge is rounding. */
     private static final double NO_AREA = 1e-13;
@@ -17,42 +14,50 @@ final class Triangles {
     private final double[] points;
     private final int[] corners;
     private final int[] surfaceOf;
+    private final int[] nodeOf;
     private final float[] coordinates;
+    private final float[] colours;
     private int pointCount;
     private int count;
     private int flat;
 
-    /** @param textured whether texture coordinates are kept */
-    Triangles(int points, int triangles, boolean textured) {
+    /**
+     * @param textured whether texture coordinates are kept
+     * @param coloured whether colours of vertices are kept
+     */
+    PlacedTriangles(int points, int triangles, boolean textured, boolean coloured) {
         this.points = new double[3 * points];
         this.corners = new int[3 * triangles];
         this.surfaceOf = new int[triangles];
+        this.nodeOf = new int[triangles];
         this.coordinates = new float[textured ? 6 * triangles : 0];
         Arrays.fill(coordinates, Float.NaN);
+        this.colours = new float[coloured ? 9 * triangles : 0];
+        Arrays.fill(colours, 1);
     }
 
     /**
      * Places a mesh.
      *
      * @param surfaces the scene's number of each of the mesh's surfaces
+     * @param node     whose it is
      */
-    void add(ObjectMesh mesh, Matrix world, int[] surfaces) {
+    void add(TriangleMesh mesh, Placing placing, int[] surfaces, int node) {
         int firstPoint = pointCount;
         float[] p = mesh.points();
         for (int i = 0; i < p.length; i += 3) {
             int at = 3 * pointCount++;
-            points[at] = world.point(0, p[i], p[i + 1], p[i + 2]);
-            points[at + 1] = world.point(1, p[i], p[i + 1], p[i + 2]);
-            points[at + 2] = 0 - world.point(2, p[i], p[i + 1], p[i + 2]);
+            for (int k = 0; k < 3; k++) {
+                points[at + k] = placing.point(k, p[i], p[i + 1], p[i + 2]);
+            }
         }
-        boolean reversed = world.determinant() >= 0;
+        int second = placing.reverses() ? 2 : 1;
         for (int t = 0; t < mesh.triangles(); t++) {
-            int second = reversed ? 2 : 1;
-            addTriangle(mesh, t, firstPoint, second, surfaces[mesh.surfaceOf()[t]]);
+            addTriangle(mesh, t, firstPoint, second, surfaces[mesh.surfaceOf()[t]], node);
         }
     }
 
-    private void addTriangle(ObjectMesh mesh, int t, int firstPoint, int second, int surface) {
+    private void addTriangle(TriangleMesh mesh, int t, int firstPoint, int second, int surface, int node) {
         int a = firstPoint + mesh.corners()[3 * t];
         int b = firstPoint + mesh.corners()[3 * t + second];
         int c = firstPoint + mesh.corners()[3 * t + 3 - second];
@@ -64,17 +69,22 @@ final class Triangles {
         corners[3 * count + 1] = b;
         corners[3 * count + 2] = c;
         surfaceOf[count] = surface;
+        nodeOf[count] = node;
         if (mesh.textureCoordinates().length > 0) {
-            copyCoordinates(mesh.textureCoordinates(), 6 * t, 0, 0);
-            copyCoordinates(mesh.textureCoordinates(), 6 * t, second, 1);
-            copyCoordinates(mesh.textureCoordinates(), 6 * t, 3 - second, 2);
+            copy(mesh.textureCoordinates(), t, second, 2, coordinates);
+        }
+        if (mesh.colours().length > 0) {
+            copy(mesh.colours(), t, second, 3, colours);
         }
         count++;
     }
 
-    private void copyCoordinates(float[] from, int at, int corner, int to) {
-        coordinates[6 * count + 2 * to] = from[at + 2 * corner];
-        coordinates[6 * count + 2 * to + 1] = from[at + 2 * corner + 1];
+    /** Copies what the corners of a triangle have: a number of values for each. */
+    private void copy(float[] from, int t, int second, int values, float[] to) {
+        int[] order = {0, second, 3 - second};
+        for (int k = 0; k < 3; k++) {
+            System.arraycopy(from, values * (3 * t + order[k]), to, values * (3 * count + k), values);
+        }
     }
 
     private boolean hasArea(int a, int b, int c) {
@@ -116,8 +126,15 @@ final class Triangles {
         return count == surfaceOf.length ? surfaceOf : Arrays.copyOf(surfaceOf, count);
     }
 
+    int[] nodeOf() {
+        return count == nodeOf.length ? nodeOf : Arrays.copyOf(nodeOf, count);
+    }
+
     float[] textureCoordinates() {
-        return coordinates.length == 0 || 6 * count == coordinates.length ? coordinates
-                : Arrays.copyOf(coordinates, 6 * count);
+        return 6 * count >= coordinates.length ? coordinates : Arrays.copyOf(coordinates, 6 * count);
+    }
+
+    float[] colours() {
+        return 9 * count >= colours.length ? colours : Arrays.copyOf(colours, 9 * count);
     }
 }
