@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import radiosity.master.balance.Balance;
 import radiosity.master.balance.Dealing;
 import radiosity.master.host.Host;
 import radiosity.master.host.HostCalls;
@@ -19,7 +18,6 @@ import radiosity.partition.GhostReport;
 import radiosity.partition.GhostVertices;
 import radiosity.partition.GhostVertices.Role;
 import radiosity.protocol.Order;
-import radiosity.protocol.PiggybackMessage;
 import radiosity.protocol.Reply;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ArraySize;
@@ -50,9 +48,6 @@ final class HaloExchange {
     private final Map<Host, List<Source>> sources = new LinkedHashMap<>();
     /** How many points each host gathers at for others. */
     private final Map<Host, Integer> given = new LinkedHashMap<>();
-    /** What is otherwise until all is told. */
-    private MidRoundMigration handOver;
-
     /** What hosts have said last. */
     private Map<Host, Reply> said = Map.of();
 
@@ -68,23 +63,6 @@ final class HaloExchange {
     /** Some hosts have other blocks now. */
     void forget() {
         isAgreed = false;
-        handOver = null;
-    }
-
-    /** Whether points may be handed over: once, before hosts tell each other what they have gathered. */
-    boolean mayHandOver(Order order) {
-        return handOver == null && order.kind() == Order.Kind.SHOOT && isShared(order) && !mesh.hasSeams();
-    }
-
-    /** From the next step on some points are gathered at by others of those that have them. */
-    void handOver(Map<Host, Balance.Delay> delays) {
-        handOver = new MidRoundMigration(agreement, sources, given, delays);
-        handOver.tell();
-    }
-
-    /** Whether points were handed over about which hosts have not heard all yet. */
-    boolean isHandingOver() {
-        return handOver != null && !handOver.isDone();
     }
 
     /** Whether an order makes some hosts gather for others. */
@@ -120,9 +98,6 @@ final class HaloExchange {
     void done(Order order, Map<Host, Reply> replies) {
         said = replies;
         elements = replies.values().stream().mapToInt(Reply::elements).sum();
-        if (isHandingOver()) {
-            handOver.done(replies, bytesPerPoint());
-        }
         if (order.most() == Order.GIVE) {
             deliver();
         }
@@ -131,7 +106,6 @@ final class HaloExchange {
     /** Agrees on what nothing was agreed about; a loss then is for the caller to see to. */
     void agree(List<Host> hosts, Dealing dealing) {
         boolean anew = !isAgreed;
-        handOver = null;
         agreement++;
         Map<Host, byte[]> keys = calls.onAll(hosts, host -> host.border(anew));
         if (anew) {
@@ -198,12 +172,10 @@ final class HaloExchange {
                 && sources.keySet().stream().allMatch(host -> isWhole(host, said.get(host).given()));
         sources.forEach((host, from) -> {
             if (all) {
-                host.tell(PiggybackMessage.GIFT, gift(agreement,
-                        handOver == null ? from : handOver.sources(host), said, bytesPerPoint()));
+                host.tell(gift(from));
             }
         });
         owed = false;
-        handOver = null;
     }
 
     private int bytesPerPoint() {
@@ -212,13 +184,13 @@ final class HaloExchange {
 
     /** Whether a host has told of all points of which it was to tell. */
     private boolean isWhole(Host host, byte[] told) {
-        int points = handOver == null ? given.getOrDefault(host, 0) : handOver.told(host);
-        return told.length >= Integer.BYTES + (long) bytesPerPoint() * points
-                && ByteBuffer.wrap(told).getInt() == agreement;
+        long bytes = Integer.BYTES + (long) bytesPerPoint() * given.getOrDefault(host, 0);
+        return told.length >= bytes && ByteBuffer.wrap(told).getInt() == agreement;
     }
 
-    /** What some hosts have said about points, for one that takes them. */
-    static byte[] gift(int agreement, List<Source> from, Map<Host, Reply> said, int bytes) {
+    /** What others have gathered for a host that takes it from these places. */
+    private byte[] gift(List<Source> from) {
+        int bytes = bytesPerPoint();
         byte[] gift = Arrays.copyOf(ByteBuffer.allocate(Integer.BYTES).putInt(agreement).array(),
                 ArraySize.of("bytes of the light at points of a border", Integer.BYTES + (long) bytes * from.size()));
         for (int i = 0; i < from.size(); i++) {

@@ -34,7 +34,6 @@ import radiosity.solver.World;
  */
 public final class RemoteWorld extends World {
 
-
     /** Shots of which rows are made together. */
     private static final int ROWS_AT_A_TIME = 8;
 
@@ -50,8 +49,6 @@ public final class RemoteWorld extends World {
     private final LongSupplier clock;
     private final BlockTransfer transfer;
     private final HaloExchange points;
-    /** Shots of the present round that are not under way. */
-    private int expected;
 
     /**
      * Opens a session with every host that can be reached.
@@ -127,14 +124,8 @@ public final class RemoteWorld extends World {
 
     @Override
     public Begun begin(Order step, StepTimes told) throws IOException {
-        while (step.isAnswered() && points.isHandingOver() && underWay.count() > 0) {
-            steps.await(told);
-        }
         admit(step);
         share(step);
-        if (step.begun() && step.more() && points.mayHandOver(step) && balance.mayLevel(hosts.present(), expected)) {
-            points.handOver(balance.delays(hosts.present(), expected));
-        }
         boolean exchanged = step.isAnswered() && points.isShared(step) && !mesh.hasSeams();
         Order now = exchanged ? step.naming(Order.GIVE) : step;
         InFlightSteps.Given given = steps.begin(now, prepare(now));
@@ -183,11 +174,6 @@ public final class RemoteWorld extends World {
             steps.recover();
         } while (underWay.count() > 0);
         balance.settle(hosts.present());
-    }
-
-    @Override
-    public void expect(int shots) {
-        expected = shots;
     }
 
     /** Waits until all hosts have answered an order. */

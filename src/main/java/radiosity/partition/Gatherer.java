@@ -1,9 +1,6 @@
 package radiosity.partition;
 
 import java.util.Arrays;
-import java.util.IdentityHashMap;
-import java.util.List;
-import java.util.Map;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
@@ -15,7 +12,6 @@ import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.Order;
-import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
@@ -29,8 +25,6 @@ final class Gatherer {
     private final Faces faces;
     private final ParallelFor crew;
     private final InteriorTest burial;
-    /** By the list of what shoots. */
-    private final Map<List<Shot>, ShooterHierarchy[]> kept = new IdentityHashMap<>();
 
     Gatherer(InitialMesh mesh, ParallelFor crew) {
         this.mesh = mesh;
@@ -58,20 +52,6 @@ final class Gatherer {
     }
 
     ShooterHierarchy[] shooters(Order order) {
-        ShooterHierarchy[] known = kept.get(order.shots());
-        return known == null ? make(order) : known;
-    }
-
-    /** Keeps the shooters of an order that is done again soon. */
-    void keep(Order order) {
-        kept.put(order.shots(), make(order));
-    }
-
-    void forget() {
-        kept.clear();
-    }
-
-    private ShooterHierarchy[] make(Order order) {
         UniformRadiosity ambient = ambient(order);
         Weights weights = weights(order);
         ShooterHierarchy[] made = new ShooterHierarchy[order.shots().size()];

@@ -34,13 +34,6 @@ public final class GhostVertices {
     private int[] given = {};
     private int[] taken = {};
     private final BitSet isTaken = new BitSet();
-    /**
-     * Handed over in mid-round, until all is told: to whom takes them otherwise, and from whom gives them otherwise.
-     */
-    private int[] handedOut = {};
-    private int[] handedIn = {};
-    /** Whether it is not known yet what has arrived at what was handed in. */
-    private boolean isBehind;
     /** Those where others do not gather; null where they are to be found. */
     private int[] own;
     private int vertices;
@@ -62,7 +55,6 @@ public final class GhostVertices {
             given = new int[0];
             taken = new int[0];
             isTaken.clear();
-            handedOut = handedIn = new int[0];
             own = null;
         }
         named = IntStream.of(ends(edges())).filter(v -> v >= known).toArray();
@@ -162,6 +154,11 @@ public final class GhostVertices {
         return irradiance;
     }
 
+    /** Where others gather; not to be modified. */
+    public BitSet taken() {
+        return isTaken;
+    }
+
     /** Whether others gather at some of them. */
     boolean isTaking() {
         return !isTaken.isEmpty();
@@ -196,7 +193,7 @@ public final class GhostVertices {
 
     /** For others: number of the agreement, then channels per point. */
     public byte[] give() {
-        return irradiance.told(agreement, IntStream.concat(IntStream.of(given), IntStream.of(handedIn)).toArray());
+        return irradiance.told(agreement, given);
     }
 
     /**
@@ -207,96 +204,7 @@ public final class GhostVertices {
         if (gift.readInt() != agreement) {
             return false;
         }
-        irradiance.put(IntStream.concat(IntStream.of(taken), IntStream.of(handedOut)).toArray(), gift);
-        endHandOver();
+        irradiance.put(taken, gift);
         return true;
-    }
-
-    /*---- Handing over in mid-round ----*/
-
-    /**
-     * From the next step on others gather at some points that this host gives, and this host will at some that it
-     * takes, as soon as it is told what has arrived there up to now.
-     *
-     * @param places number of the agreement, then of each kind how many, and their places among those
-     * @return for others: what has arrived up to now at what is handed out, as {@link #give}; nothing where it was not
-     *         of this agreement
-     */
-    public byte[] handOver(DataInputStream places) throws IOException {
-        if (places.readInt() != agreement) {
-            return new byte[0];
-        }
-        handedOut = places(places, given);
-        handedIn = places(places, taken);
-        isBehind = handedIn.length > 0;
-        IntStream.of(handedOut).forEach(isTaken::set);
-        own = null;
-        return irradiance.told(agreement, handedOut);
-    }
-
-    private static int[] places(DataInputStream in, int[] of) throws IOException {
-        int[] points = new int[Wire.count(in, Integer.BYTES)];
-        for (int i = 0; i < points.length; i++) {
-            int place = in.readInt();
-            if (place < 0 || place >= of.length) {
-                throw new IOException("points: expected a place below " + of.length + ", got " + place);
-            }
-            points[i] = of[place];
-        }
-        return points;
-    }
-
-    /**
-     * Up to when others have gathered at what is handed in: from now on this host does.
-     *
-     * @param arrived number of the agreement, then channels per point
-     */
-    boolean takeOver(DataInputStream arrived) throws IOException {
-        if (arrived.readInt() != agreement) {
-            return false;
-        }
-        irradiance.put(handedIn, arrived);
-        return true;
-    }
-
-    /** This host has gathered at what was handed in what it was behind there. */
-    void takeOver() {
-        IntStream.of(handedIn).forEach(isTaken::clear);
-        isBehind = false;
-        own = null;
-    }
-
-    public boolean isBehind() {
-        return isBehind;
-    }
-
-    BitSet handedIn() {
-        return set(handedIn);
-    }
-
-    /** Where others gathered for this host, or did since points were handed over. */
-    public BitSet missed(boolean handedOver) {
-        BitSet missed = (BitSet) isTaken.clone();
-        if (!handedOver) {
-            missed.andNot(set(handedOut));
-        }
-        return missed;
-    }
-
-    /** All is told. */
-    void endHandOver() {
-        if (handedOut.length + handedIn.length > 0) {
-            isTaken.clear();
-            IntStream.of(taken).forEach(isTaken::set);
-            handedOut = handedIn = new int[0];
-            isBehind = false;
-            own = null;
-        }
-    }
-
-    private static BitSet set(int[] points) {
-        BitSet set = new BitSet();
-        IntStream.of(points).forEach(set::set);
-        return set;
     }
 }

@@ -158,30 +158,6 @@ public final class PartitionImpl implements Partition {
         return border().take(gift);
     }
 
-    /** See {@link GhostVertices#takeOver}. */
-    public boolean takeOver(DataInputStream irradiance) throws IOException {
-        candidates.changed();
-        return border().takeOver(irradiance);
-    }
-
-    /** What this step does will be done again soon, at what was handed over. */
-    public void keep(Order order) {
-        receivers.keep(order);
-    }
-
-    /** Nothing is handed over any more. */
-    public void endHandOver() {
-        border().endHandOver();
-        receivers.forget();
-    }
-
-    /** Does so. */
-    public void catchUp(List<Order> orders) {
-        orders.forEach(order -> gatherAt(order, border.handedIn()));
-        border.takeOver();
-        receivers.forget();
-    }
-
     /** What this step does at some points. */
     public void gatherAt(Order order, BitSet points) {
         candidates.changed();

@@ -9,7 +9,6 @@ import radiosity.partition.Partition;
 import radiosity.protocol.Answer;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.Greeting;
-import radiosity.protocol.PiggybackMessage;
 import radiosity.protocol.Reply;
 import radiosity.protocol.SceneBytes;
 
@@ -64,7 +63,8 @@ public interface RemotePartition extends Remote {
      * One round on the blocks that this host owns. The same number again is not done again.
      *
      * @param number 1, 2, ... in a session; what changes elements and what only asks is counted alike
-     * @param order  as {@link Partition#round} takes it, then what it is told besides, see {@link PiggybackMessage}
+     * @param order  as {@link Partition#round} takes it, then what others have gathered for this host, see {@link
+     *               GhostVertices}; or nothing
      * @return a {@link Reply}
      */
     byte[] round(long session, long number, byte[] order) throws RemoteException;

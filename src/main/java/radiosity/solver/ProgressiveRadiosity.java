@@ -185,7 +185,6 @@ public final class ProgressiveRadiosity {
             now = now.naming(-1);
         }
         Answer before = last.afterRound();
-        world.expect(pending.shots().size());
         carryOut(now);
         tally.count(now, before, last.afterRound());
         agenda.done(size);

@@ -102,9 +102,6 @@ public abstract class World implements AutoCloseable {
      */
     public abstract Begun begin(Order step, StepTimes times) throws IOException;
 
-    /** So many shots of the round come with the next step and after it. */
-    public void expect(int shots) { }
-
     /** Waits until no order is under way. */
     public abstract void finish(StepTimes times) throws IOException;
 

@@ -15,7 +15,6 @@ import radiosity.partition.PartitionImpl;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.BlockWork;
 import radiosity.protocol.Order;
-import radiosity.protocol.PiggybackMessage;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 import radiosity.setup.InitialMesh;
@@ -30,10 +29,6 @@ final class HostedBlocks {
     private final ShotHistory totals;
     /** Orders that were not done yet where other hosts gather. */
     private final List<byte[]> owed = new ArrayList<>();
-    /** How many there were when points were handed over. */
-    private int handedOver;
-    /** What was done since, as long as this host does not know what had arrived where it takes over. */
-    private final List<Order> since = new ArrayList<>();
     private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
@@ -117,52 +112,14 @@ final class HostedBlocks {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);
         given = new byte[0];
-        boolean agrees = true;
-        while (in.available() > 0 && agrees) {
-            agrees = hear(PiggybackMessage.of(in.readByte()), in);
+        if (in.available() > 0 && partition.take(in)) {
+            owed.clear();
         }
         byte[] answer = order.gathers() ? gather(order, bytes) : ask(order);
         if (partition.isShared() && (mesh.hasSeams() || order.most() == Order.GIVE)) {
-            given = give();
+            given = partition.border().give();
         }
         return answer;
-    }
-
-    private byte[] give() throws IOException {
-        if (partition.border().isBehind()) {
-            settle();
-        }
-        return partition.border().give();
-    }
-
-    /**
-     * What comes with an order.
-     *
-     * @return whether it was of what hosts have agreed on last
-     */
-    private boolean hear(PiggybackMessage what, DataInputStream in) throws IOException {
-        switch (what) {
-            case GIFT -> {
-                boolean agrees = partition.take(in);
-                if (agrees) {
-                    owed.clear();
-                }
-                return agrees;
-            }
-            case HAND_OVER -> {
-                handedOver = owed.size();
-                given = partition.border().handOver(in);
-                return given.length > 0;
-            }
-            default -> {
-                boolean agrees = partition.takeOver(in);
-                if (agrees) {
-                    partition.catchUp(since);
-                    since.clear();
-                }
-                return agrees;
-            }
-        }
     }
 
     private byte[] gather(Order order, byte[] bytes) throws IOException {
@@ -179,10 +136,6 @@ final class HostedBlocks {
             return partition.round(order);
         }
         Order now = whole(order);
-        if (partition.border().isBehind()) {
-            since.add(now);
-            partition.keep(now);
-        }
         byte[] nothing = partition.round(now.naming(-1));
         return order.isAnswered() ? ask(Order.plain(Order.Kind.ASK, order.most()).from(order.least())) : nothing;
     }
@@ -206,12 +159,10 @@ final class HostedBlocks {
 
     /** Gathers where others should have gathered and nothing was heard of it. */
     private void settle() throws IOException {
-        for (int i = 0; i < owed.size(); i++) {
-            partition.gatherAt(whole(Order.decode(owed.get(i))), partition.border().missed(i >= handedOver));
+        for (byte[] order : owed) {
+            partition.gatherAt(whole(Order.decode(order)), partition.border().taken());
         }
         owed.clear();
-        since.clear();
-        partition.endHandOver();
     }
 
     /** See {@link GhostVertices#name}. */

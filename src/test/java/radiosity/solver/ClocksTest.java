@@ -29,8 +29,8 @@ import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.TestLink;
 
 /**
- * Time has no part in the result: step sizes, answers in mid-round, checkpoints, blocks that move, points that are
- * handed over, and a listener that saves now and then follow from random clocks; the bits do not.
+ * Time has no part in the result: step sizes, answers in mid-round, checkpoints, blocks that move, and a
+ * listener that saves now and then follow from random clocks; the bits do not.
  */
 @Tag("slow")
 class ClocksTest {

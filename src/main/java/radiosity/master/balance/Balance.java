@@ -1,7 +1,6 @@
 package radiosity.master.balance;
 
 import java.util.Collection;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import radiosity.master.host.Host;
@@ -26,20 +25,12 @@ public final class Balance {
     /** What a move is taken to cost before the first one: per patch of the scene, s. */
     private static final double FIRST_COST_PER_PATCH = 4e-6;
 
-    /** What the last step counts for in what a shot takes. */
-    private static final double LATE = 0.3;
-    /** Points are handed over where a host is so far behind, s, and it will take no longer than so many times that. */
-    private static final double WORTH_SECONDS = 0.003;
-    private static final double IN_TIME = 14;
-
     private final BlockCostModel forecast;
     private final Dealing dealing;
     private final AmortizedTrigger waiting;
     private final int clusters;
     /** The last round that was looked ahead at. */
     private int looked;
-    /** What a shot takes of late, s. */
-    private double secondsPerShot;
 
     /** @param clusters that may shoot in a round */
     public Balance(BlockCostModel forecast, Dealing dealing, long patches, int clusters) {
@@ -55,43 +46,6 @@ public final class Balance {
             note(host, reply, order.shots().size());
         });
         judge(replies.keySet());
-        if (!order.shots().isEmpty()) {
-            double seconds = replies.values().stream().mapToDouble(Reply::seconds).average().orElse(0) / order.shots()
-                    .size();
-            secondsPerShot += LATE * (seconds - secondsPerShot);
-        }
-    }
-
-    /**
-     * How a host will be behind the others when the round ends.
-     *
-     * @param seconds  negative where it will be ahead
-     * @param perPoint until the round ends, s
-     */
-    public record Delay(double seconds, double perPoint) {
-
-        public Delay with(int points) {
-            return new Delay(seconds + points * perPoint, perPoint);
-        }
-    }
-
-    /** How hosts will be behind each other after so many more shots, as far as they are now. */
-    public Map<Host, Delay> delays(List<Host> hosts, int shots) {
-        double mean = hosts.stream().mapToDouble(host -> host.load.sinceWait).average().orElse(0);
-        Map<Host, Delay> delays = new LinkedHashMap<>();
-        for (Host host : hosts) {
-            double rest = mean > 0 ? shots * secondsPerShot * host.load.sinceWait / mean : 0;
-            delays.put(host, new Delay(host.load.sinceWait - mean, rest / Math.max(1, host.load.told)));
-        }
-        return delays;
-    }
-
-    /**
-     * Whether points are to be handed over when so many shots are left: the later, the better it is known; but in time.
-     */
-    public boolean mayLevel(List<Host> hosts, int shots) {
-        double behind = behind(hosts);
-        return behind > WORTH_SECONDS && shots * secondsPerShot < IN_TIME * behind;
     }
 
     /** All hosts have waited for the slowest. */

@@ -22,7 +22,6 @@ import radiosity.master.RemoteWorld;
 import radiosity.partition.GhostReport;
 import radiosity.partition.GhostVertices;
 import radiosity.protocol.BlockTakeover;
-import radiosity.protocol.PiggybackMessage;
 import radiosity.protocol.Reply;
 import radiosity.protocol.SceneBytes;
 import radiosity.protocol.Wire;
@@ -72,7 +71,7 @@ public final class Host implements AutoCloseable {
     public double pairs;
     public double seconds;
     public final HostLoad load = new HostLoad();
-    /** What it is to be told with the next order, see {@link PiggybackMessage}; or empty. */
+    /** What others have gathered for it, which goes with its next order; or empty. */
     private byte[] told = {};
 
     /** @param threads that the host computes with */
@@ -166,13 +165,9 @@ public final class Host implements AutoCloseable {
         return ++rounds;
     }
 
-    /** With its next order, after what it is to be told with it already. */
-    public void tell(PiggybackMessage what, byte[] content) {
-        told = Wire.bytes(out -> {
-            out.write(told);
-            out.writeByte(what.ordinal());
-            out.write(content);
-        });
+    /** @param gift what others have gathered for it: goes with its next order, see {@link GhostVertices} */
+    public void tell(byte[] gift) {
+        told = gift;
     }
 
     /** @return what it is sent for an order: what it is to be told with it follows */

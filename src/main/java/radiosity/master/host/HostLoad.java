@@ -1,7 +1,6 @@
 package radiosity.master.host;
 
 import java.util.concurrent.atomic.AtomicLong;
-import radiosity.protocol.BlockWork;
 import radiosity.protocol.Reply;
 import radiosity.solution.HostStatistics;
 
@@ -21,8 +20,6 @@ public final class HostLoad {
     private double reached;
     /** Time that it took since all were waited for, s. */
     public double sinceWait;
-    /** At how many points it gathered in the last step. */
-    public int told;
     /** Sent and received; several threads add to it. */
     final AtomicLong bytes = new AtomicLong();
 
@@ -35,7 +32,6 @@ public final class HostLoad {
         sinceWait += reply.seconds();
         reached = Math.max(reached, given) + reply.cpu();
         elements = reply.elements();
-        told = reply.work().stream().mapToInt(BlockWork::told).sum();
     }
 
     public double reached() {
