@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import radiosity.input.SceneReader;
 import radiosity.input.file.ReadOptions;
-import radiosity.input.lightwave.LightWaveReader;
 import radiosity.master.RemoteWorld;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.rmi.HostAddress;
@@ -64,7 +64,7 @@ public final class Radiosity {
      * @param options which frame, which emission, where to search for objects and images
      */
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
-        return SurfaceMaps.read(LightWaveReader.read(file, options, warnings), options.srgb(), warnings);
+        return SurfaceMaps.read(SceneReader.read(file, options, warnings), options.srgb(), warnings);
     }
 
     /** A calculation for a scene, with default settings: an expected error of 2 %, all processors of this machine. */

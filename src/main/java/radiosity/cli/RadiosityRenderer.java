@@ -35,7 +35,7 @@ import radiosity.cli.terminal.StopRequest;
 import radiosity.cli.terminal.StopRuleCourse;
 import radiosity.cli.terminal.TerminalStreams;
 import radiosity.cli.terminal.TimeCourse;
-import radiosity.input.lightwave.LightWaveReader;
+import radiosity.input.SceneReader;
 import radiosity.output.gltf.SceneInfo;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.scene.Scene;
@@ -107,7 +107,7 @@ public final class RadiosityRenderer {
     }
 
     private Scene scene() throws IOException {
-        return SurfaceMaps.read(LightWaveReader.read(options.input(), options.scene.lightWave(), warnings::print),
+        return SurfaceMaps.read(SceneReader.read(options.input(), options.scene.lightWave(), warnings::print),
                 options.scene.srgb, warnings::accept);
     }
 

@@ -9,7 +9,7 @@ import radiosity.cli.options.Failure;
 import radiosity.cli.options.ViewOptions;
 import radiosity.cli.render.FileChecks;
 import radiosity.cli.render.Warnings;
-import radiosity.input.lightwave.LightWaveReader;
+import radiosity.input.SceneReader;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.viewer.DisplayException;
@@ -83,7 +83,7 @@ public final class ViewSceneFile {
 
     private LitScene scene() throws IOException {
         return options.window.lightWave ? LitScene.unlit(SurfaceMaps.read(
-                LightWaveReader.read(options.file(), options.scene.lightWave(), warnings::print), options.scene.srgb,
+                SceneReader.read(options.file(), options.scene.lightWave(), warnings::print), options.scene.srgb,
                         warnings::accept))
                 : LitScene.read(options.file());
     }

@@ -98,9 +98,9 @@ public final class FileSearch {
         return found.computeIfAbsent("object " + written, w -> search(written, this::isObject));
     }
 
-    /** The image file that an object names. */
-    public Optional<Path> image(String written) {
-        return found.computeIfAbsent("image " + written, w -> search(written, p -> true));
+    /** A file of any other kind that a scene or an object names: an image, materials, bytes. */
+    public Optional<Path> file(String written) {
+        return found.computeIfAbsent("file " + written, w -> search(written, p -> true));
     }
 
     private Optional<Path> search(String written, Predicate<Path> wanted) {

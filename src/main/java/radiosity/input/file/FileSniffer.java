@@ -1,45 +1,154 @@
 package radiosity.input.file;
 
 import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 
-/** Says what a file is that is no LightWave object or scene, for messages. */
+/** Says what a file is that is none of those that are read, for messages: by its content, then by its name. */
 public final class FileSniffer {
 
-    private static final int[] APPLE_DOUBLE = {0x00, 0x05, 0x16, 0x07};
+    /** So much of a file is enough to tell what it is, bytes. */
+    public static final int START = 1 << 16;
+
     private static final int SHOWN = 12;
+
+    /** How files begin, in ISO 8859-1, and what they are then. */
+    private static final Map<String, String> BEGINNINGS = new LinkedHashMap<>();
+    /** What stands among the first bytes of a text, and what it is then. */
+    private static final Map<String, String> CONTENTS = new LinkedHashMap<>();
+    /** What files are whose content does not say it, by the ending of their names. */
+    private static final Map<String, String> ENDINGS = new LinkedHashMap<>();
+
+    static {
+        BEGINNINGS.put("version https://git-lfs", "a Git LFS pointer: the file itself was not fetched");
+        BEGINNINGS.put("\0\5\26\7", "an AppleDouble file (._name), which holds a Mac's file attributes only");
+        BEGINNINGS.put("Kaydara FBX", "an FBX file");
+        BEGINNINGS.put("; FBX", "an FBX file");
+        BEGINNINGS.put("BLENDER", "a Blender file");
+        BEGINNINGS.put("ply\n", "a PLY file");
+        BEGINNINGS.put("ply\r", "a PLY file");
+        BEGINNINGS.put("PXR-USDC", "a USD file");
+        BEGINNINGS.put("#usda", "a USD file");
+        BEGINNINGS.put("#VRML", "a VRML file");
+        BEGINNINGS.put("3D Geometry File Format", "a Rhino file");
+        BEGINNINGS.put("QC4DC4D6", "a Cinema 4D file");
+        BEGINNINGS.put("ISO-10303-21", "a STEP or IFC file");
+        BEGINNINGS.put("AC10", "a DWG file");
+        BEGINNINGS.put("Ogawa", "an Alembic file");
+        BEGINNINGS.put("xof ", "a DirectX file");
+        BEGINNINGS.put("//Maya", "a Maya file");
+        BEGINNINGS.put("\u00FF\u00FE\u00FF\u000ES\0k\0e\0t\0c\0h\0U\0p", "a SketchUp file");
+        BEGINNINGS.put("IESNA", "an IES photometric file");
+        BEGINNINGS.put("\u0089PNG", "a PNG image");
+        BEGINNINGS.put("\u00FF\u00D8\u00FF", "a JPEG image");
+        BEGINNINGS.put("GIF8", "a GIF image");
+        BEGINNINGS.put("II*\0", "a TIFF image");
+        BEGINNINGS.put("MM\0*", "a TIFF image");
+        BEGINNINGS.put("#?RADIANCE", "an HDR image");
+        BEGINNINGS.put("v/1\1", "an EXR image");
+        BEGINNINGS.put("%PDF", "a PDF document");
+        CONTENTS.put("<COLLADA", "a Collada file (DAE)");
+        CONTENTS.put("<X3D", "an X3D file");
+        CONTENTS.put("<scene", "a scene in XML, as of Mitsuba");
+        CONTENTS.put("<?xml", "an XML file");
+        ENDINGS.put("fbx", "an FBX file");
+        ENDINGS.put("3ds", "a 3DS file");
+        ENDINGS.put("dae", "a Collada file (DAE)");
+        ENDINGS.put("blend", "a Blender file");
+        ENDINGS.put("stl", "an STL file");
+        ENDINGS.put("ply", "a PLY file");
+        for (String usd : new String[] {"usd", "usda", "usdc", "usdz"}) {
+            ENDINGS.put(usd, "a USD file");
+        }
+        ENDINGS.put("max", "a 3ds Max file");
+        ENDINGS.put("ma", "a Maya file");
+        ENDINGS.put("mb", "a Maya file");
+        ENDINGS.put("c4d", "a Cinema 4D file");
+        ENDINGS.put("skp", "a SketchUp file");
+        ENDINGS.put("dxf", "a DXF file");
+        ENDINGS.put("dwg", "a DWG file");
+        ENDINGS.put("3dm", "a Rhino file");
+        ENDINGS.put("3mf", "a 3MF file");
+        ENDINGS.put("abc", "an Alembic file");
+        ENDINGS.put("x", "a DirectX file");
+        ENDINGS.put("wrl", "a VRML file");
+        ENDINGS.put("x3d", "an X3D file");
+        ENDINGS.put("ifc", "an IFC file");
+        ENDINGS.put("step", "a STEP file");
+        ENDINGS.put("stp", "a STEP file");
+        ENDINGS.put("mtl", "a material library of OBJ files");
+        ENDINGS.put("rad", "a Radiance scene");
+        ENDINGS.put("pbrt", "a scene of pbrt");
+        ENDINGS.put("ldt", "a EULUMDAT photometric file");
+        ENDINGS.put("zip", "a ZIP archive");
+    }
 
     private FileSniffer() {
     }
 
-    public static String describe(byte[] bytes) {
-        String start = new String(bytes, 0, Math.min(bytes.length, 64), StandardCharsets.ISO_8859_1);
-        if (bytes.length == 0) {
-            return "an empty file";
+    /** What a file is by its content alone, if that is no doubt. */
+    public static Optional<String> foreign(byte[] start) {
+        String text = text(start);
+        Optional<String> beginning = BEGINNINGS.entrySet().stream().filter(entry -> text.startsWith(entry.getKey()))
+                .map(Map.Entry::getValue).findFirst();
+        if (beginning.isPresent()) {
+            return beginning;
         }
-        if (start.startsWith("version https://git-lfs")) {
-            return "a Git LFS pointer: the file itself was not fetched";
+        if (text.startsWith("MM") && text.length() > 7 && (text.charAt(6) == 2 && text.charAt(7) == 0
+                || text.charAt(6) == '=' && text.charAt(7) == '=')) {
+            return Optional.of("a 3DS file");
         }
-        if (isAppleDouble(bytes)) {
-            return "an AppleDouble file (._name), which holds a Mac's file attributes only";
+        if (text.startsWith("solid") && text.contains("facet")) {
+            return Optional.of("an STL file");
         }
-        if (start.startsWith("FORM") && start.contains("\u00EF\u00BF\u00BD")) {
-            return "a file spoilt by a conversion of its text encoding";
+        if (text.strip().startsWith("<")) {
+            return CONTENTS.entrySet().stream().filter(entry -> text.contains(entry.getKey()))
+                    .map(Map.Entry::getValue).findFirst();
         }
-        if (start.startsWith("FORM") && bytes.length < 12) {
-            return "an IFF file of " + bytes.length + " bytes";
-        }
-        if (start.startsWith("FORM")) {
-            return "an IFF file of type " + start.substring(8, 12);
-        }
-        return "a file that begins with \"" + start.substring(0, Math.min(SHOWN, start.length())) + "\"";
+        return text.startsWith("newmtl") || text.contains("\nnewmtl ") && !text.contains("\nv ")
+                ? Optional.of(ENDINGS.get("mtl")) : Optional.empty();
     }
 
-    private static boolean isAppleDouble(byte[] bytes) {
-        for (int i = 0; i < APPLE_DOUBLE.length; i++) {
-            if (bytes.length <= i || bytes[i] != APPLE_DOUBLE[i]) {
-                return false;
-            }
+    /** What a file is, of whose name nothing is known. */
+    public static String describe(byte[] start) {
+        return describe(start, "");
+    }
+
+    /**
+     * What a file is.
+     *
+     * @param start the first bytes of it, {@value #START} or all
+     * @param name  of the file
+     */
+    public static String describe(byte[] start, String name) {
+        String text = text(start);
+        Optional<String> foreign = foreign(start);
+        if (start.length == 0) {
+            return "an empty file";
         }
-        return true;
+        if (foreign.isPresent()) {
+            return foreign.get();
+        }
+        if (text.startsWith("FORM") && text.contains("\u00EF\u00BF\u00BD")) {
+            return "a file spoilt by a conversion of its text encoding";
+        }
+        if (text.startsWith("FORM") && start.length < 12) {
+            return "an IFF file of " + start.length + " bytes";
+        }
+        if (text.startsWith("FORM")) {
+            return "an IFF file of type " + text.substring(8, 12);
+        }
+        String ending = ENDINGS.get(name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
+        if (ending != null) {
+            return ending;
+        }
+        return text.startsWith("PK\3\4") ? "a ZIP archive"
+                : "a file that begins with \"" + text.substring(0, Math.min(SHOWN, text.length())) + "\"";
+    }
+
+    private static String text(byte[] start) {
+        return new String(start, 0, Math.min(start.length, START), StandardCharsets.ISO_8859_1);
     }
 }

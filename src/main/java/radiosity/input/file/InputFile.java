@@ -20,12 +20,7 @@ public final class InputFile {
      * @param maxBytes largest size that is read, bytes
      */
     public static byte[] read(Path file, String name, long maxBytes) throws IOException {
-        if (!Files.exists(file)) {
-            throw new SceneFormatException(name, "", "a file", "nothing of that name");
-        }
-        if (!Files.isRegularFile(file)) {
-            throw new SceneFormatException(name, "", "a file", "a directory or a device");
-        }
+        check(file, name);
         try (InputStream in = Files.newInputStream(file)) {
             long most = Math.min(maxBytes, Runtime.getRuntime().maxMemory() / GROWTH);
             byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, most + 1));
@@ -35,6 +30,20 @@ public final class InputFile {
                         + " bytes");
             }
             return bytes;
+        }
+    }
+
+    /**
+     * Checks that there is a file.
+     *
+     * @throws SceneFormatException where there is nothing, a directory or a device
+     */
+    public static void check(Path file, String name) throws SceneFormatException {
+        if (!Files.exists(file)) {
+            throw new SceneFormatException(name, "", "a file", "nothing of that name");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new SceneFormatException(name, "", "a file", "a directory or a device");
         }
     }
 }

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import radiosity.input.file.ReadOptions;
+import radiosity.input.lightwave.lwo.ObjectFile;
+import radiosity.input.lightwave.lws.SceneParser;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 
@@ -11,6 +13,11 @@ import radiosity.scene.SceneFormatException;
 public final class LightWaveReader {
 
     private LightWaveReader() {
+    }
+
+    /** Whether a file begins as a LightWave scene or object does. */
+    public static boolean recognises(byte[] start) {
+        return SceneParser.isScene(start) || ObjectFile.isObject(start);
     }
 
     /**

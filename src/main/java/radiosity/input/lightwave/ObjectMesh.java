@@ -58,8 +58,8 @@ record ObjectMesh(TriangleMesh triangles, List<SurfaceValues> surfaces, double[]
 
         void add(Layer layer) {
             mappings.clear();
-            Triangulation triangulation = new Triangulation(layer.points, layer.polygons, "layer " + layer.number,
-                    work, notes);
+            Triangulation triangulation = new Triangulation(layer.points, layer.polygons,
+                    polygon -> "layer " + layer.number + ", polygon " + polygon, work, notes);
             int[] newPoint = new int[layer.pointCount()];
             Arrays.fill(newPoint, -1);
             IntList triangles = new IntList();

@@ -66,7 +66,7 @@ final class SurfaceImages {
 
     private static boolean isFound(TextureBlock texture, FileSearch search, Diagnostics notes) {
         String path = texture.image.replaceFirst(" *\\(sequence\\)$", "");
-        Optional<Path> file = search.image(path);
+        Optional<Path> file = search.file(path);
         texture.found = file.map(Path::toString).orElse(null);
         if (file.isEmpty()) {
             notes.note("", "images that are not found leave the base colour", path);

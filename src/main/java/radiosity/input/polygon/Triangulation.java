@@ -1,5 +1,6 @@
 package radiosity.input.polygon;
 
+import java.util.function.IntFunction;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
@@ -13,7 +14,7 @@ public final class Triangulation {
 
     private final FloatList points;
     private final Polygons polygons;
-    private final String place;
+    private final IntFunction<String> place;
     private final Diagnostics notes;
     private final PolygonRing outline;
     private final EarClipper ears;
@@ -23,9 +24,10 @@ public final class Triangulation {
     /**
      * @param points   x, y, z of each point
      * @param polygons corners of polygons, which may name points that do not exist
-     * @param place    where the polygons are in their file, for remarks: "layer 2"
+     * @param place    where a polygon is in its file, for remarks: "layer 2, polygon 7"
      */
-    public Triangulation(FloatList points, Polygons polygons, String place, WorkBudget work, Diagnostics notes) {
+    public Triangulation(FloatList points, Polygons polygons, IntFunction<String> place, WorkBudget work,
+            Diagnostics notes) {
         this.points = points;
         this.polygons = polygons;
         this.place = place;
@@ -53,7 +55,7 @@ public final class Triangulation {
     }
 
     private void note(int polygon, String remark) {
-        notes.note(place + ", polygon " + polygon, remark);
+        notes.note(place.apply(polygon), remark);
     }
 
     private boolean isSound(int polygon) {

@@ -21,6 +21,7 @@ import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.testkit.Mutation;
 
 /** Mutants of sound files end in a scene or in the one exception; nothing else is thrown and nothing hangs. */
 @Tag("slow")

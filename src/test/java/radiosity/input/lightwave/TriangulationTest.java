@@ -55,7 +55,7 @@ class TriangulationTest {
     private static void assertCovered(Layer layer, double area) {
         IntList triangles = new IntList();
         List<String> told = new ArrayList<>();
-        new Triangulation(layer.points, layer.polygons, "layer " + layer.number, new WorkBudget(),
+        new Triangulation(layer.points, layer.polygons, polygon -> "layer " + layer.number, new WorkBudget(),
                 new Diagnostics("", told::add, false)).cut(0, triangles);
         double sum = 0;
         for (int i = 0; i < triangles.size(); i += 3) {
@@ -95,7 +95,7 @@ class TriangulationTest {
     void convexQuad_isCutFromItsFirstCorner() {
         Layer layer = layer(new double[] {0, 0, 1, 0, 1, 1, 0, 1}, 2, 1, 0);
         IntList triangles = new IntList();
-        new Triangulation(layer.points, layer.polygons, "layer " + layer.number, new WorkBudget(),
+        new Triangulation(layer.points, layer.polygons, polygon -> "layer " + layer.number, new WorkBudget(),
                 new Diagnostics("", w -> { }, false)).cut(0, triangles);
         assertEquals(List.of(0, 1, 2, 0, 2, 3), java.util.Arrays.stream(triangles.toArray()).boxed().toList());
     }
@@ -108,7 +108,7 @@ class TriangulationTest {
         for (int i = 0; i < 40; i++) {
             IntList triangles = new IntList();
             Layer random = randomPolygon(20_000);
-            new Triangulation(random.points, random.polygons, "", work, new Diagnostics("", w -> { }, false))
+            new Triangulation(random.points, random.polygons, polygon -> "", work, new Diagnostics("", w -> { }, false))
                     .cut(0, triangles);
             cut += triangles.size() > 0 ? 1 : 0;
         }

@@ -1,10 +1,11 @@
-package radiosity.input.lightwave;
+package radiosity.testkit;
 
+import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 import java.util.Random;
 
 /** Changes a few things in a file, as bad disks and worse people do. */
-final class Mutation {
+public final class Mutation {
 
     private static final int[] BAD_BYTES = {0, 1, 0x7F, 0x80, 0xFE, 0xFF, ' ', '\n', '{', '}', '-', '9', '.'};
 
@@ -12,7 +13,7 @@ final class Mutation {
     }
 
     /** @param sound not modified */
-    static byte[] of(byte[] sound, Random random) {
+    public static byte[] of(byte[] sound, Random random) {
         byte[] mutant = sound.clone();
         for (int n = 1 + random.nextInt(6); n > 0 && mutant.length > 8; n--) {
             mutant = once(mutant, random);
@@ -31,12 +32,12 @@ final class Mutation {
                 return Arrays.copyOf(bytes, at);
             }
             case 4 -> {
-                return Iff.join(Arrays.copyOf(bytes, at), Arrays.copyOfRange(bytes, Math.min(bytes.length, at + length),
+                return join(Arrays.copyOf(bytes, at), Arrays.copyOfRange(bytes, Math.min(bytes.length, at + length),
                         bytes.length));
             }
             case 5 -> {
                 byte[] piece = Arrays.copyOfRange(bytes, at, Math.min(bytes.length, at + length));
-                return Iff.join(Arrays.copyOf(bytes, at), piece, Arrays.copyOfRange(bytes, at, bytes.length));
+                return join(Arrays.copyOf(bytes, at), piece, Arrays.copyOfRange(bytes, at, bytes.length));
             }
             default -> {
                 int from = random.nextInt(bytes.length);
@@ -44,5 +45,13 @@ final class Mutation {
             }
         }
         return bytes;
+    }
+
+    private static byte[] join(byte[]... parts) {
+        ByteArrayOutputStream joined = new ByteArrayOutputStream();
+        for (byte[] part : parts) {
+            joined.writeBytes(part);
+        }
+        return joined.toByteArray();
     }
 }

@@ -1,0 +1,72 @@
+package radiosity.input;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+import radiosity.input.file.FileSniffer;
+import radiosity.input.lightwave.LightWaveReader;
+
+/** The formats that are read. What a file is its content says; its name where the content leaves it open. */
+enum SceneFormat {
+
+    LIGHTWAVE(Set.of("lws", "lwo")),
+    GLTF(Set.of("gltf", "glb")),
+    OBJ(Set.of("obj"));
+
+    private static final Pattern GLTF_JSON = Pattern.compile("\\A\\s*\\{.*\"(asset|meshes|nodes|accessors)\"\\s*:.*",
+            Pattern.DOTALL);
+    /** What may stand in an OBJ file before its first vertex or library of materials. */
+    private static final Set<String> OBJ_BEFORE = Set.of("", "o", "g", "s", "usemtl", "mg", "vt", "vn");
+    private static final Pattern OBJ_FIRST = Pattern.compile("mtllib\\s.*|v(\\s+[-+.\\deE]+){3,7}\\s*");
+
+    private final Set<String> endings;
+
+    SceneFormat(Set<String> endings) {
+        this.endings = endings;
+    }
+
+    /**
+     * The format of a file; empty for all that are not read.
+     *
+     * @param start the first bytes of it, {@value FileSniffer#START} or all
+     * @param name  of the file
+     */
+    static Optional<SceneFormat> of(byte[] start, String name) {
+        String text = new String(start, StandardCharsets.ISO_8859_1);
+        String plain = text.startsWith("\u00EF\u00BB\u00BF") ? text.substring(3) : text;
+        if (LightWaveReader.recognises(start)) {
+            return Optional.of(LIGHTWAVE);
+        }
+        if (text.startsWith("glTF") || GLTF_JSON.matcher(plain).matches()) {
+            return Optional.of(GLTF);
+        }
+        if (FileSniffer.foreign(start).isPresent()) {
+            return Optional.empty();
+        }
+        if (isObj(plain)) {
+            return Optional.of(OBJ);
+        }
+        String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        for (SceneFormat format : values()) {
+            if (format.endings.contains(ending)) {
+                return Optional.of(format);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isObj(String text) {
+        for (String line : text.split("[\r\n]+")) {
+            String plain = line.strip();
+            if (OBJ_FIRST.matcher(plain).matches()) {
+                return true;
+            }
+            if (!plain.startsWith("#") && !OBJ_BEFORE.contains(plain.split("\\s", 2)[0])) {
+                return false;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,53 @@
+package radiosity.input;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import radiosity.input.file.FileSniffer;
+import radiosity.input.file.InputFile;
+import radiosity.input.file.ReadOptions;
+import radiosity.input.lightwave.LightWaveReader;
+import radiosity.input.obj.ObjReader;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+
+/** Reads a scene of any format that is read: LightWave, glTF or OBJ. */
+public final class SceneReader {
+
+    private SceneReader() {
+    }
+
+    /**
+     * Reads a file and those that it names: objects, materials, bytes. Images are read later, see
+     * {@link radiosity.output.image.SurfaceMaps}.
+     *
+     * @param file     a LightWave scene or object, a glTF file or binary, or an OBJ file
+     * @param options  how
+     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
+     * @return at least one triangle
+     * @throws SceneFormatException if it is a file of another kind, which the message names, if the content cannot be
+     *                              used, or under {@code strict} at the first warning
+     * @throws IOException          if a file cannot be read
+     */
+    public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
+        String name = String.valueOf(file.getFileName());
+        InputFile.check(file, name);
+        byte[] start;
+        try (InputStream in = Files.newInputStream(file)) {
+            start = in.readNBytes(FileSniffer.START);
+        }
+        Optional<SceneFormat> format = SceneFormat.of(start, name);
+        if (format.isEmpty()) {
+            throw new SceneFormatException(name, "", "a scene", FileSniffer.describe(start, name)
+                    + "; LightWave, glTF and OBJ are read");
+        }
+        return switch (format.get()) {
+            case LIGHTWAVE -> LightWaveReader.read(file, options, warnings);
+            case OBJ -> ObjReader.read(file, options, warnings);
+            case GLTF -> throw new SceneFormatException(name, "", "a scene", "glTF");
+        };
+    }
+}

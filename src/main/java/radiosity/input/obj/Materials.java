@@ -1,0 +1,113 @@
+package radiosity.input.obj;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSearch;
+import radiosity.input.file.InputFile;
+import radiosity.input.file.ReadOptions;
+import radiosity.scene.ImageMap;
+import radiosity.scene.ImageSource;
+import radiosity.scene.Rgb;
+import radiosity.scene.Srgb;
+import radiosity.scene.Surface;
+
+/** The materials of an OBJ file: its libraries are found and read, and surfaces made of what they say. */
+final class Materials {
+
+    /** Libraries in a line. */
+    private static final int MOST_NAMES = 100;
+
+    private final FileSearch search;
+    private final ReadOptions options;
+    private final Diagnostics notes;
+    private final Map<String, Material> described = new HashMap<>();
+
+    Materials(FileSearch search, ReadOptions options, Diagnostics notes) {
+        this.search = search;
+        this.options = options;
+        this.notes = notes;
+    }
+
+    /** Reads libraries as a file names them: one whose name may hold blanks, or several. */
+    void read(Set<String> written) throws IOException {
+        for (String names : written) {
+            Optional<Path> whole = search.file(names);
+            for (String name : whole.isPresent() ? List.of(names) : Arrays.asList(names.split("\\s+", MOST_NAMES))) {
+                Optional<Path> file = search.file(name);
+                if (file.isEmpty()) {
+                    notes.note("", "material libraries that are not found leave a light grey", name);
+                } else {
+                    String shown = search.shown(file.get());
+                    Diagnostics about = notes.about(shown);
+                    MtlParser.parse(InputFile.read(file.get(), shown, options.maxBytes()), about, described);
+                    about.flush();
+                }
+            }
+        }
+    }
+
+    /** A material by its name; a light grey where no library describes it. */
+    Material material(String name) {
+        Material known = described.get(name);
+        if (known == null) {
+            notes.note("", "materials that no library describes are taken as a light grey", name);
+            return new Material(name, false);
+        }
+        return known;
+    }
+
+    /** What a material reflects and emits, on the side from which corners run counter-clockwise. */
+    Surface surface(Material material) {
+        Rgb diffuse = linear(material.diffuse());
+        if (diffuse.max() > Surface.MAX_REFLECTANCE) {
+            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material.name);
+        }
+        if (material.transparent) {
+            notes.note("", "transparent surfaces are taken as opaque", material.name);
+        }
+        List<ImageMap> maps = new ArrayList<>(0);
+        TextureImage base = material.diffuseImage;
+        TextureImage light = material.emittedImage;
+        image(base).ifPresent(image -> maps.add(map(ImageMap.Target.REFLECTANCE, image, diffuse, base)));
+        if (light != null && base != null && !base.liesAs(light)) {
+            notes.note("", "images that lie otherwise than the first of their surface are left out", light.file());
+        } else {
+            image(light).ifPresent(image -> maps.add(map(ImageMap.Target.EXITANCE, image, material.emitted(), light)));
+        }
+        return new Surface(material.name, material.emitted(), clipped(diffuse), false, maps);
+    }
+
+    private Rgb linear(Rgb colour) {
+        return !options.srgb() ? colour
+                : new Rgb(Srgb.linear(colour.r()), Srgb.linear(colour.g()), Srgb.linear(colour.b()));
+    }
+
+    private static Rgb clipped(Rgb rgb) {
+        return new Rgb(Math.min(rgb.r(), Surface.MAX_REFLECTANCE), Math.min(rgb.g(), Surface.MAX_REFLECTANCE),
+                Math.min(rgb.b(), Surface.MAX_REFLECTANCE));
+    }
+
+    private Optional<ImageSource> image(TextureImage of) {
+        if (of == null) {
+            return Optional.empty();
+        }
+        Optional<Path> file = search.file(of.file());
+        if (file.isEmpty()) {
+            notes.note("", "images that are not found leave the base colour", of.file());
+        }
+        return file.map(path -> ImageSource.file(path.toString()));
+    }
+
+    private static ImageMap map(ImageMap.Target target, ImageSource image, Rgb scale, TextureImage lies) {
+        ImageMap.Wrap wrap = lies.clamp() ? ImageMap.Wrap.EDGE : ImageMap.Wrap.REPEAT;
+        return new ImageMap(target, image, scale, false, false, false, 1, wrap, wrap);
+    }
+}

@@ -1,0 +1,121 @@
+package radiosity.input.obj;
+
+import java.util.HashMap;
+import java.util.Map;
+import radiosity.input.file.Diagnostics;
+import radiosity.scene.Rgb;
+import radiosity.scene.SceneFormatException;
+
+/** Reads a material library (MTL): of each material what it reflects diffusely and what it emits. */
+final class MtlParser {
+
+    private static final int MOST_MATERIALS = 1 << 16;
+    /** Options of images with a fixed number of words after them; those of -o, -s and -t are up to 3 numbers. */
+    private static final Map<String, Integer> OPTIONS = Map.of("-blendu", 1, "-blendv", 1, "-boost", 1, "-mm", 2,
+            "-texres", 1, "-bm", 1, "-imfchan", 1, "-type", 1, "-cc", 1);
+
+    private final TextLines lines;
+    private final Diagnostics notes;
+    private final Map<String, Material> materials;
+
+    private MtlParser(TextLines lines, Diagnostics notes, Map<String, Material> materials) {
+        this.lines = lines;
+        this.notes = notes;
+        this.materials = materials;
+    }
+
+    /**
+     * Adds the materials of a library; the first of a name counts.
+     *
+     * @param file not modified
+     */
+    static void parse(byte[] file, Diagnostics notes, Map<String, Material> materials) throws SceneFormatException {
+        new MtlParser(new TextLines(file), notes, materials).parse();
+    }
+
+    private void parse() throws SceneFormatException {
+        Material material = new Material("", false);
+        while (lines.next()) {
+            String keyword = lines.word();
+            switch (keyword) {
+                case "newmtl" -> material = begin(lines.rest());
+                case "Kd" -> material.diffuse = colour(material.diffuse);
+                case "Ke" -> material.emitted = colour(material.emitted);
+                case "map_Kd" -> material.diffuseImage = image();
+                case "map_Ke", "map_emissive" -> material.emittedImage = image();
+                case "d" -> material.transparent |= lines.number("1") < 1;
+                case "Tr" -> material.transparent |= lines.number("0") > 0;
+                case "map_d" -> material.transparent = true;
+                default -> { }
+            }
+        }
+    }
+
+    private Material begin(String name) throws SceneFormatException {
+        if (materials.size() >= MOST_MATERIALS) {
+            throw notes.error(lines.place(), "at most " + MOST_MATERIALS + " materials", "more");
+        }
+        Material material = new Material(name, true);
+        if (materials.putIfAbsent(name, material) != null) {
+            notes.note(lines.place(), "of several materials of one name the first counts", name);
+        }
+        return material;
+    }
+
+    /** Three numbers, or one for all of them. */
+    private Rgb colour(Rgb before) {
+        String first = lines.word();
+        if (first.equals("spectral") || first.equals("xyz")) {
+            notes.note(lines.place(), "colours in other terms than red, green and blue are left out", first);
+            return before;
+        }
+        double r = TextLines.number(first, Double.NaN);
+        double g = lines.number(first);
+        double b = lines.number(first);
+        if (!(r >= 0 && g >= 0 && b >= 0) || !new Rgb(r, g, b).isFinite()) {
+            notes.note(lines.place(), "colours that are not numbers of at least 0 are left out",
+                    r + " " + g + " " + b);
+            return before;
+        }
+        return new Rgb(r, g, b);
+    }
+
+    /** Options, then the path, which may hold blanks. */
+    private TextureImage image() {
+        double[] scale = {1, 1};
+        double[] offset = new double[2];
+        boolean clamp = false;
+        String path = lines.rest();
+        while (path.startsWith("-")) {
+            String option = lines.word();
+            if (option.equals("-o") || option.equals("-s") || option.equals("-t")) {
+                numbers(option.equals("-s") ? scale : option.equals("-o") ? offset : new double[2]);
+            } else if (option.equals("-clamp")) {
+                clamp = lines.word().equals("on");
+            } else if (OPTIONS.containsKey(option)) {
+                for (int i = 0; i < OPTIONS.get(option); i++) {
+                    lines.word();
+                }
+            } else {
+                return new TextureImage(path, scale[0], scale[1], offset[0], offset[1], clamp);
+            }
+            path = lines.rest();
+        }
+        return new TextureImage(path, scale[0], scale[1], offset[0], offset[1], clamp);
+    }
+
+    /** Up to three numbers, of which the first two are kept. */
+    private void numbers(double[] into) {
+        for (int i = 0; i < 3; i++) {
+            String rest = lines.rest();
+            double value = TextLines.number(rest.split("\\s", 2)[0], Double.NaN);
+            if (!Double.isFinite(value)) {
+                return;
+            }
+            lines.word();
+            if (i < 2) {
+                into[i] = value;
+            }
+        }
+    }
+}

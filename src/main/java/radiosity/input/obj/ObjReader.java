@@ -1,0 +1,224 @@
+package radiosity.input.obj;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import radiosity.input.assembly.Placing;
+import radiosity.input.assembly.SceneDraft;
+import radiosity.input.assembly.TriangleMesh;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSearch;
+import radiosity.input.file.FloatList;
+import radiosity.input.file.InputFile;
+import radiosity.input.file.IntList;
+import radiosity.input.file.ReadOptions;
+import radiosity.input.file.WorkBudget;
+import radiosity.input.polygon.Triangulation;
+import radiosity.scene.Affine;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Surface;
+
+/** Reads a Wavefront OBJ file and the material libraries that it names. */
+public final class ObjReader {
+
+    /** Where a scene lies farther from the origin than this times its size, floats count from its middle. */
+    private static final double FAR = 16;
+
+    private final ReadOptions options;
+    private final Diagnostics notes;
+    private final SceneDraft draft;
+    private final Materials materials;
+    private final ObjParser file;
+    private final List<Surface> surfaces = new ArrayList<>();
+    /** By number of material. */
+    private final Map<Integer, Integer> surfaceOf = new HashMap<>();
+    private final List<TextureImage> imageOf = new ArrayList<>();
+    private boolean textured;
+    private double[] origin;
+    private FloatList points;
+    /** 1 per vertex: its number in the mesh that is being made, or -1. */
+    private int[] local;
+
+    private ObjReader(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes) {
+        this.options = options;
+        this.notes = notes;
+        draft = new SceneDraft(name, options, notes);
+        materials = new Materials(search, options, notes);
+        file = new ObjParser(bytes, name.replaceFirst("(?i)\\.obj$", ""), draft, notes);
+    }
+
+    /**
+     * Reads a file and the libraries it names.
+     *
+     * @param options  how
+     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
+     * @return at least one triangle
+     * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
+     * @throws IOException          if a file cannot be read
+     */
+    public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
+        String name = String.valueOf(file.getFileName());
+        byte[] bytes = InputFile.read(file, name, options.maxBytes());
+        Diagnostics notes = new Diagnostics(name, warnings, options.strict());
+        FileSearch search = new FileSearch(file, options.content(), options.map(), start -> false, notes);
+        return read(bytes, name, search, options, notes);
+    }
+
+    /**
+     * Reads what has been read from a file.
+     *
+     * @param bytes  the whole file
+     * @param search for the libraries and images it names
+     */
+    static Scene read(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes)
+            throws IOException {
+        ObjReader reader = new ObjReader(bytes, name, search, options, notes);
+        reader.file.parse();
+        reader.materials.read(reader.file.libraries);
+        reader.place();
+        WorkBudget work = new WorkBudget();
+        for (Group group : reader.file.groups) {
+            reader.add(group, work);
+        }
+        return reader.draft.scene(reader.surfaces, List.of(), Optional.empty());
+    }
+
+    /** Brings the vertices to floats. */
+    private void place() {
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (int i = 0; i < file.points.size(); i++) {
+            double x = file.points.get(i);
+            if (Double.isFinite(x)) {
+                low[i % 3] = Math.min(low[i % 3], x);
+                high[i % 3] = Math.max(high[i % 3], x);
+            }
+        }
+        double size = 0;
+        double farthest = 0;
+        for (int k = 0; k < 3; k++) {
+            size = Math.max(size, high[k] - low[k]);
+            farthest = Math.max(farthest, Math.max(Math.abs(low[k]), Math.abs(high[k])));
+        }
+        origin = new double[3];
+        for (int k = 0; k < 3 && size > 0 && farthest > FAR * size; k++) {
+            origin[k] = (float) (low[k] / 2 + high[k] / 2);
+        }
+        points = new FloatList();
+        for (int i = 0; i < file.points.size(); i++) {
+            points.add((float) (file.points.get(i) - origin[i % 3]));
+        }
+        local = new int[points.size() / 3];
+        Arrays.fill(local, -1);
+    }
+
+    private void add(Group group, WorkBudget work) throws SceneFormatException {
+        Triangulation triangulation = new Triangulation(points, group.polygons(),
+                polygon -> "line " + group.lines().get(polygon), work, notes);
+        Part part = new Part();
+        IntList triangles = new IntList();
+        for (int polygon = 0; polygon < group.polygons().size(); polygon++) {
+            triangles.cut(0);
+            triangulation.cut(polygon, triangles);
+            for (int i = 0; i < triangles.size(); i += 3) {
+                part.add(group, polygon, new int[] {triangles.get(i), triangles.get(i + 1), triangles.get(i + 2)});
+            }
+        }
+        part.finish(group);
+    }
+
+    /** The triangles of a group while they are gathered. */
+    private final class Part {
+
+        private final FloatList used = new FloatList();
+        private final IntList usedPoints = new IntList();
+        private final IntList corners = new IntList();
+        private final IntList surfacesOf = new IntList();
+        private final FloatList coordinates = new FloatList();
+        private final Map<Integer, Integer> numbers = new HashMap<>();
+        private final IntList scenes = new IntList();
+
+        void add(Group group, int polygon, int[] three) {
+            int surface = surface(group.polygons().tag(polygon));
+            Integer number = numbers.get(surface);
+            if (number == null) {
+                number = scenes.size();
+                numbers.put(surface, number);
+                scenes.add(surface);
+            }
+            surfacesOf.add(number);
+            for (int corner : three) {
+                corners.add(point(group.polygons().point(corner)));
+            }
+            if (textured) {
+                addCoordinates(group, surface, three);
+            }
+        }
+
+        private int point(int vertex) {
+            if (local[vertex] < 0) {
+                local[vertex] = usedPoints.size();
+                usedPoints.add(vertex);
+                for (int k = 0; k < 3; k++) {
+                    used.add(points.get(3 * vertex + k));
+                }
+            }
+            return local[vertex];
+        }
+
+        private void addCoordinates(Group group, int surface, int[] three) {
+            float[] uv = new float[6];
+            TextureImage image = imageOf.get(surface);
+            boolean sound = image != null;
+            for (int k = 0; k < 3 && sound; k++) {
+                int at = 2 * group.textures().get(three[k]);
+                sound = at >= 0 && at < file.textures.size();
+                if (sound) {
+                    uv[2 * k] = (float) (file.textures.get(at) * image.scaleU() + image.offsetU());
+                    uv[2 * k + 1] = (float) (file.textures.get(at + 1) * image.scaleV() + image.offsetV());
+                    sound = Float.isFinite(uv[2 * k]) && Float.isFinite(uv[2 * k + 1]);
+                }
+            }
+            for (float coordinate : uv) {
+                coordinates.add(sound ? coordinate : Float.NaN);
+            }
+        }
+
+        void finish(Group group) throws SceneFormatException {
+            // a surface with images that comes late leaves the triangles before it without coordinates
+            float[] uv = new float[coordinates.size() == 0 ? 0 : 2 * corners.size()];
+            Arrays.fill(uv, Float.NaN);
+            System.arraycopy(coordinates.toArray(), 0, uv, uv.length - coordinates.size(), coordinates.size());
+            if (surfacesOf.size() > 0) {
+                draft.add(new TriangleMesh(used.toArray(), corners.toArray(), surfacesOf.toArray(), uv, new float[0]),
+                        new Placing(Affine.IDENTITY, false, origin), scenes.toArray(), group.node(), group.place());
+            }
+            for (int i = 0; i < usedPoints.size(); i++) {
+                local[usedPoints.get(i)] = -1;
+            }
+        }
+    }
+
+    /** The scene's number of a material. */
+    private int surface(int material) {
+        Integer known = surfaceOf.get(material);
+        if (known == null) {
+            Material described = materials.material(file.materials.get(material));
+            Surface surface = materials.surface(described);
+            known = surfaces.size();
+            surfaceOf.put(material, known);
+            surfaces.add(surface);
+            imageOf.add(surface.textures().isEmpty() ? null
+                    : described.diffuseImage != null ? described.diffuseImage : described.emittedImage);
+            textured |= !surface.textures().isEmpty();
+        }
+        return known;
+    }
+}

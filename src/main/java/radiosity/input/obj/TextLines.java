@@ -1,0 +1,114 @@
+package radiosity.input.obj;
+
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import radiosity.input.file.Utf8;
+
+/**
+ * The lines of an OBJ or MTL file: a keyword and words after it. A line that ends in a backslash goes on in the next
+ * one; empty lines and comments are left out. A byte is looked at a bounded number of times, whatever the file holds.
+ */
+final class TextLines {
+
+    private final byte[] file;
+    private final Charset charset;
+    private int at;
+    private int number;
+    private int first;
+    private String line = "";
+    private int word;
+
+    /** @param file not modified */
+    TextLines(byte[] file) {
+        this.file = file;
+        charset = Utf8.isValid(file) ? StandardCharsets.UTF_8 : StandardCharsets.ISO_8859_1;
+        at = Utf8.hasMark(file) ? 3 : 0;
+    }
+
+    /** Goes to the next line that says something; false at the end. */
+    boolean next() {
+        while (at < file.length) {
+            first = number + 1;
+            line = whole().strip();
+            word = 0;
+            if (!line.isEmpty() && line.charAt(0) != '#') {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A line with those that go on from it. */
+    private String whole() {
+        String piece = piece();
+        if (!piece.endsWith("\\")) {
+            return piece;
+        }
+        StringBuilder pieces = new StringBuilder();
+        while (piece.endsWith("\\") && at < file.length) {
+            pieces.append(piece, 0, piece.length() - 1).append(' ');
+            piece = piece();
+        }
+        return pieces.append(piece).toString();
+    }
+
+    private String piece() {
+        int start = at;
+        while (at < file.length && file[at] != '\n' && file[at] != '\r') {
+            at++;
+        }
+        String piece = new String(file, start, at - start, charset);
+        at += at + 1 < file.length && file[at] == '\r' && file[at + 1] == '\n' ? 2 : 1;
+        number++;
+        return piece;
+    }
+
+    /** Where the line is, for messages. */
+    String place() {
+        return "line " + first;
+    }
+
+    int number() {
+        return first;
+    }
+
+    /** The next word of the line, the keyword first; empty at its end. */
+    String word() {
+        int start = skipBlanks();
+        while (word < line.length() && !isBlank(line.charAt(word))) {
+            word++;
+        }
+        return line.substring(start, word);
+    }
+
+    /** What of the line has not been read. */
+    String rest() {
+        return line.substring(skipBlanks());
+    }
+
+    /** The next word as a number; NaN where it is none or missing. */
+    double number(String otherwise) {
+        String text = word();
+        return number(text.isEmpty() ? otherwise : text, Double.NaN);
+    }
+
+    /** A word as a number. */
+    static double number(String text, double otherwise) {
+        try {
+            return Double.parseDouble(text);
+        } catch (NumberFormatException e) {
+            return otherwise;
+        }
+    }
+
+    private int skipBlanks() {
+        while (word < line.length() && isBlank(line.charAt(word))) {
+            word++;
+        }
+        return word;
+    }
+
+    private static boolean isBlank(char c) {
+        return c == ' ' || c == '\t' || c == '\f' || c == 0x0B;
+    }
+}

@@ -1,0 +1,175 @@
+package radiosity.input.obj;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.input.file.ReadOptions;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.SceneNode;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+class ObjReaderTest {
+
+    /** A square of side 2 and above it a smaller one. */
+    private static final String SQUARES = """
+            # two squares
+            mtllib Room Materials.mtl
+            v 0 0 0
+            v 0 0 2
+            v 2 0 2
+            v 2 0 0
+            o floor
+            usemtl paint
+            f 1 2 3 4
+            o lamp
+            v 0 3 0
+            v 1 3 0
+            v 1 3 1
+            v 0 3 1
+            usemtl glow
+            f -4//-1 -3 -2 \\
+              -1
+            """;
+
+    @TempDir
+    Path folder;
+    private final List<String> told = new ArrayList<>();
+
+    private Scene read(String text, ReadOptions options) throws IOException {
+        return ObjReader.read(Files.writeString(folder.resolve("room.obj"), text), options, told::add);
+    }
+
+    private Scene read(String text) throws IOException {
+        return read(text, ReadOptions.defaults());
+    }
+
+    private void library(String name, String text) throws IOException {
+        Files.writeString(folder.resolve(name), text);
+    }
+
+    @Test
+    void materials_areReflectanceAndExitance_ofALibraryFoundWithoutCase() throws IOException {
+        library("ROOM MATERIALS.MTL", "newmtl paint\nKd .1 .2 .3\nKs 1 1 1\nnewmtl glow\nKd 0\nKe 17 12 4\n");
+        Scene scene = read(SQUARES);
+        assertEquals(List.of(), told);
+        assertEquals(List.of("paint", "glow"), scene.surfaces().stream().map(Surface::name).toList());
+        assertEquals(new Rgb(.1, .2, .3), scene.surfaces().get(0).reflectance());
+        assertEquals(Rgb.BLACK, scene.surfaces().get(1).reflectance());
+        assertEquals(new Rgb(17, 12, 4), scene.surfaces().get(1).exitance());
+        assertEquals(4, scene.triangles());
+        assertEquals(5, scene.area(), 1e-12);
+        assertEquals(new Vec3(0, 4, 0), scene.cross(0), "corners run counter-clockwise seen from the visible side");
+        assertEquals(new Vec3(0, -1, 0), scene.cross(2).times(1));
+    }
+
+    @Test
+    void missingLibrary_isOneLine_andSoAreItsMaterials() throws IOException {
+        Scene scene = read(SQUARES);
+        assertEquals(List.of("room.obj: material libraries that are not found leave a light grey: Room (2 times)",
+                "room.obj: materials that no library describes are taken as a light grey: paint (2 times)"), told);
+        assertEquals(Rgb.grey(.8), scene.surfaces().get(0).reflectance());
+        SceneFormatException strict = assertThrows(SceneFormatException.class,
+                () -> read(SQUARES, ReadOptions.defaults().withStrict(true)));
+        assertTrue(strict.getMessage().startsWith("room.obj: expected no warning (--strict), got "),
+                strict.getMessage());
+    }
+
+    @Test
+    void objectsAndGroups_areNodes() throws IOException {
+        Scene scene = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no house\nf 1 2 3\ng roof left\nf 1 2 3\ng door\nf 1 2 3\n"
+                + "o\ng tree\nf 1 2 3\no house\nf 1 2 3\n");
+        assertEquals(List.of("room -1", "house -1", "roof left 1", "door 1", "tree -1"),
+                scene.hierarchy().nodes().stream().map(node -> node.name() + " " + node.parent()).toList());
+        assertEquals(5, scene.triangles(), "an equal polygon of the same object is dropped");
+        assertEquals(List.of("room", "house", "roof left", "door", "tree"),
+                scene.hierarchy().nodes().stream().map(SceneNode::geometry).toList());
+        for (int t = 0; t < 5; t++) {
+            assertEquals(t, scene.hierarchy().of(t));
+        }
+    }
+
+    /** The letter L: three unit squares; a fan from its first corner would leave it. */
+    @Test
+    void polygonsOfAnyShape_keepTheirArea() throws IOException {
+        Scene scene = read("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 2/1/1 3 4 5 6 1\n");
+        assertEquals(4, scene.triangles());
+        double signed = 0;
+        for (int t = 0; t < 4; t++) {
+            signed += scene.cross(t).z() / 2;
+        }
+        assertEquals(3, signed, 1e-12);
+        assertEquals(3, scene.area(), 1e-12);
+    }
+
+    @Test
+    void images_varyReflectanceAndExitance_andLieAsTheirOptionsSay() throws IOException {
+        library("m.mtl", "newmtl a\nKd .5 .5 .5\nmap_Kd -s 2 3 1 -o .5 0 -clamp on my wood.png\nmap_Ke -s 2 3 -o .5 "
+                + "-clamp on glow.png\n");
+        library("my wood.png", "");
+        library("GLOW.PNG", "");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/-1\n");
+        assertEquals(List.of(), told);
+        List<ImageMap> maps = scene.surfaces().get(0).textures();
+        assertEquals(List.of(ImageMap.Target.REFLECTANCE, ImageMap.Target.EXITANCE),
+                maps.stream().map(ImageMap::target).toList());
+        assertTrue(maps.get(0).image().name().endsWith("my wood.png"));
+        assertEquals(Rgb.grey(.5), maps.get(0).scale());
+        assertEquals(Rgb.grey(1), maps.get(1).scale());
+        assertEquals(ImageMap.Wrap.EDGE, maps.get(0).wrapU());
+        assertEquals(List.of(.5f, 0f, 2.5f, 0f, .5f, 3f), List.of(scene.textureCoordinates()[0],
+                scene.textureCoordinates()[1], scene.textureCoordinates()[2], scene.textureCoordinates()[3],
+                scene.textureCoordinates()[4], scene.textureCoordinates()[5]));
+    }
+
+    /** Coordinates of a land survey: floats alone would be off by 3 cm. */
+    @Test
+    void sceneFarFromTheOrigin_keepsItsDigits() throws IOException {
+        Scene scene = read("v 500000.125 5600000.001 0\nv 500001.125 5600000.001 0\nv 500000.125 5600001.003 0\nf 1 2 3\n");
+        assertEquals(500000.125, scene.corner(0, 0).x(), 1e-6);
+        assertEquals(5600000.001, scene.corner(0, 0).y(), 1e-6);
+        assertEquals(1.002 / 2, scene.area(), 1e-6);
+    }
+
+    @Test
+    void whatIsWrong_isNamedWithItsLine() throws IOException {
+        read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv x 0 0\nf 1 2 3\nf 1 2 9\nf 1 2 99999999999\nf 1 2 4\nf 1 1 2\ncurv 0 1\n");
+        assertEquals(List.of(
+                "room.obj, line 10: curves and free-form surfaces are left out: curv",
+                "room.obj, line 6: polygons with points that do not exist are dropped (2 times)",
+                "room.obj, line 8: polygons with coordinates that are no finite numbers are dropped",
+                "room.obj, line 9: polygons without area are dropped"),
+                told.stream().filter(line -> line.contains(", line")).toList());
+        SceneFormatException empty = assertThrows(SceneFormatException.class, () -> read("v 0 0 0\n"));
+        assertEquals("room.obj: expected at least one polygon with an area, got none", empty.getMessage());
+    }
+
+    @Test
+    void colours_areMadeLinear_whereTheUserSaysSo_butNotLight() throws IOException {
+        library("m.mtl", "newmtl a\nKd .5 .5 .5\nKe 2 2 2\n");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+                ReadOptions.defaults().withSrgb(true));
+        assertEquals(.214041, scene.surfaces().get(0).reflectance().g(), 1e-6);
+        assertEquals(2, scene.surfaces().get(0).exitance().g());
+    }
+
+    @Test
+    void text_isUtf8OrLatin1_withAnyEndsOfLines() throws IOException {
+        Path file = folder.resolve("room.obj");
+        Files.write(file, "o caf\u00e9\r\nv 0 0 0\rv 1 0 0\nv 0 1 0\nf 1 2 3".getBytes(StandardCharsets.ISO_8859_1));
+        assertEquals("caf\u00e9", ObjReader.read(file, ReadOptions.defaults(), told::add).hierarchy().nodes().get(0)
+                .name());
+    }
+}
