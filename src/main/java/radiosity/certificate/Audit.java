@@ -38,6 +38,11 @@ public final class Audit {
      */
     private static final double[] START = {0.5, 0, 0.25, 0.75};
     private static final double ENOUGH = 0.3;
+    /**
+     * Unshot flux, relative to the emitted, above which a calculation has only begun: nearly all of its error is what
+     * is unshot, which few points tell.
+     */
+    private static final double MOSTLY = 0.5;
     /** What a ray may carry where light is found anew, relative to what it may in the solution; and at most. */
     private static final double FINER = 0.25;
     private static final double MOST_TOLERANCE = 0.01;
@@ -54,6 +59,7 @@ public final class Audit {
     private final EnergyLedger ledger;
     private final ParallelFor crew;
     private final AuditPlaces places;
+    private final boolean isBegun;
     private final int wanted;
     private final List<AuditPoint> points = new ArrayList<>();
     private int batches;
@@ -69,7 +75,10 @@ public final class Audit {
         faces = mesh.faces;
         crew = new ParallelFor(threads);
         places = new AuditPlaces(mesh, this::nodes, reflected(), shining(), crew);
-        wanted = Math.max(LEAST_POINTS, Math.min(MOST_POINTS, elements / ELEMENTS_PER_POINT));
+        isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
+                > MOSTLY * Arrays.stream(ledger.emitted()).sum();
+        wanted = isBegun ? LEAST_POINTS
+                : Math.max(LEAST_POINTS, Math.min(MOST_POINTS, elements / ELEMENTS_PER_POINT));
     }
 
     private RadiosityNodes nodes(int block) {
@@ -101,7 +110,7 @@ public final class Audit {
         UniformRadiosity ambient = ambient(first);
         look(first, ambient);
         AuditResult result = result();
-        while (batches < START.length && result.uncertainty() > ENOUGH) {
+        while (!isBegun && batches < START.length && result.uncertainty() > ENOUGH) {
             look(places.pick(wanted, START[batches], points.size()), ambient);
             result = result();
         }

@@ -39,6 +39,13 @@ public final class LongIndex {
         return numbers[slot];
     }
 
+    /** Gives a key another number, or its first one. */
+    public void put(long key, int number) {
+        if (findOrAdd(key, number) != number) {
+            numbers[slot(key)] = number;
+        }
+    }
+
     private int slot(long key) {
         int mask = keys.length - 1;
         int slot = (int) Hash.mix(0, key) & mask;

@@ -2,15 +2,14 @@ package radiosity.output.mesh;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import radiosity.solution.Solution;
 import radiosity.util.ArraySize;
 import radiosity.util.BoxTree;
 import radiosity.util.Hash;
+import radiosity.util.LongIndex;
 
 /**
  * Closes the cracks where an element's edge meets smaller elements: the element is split at their corners.
@@ -38,7 +37,7 @@ public final class TJunctions {
     private final int[] same;
     private final double[] positions;
     /** The vertex of a part at a point: key is part, {@link #same}. */
-    private final Map<Long, Integer> vertexAt = new HashMap<>();
+    private final LongIndex vertexAt;
     /** x, y, z, then irradiance per channel, of each new vertex. */
     private final List<double[]> created = new ArrayList<>();
     private final IntStream.Builder corners = IntStream.builder();
@@ -55,8 +54,10 @@ public final class TJunctions {
         parts = new DisjointSets(solution.vertices(), solution.corners());
         tolerance = TOLERANCE * Aabb.of(positions).diagonal();
         same = new int[solution.vertices()];
-        weld(open.ends(solution.vertices()));
-        ends = IntStream.of(open.ends(solution.vertices())).filter(v -> same[v] == v).toArray();
+        int[] atEdges = open.ends(solution.vertices());
+        vertexAt = new LongIndex(atEdges.length);
+        weld(atEdges);
+        ends = IntStream.of(atEdges).filter(v -> same[v] == v).toArray();
         tree = tree(ends);
     }
 
@@ -80,21 +81,43 @@ public final class TJunctions {
      */
     private void weld(int[] open) {
         Arrays.setAll(same, v -> v);
-        BoxTree all = tree(open);
-        for (int v : open) {
-            same[v] = same[open[all.lowest(point(v), tolerance)]];
-            System.arraycopy(positions, 3 * same[v], positions, 3 * v, 3);
-            vertexAt.putIfAbsent(key(v, same[v]), v);
+        int[] distinct = distinct(open);
+        BoxTree all = tree(distinct);
+        for (int v : distinct) {
+            same[v] = same[distinct[all.lowest(point(v), tolerance)]];
         }
+        for (int v : open) {
+            same[v] = same[same[v]];
+            System.arraycopy(positions, 3 * same[v], positions, 3 * v, 3);
+            vertexAt.findOrAdd(key(v, same[v]), v);
+        }
+    }
+
+    /** The lowest vertex at each point; it becomes what is {@link #same} at the point's others. */
+    private int[] distinct(int[] open) {
+        LongIndex index = new LongIndex(open.length);
+        return IntStream.of(open).filter(v -> {
+            int first = index.findOrAdd(bits(v), v);
+            same[v] = Arrays.equals(positions, 3 * first, 3 * first + 3, positions, 3 * v, 3 * v + 3) ? first : v;
+            return same[v] == v;
+        }).toArray();
+    }
+
+    /** A hash of a vertex's place. */
+    private long bits(int vertex) {
+        long bits = 0;
+        for (int a = 0; a < 3; a++) {
+            bits = Hash.mix(bits, Double.doubleToLongBits(positions[3 * vertex + a]));
+        }
+        return bits;
     }
 
     private double[] point(int vertex) {
         return Arrays.copyOfRange(positions, 3 * vertex, 3 * vertex + 3);
     }
 
-    /** Both numbers, one to one, spread over all bits: they are alike, and Long's own hash adds their halves up. */
     private long key(int vertexOfPart, int at) {
-        return Hash.mix(0, (long) parts.of(vertexOfPart) << 32 | at);
+        return (long) parts.of(vertexOfPart) << 32 | at;
     }
 
     private Solution closed() {
@@ -160,7 +183,7 @@ public final class TJunctions {
         int[] at = inside.values().stream().mapToInt(Integer::intValue).toArray();
         int[] found = new int[at.length];
         for (int i = 0; i < at.length; i++) {
-            found[i] = vertexAt.getOrDefault(key(a, at[i]), -1);
+            found[i] = vertexAt.find(key(a, at[i]));
         }
         if (!isAcross(a, found, b)) {
             Arrays.fill(found, -1);
