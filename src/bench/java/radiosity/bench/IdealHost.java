@@ -82,19 +82,26 @@ final class IdealHost {
             first = Reply.decode(answer);
             return answer;
         }
-        long end = System.nanoTime() + (long) (SECONDS * 1e9);
+        double seconds = seconds(order);
+        long end = System.nanoTime() + (long) (seconds * 1e9);
         Answer answer = new Answer(mesh.faces, mesh.fluxScale());
         answer.read(Wire.input(first.answer()));
         int all = answer.candidates.size();
         Collections.rotate(answer.candidates, (int) (number % TURNS) * all / TURNS);
         answer.candidates.subList(Math.max(0, Math.min(order.most(), all / TURNS)), all).clear();
-        byte[] reply = new Reply(Wire.bytes(answer::write), SECONDS, SECONDS, first.work().stream()
+        byte[] reply = new Reply(Wire.bytes(answer::write), seconds, seconds, first.work().stream()
                 .map(IdealHost::done).toList(), new byte[0])
                 .encode();
         for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
             LockSupport.parkNanos(left);
         }
         return reply;
+    }
+
+    /** A round may be done in two parts, and a question follows it. */
+    private static double seconds(Order order) {
+        boolean isPart = order.most() == Order.GIVE || order.kind() == Order.Kind.REST;
+        return order.kind() == Order.Kind.ASK ? 0 : isPart ? SECONDS / 2 : SECONDS;
     }
 
     private static BlockWork done(BlockWork block) {

@@ -26,10 +26,9 @@ final class BlockTransfer {
     /**
      * Deals all blocks without an owner, and brings them up to date.
      *
-     * @param said how many of the last orders are to be answered again
-     * @return what each host answers to those that has got some
+     * @return what each host that has got some answers to the orders of the log that are answered
      */
-    Map<Host, List<byte[]>> adopt(List<Host> hosts, int said) {
+    Map<Host, List<byte[]>> adopt(List<Host> hosts) {
         List<Integer> orphans = dealing.orphans();
         dealing.deal(hosts);
         Map<Host, List<Integer>> heirs = new LinkedHashMap<>();
@@ -40,7 +39,7 @@ final class BlockTransfer {
                 heirs.put(host, blocks);
             }
         }
-        return calls.onAll(heirs.keySet(), host -> host.take(log.adoption(heirs.get(host), said)));
+        return calls.onAll(heirs.keySet(), host -> host.take(log.adoption(heirs.get(host))));
     }
 
     /** From host to host, as they are; what a lost host had stays its own until it is adopted. */
@@ -58,7 +57,7 @@ final class BlockTransfer {
             }
         }
         calls.onAll(to.keySet(), host ->
-                host.take(new BlockTakeover(to.get(host), List.of(), 0, from.getOrDefault(host, List.of()))));
+                host.take(new BlockTakeover(to.get(host), List.of(), from.getOrDefault(host, List.of()))));
     }
 
     /** The states of all blocks, by id; fewer where a host is lost. */
@@ -75,6 +74,6 @@ final class BlockTransfer {
 
     /** Puts all blocks back to what is in the log. */
     void restore(List<Host> hosts) {
-        calls.onAll(hosts, host -> host.take(log.adoption(dealing.blocks(host), 0)));
+        calls.onAll(hosts, host -> host.take(log.adoption(dealing.blocks(host))));
     }
 }

@@ -133,7 +133,7 @@ final class Hosts {
         if (present.isEmpty()) {
             goOnAlone();
         }
-        Map<Host, List<byte[]>> answers = work.transfer().adopt(present, work.underWay().torn());
+        Map<Host, List<byte[]>> answers = work.transfer().adopt(present);
         work.underWay().add(answers);
         return answers.size();
     }

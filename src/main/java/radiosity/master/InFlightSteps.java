@@ -18,62 +18,83 @@ import radiosity.protocol.Reply;
 
 /**
  * Steps that hosts were given and have not all done. Nobody waits for the others between steps, and what a host needs
- * next is on its way while it computes. The answers to a step belong to the caller who gave it, see {@link Given}.
+ * next is on its way while it computes. The answers to a step belong to the caller who gave it, see {@link Step}.
  *
- * <p>Where a host is lost, what it said to steps that not all have answered does not count any more: whoever makes its
- * blocks again, says it again.
+ * <p>Where a host is lost, its answers to steps that not all have answered do not count any more: whoever makes its
+ * blocks again, answers again.
  */
 final class InFlightSteps {
 
     private final HostCalls calls;
-    private final Seams seams;
+    private final ShotLog log;
     private final Deque<Step> steps = new ArrayDeque<>();
-    /** Done, but not by all: the last ones, in their order. */
-    private final List<Torn> torn = new ArrayList<>();
-    /** When the last one was seen to be done, ns. */
+    /** Questions that were answered, but not by all hosts: the last ones, in their order. */
+    private final List<Step> torn = new ArrayList<>();
+    /** When the last step was seen to be done, ns. */
     private long seen;
 
-    InFlightSteps(HostCalls calls, Seams seams) {
+    InFlightSteps(HostCalls calls, ShotLog log) {
         this.calls = calls;
-        this.seams = seams;
+        this.log = log;
     }
 
-    /** An order that hosts were given, and what all of them have answered, once they have. */
-    static final class Given {
+    /** An order that hosts were given, and what they have replied. */
+    static final class Step {
 
         private final Order order;
-        private List<byte[]> answers;
+        private final int shots;
+        private long begin;
+        private double given;
+        private Map<Host, FutureTask<Reply>> running;
+        private double seconds;
+        private Map<Host, Reply> replies;
+        private final Map<Host, List<byte[]>> answers = new LinkedHashMap<>();
+        private boolean isAnswered;
 
-        Given(Order order) {
+        /** @param shots that are gathered in this step */
+        Step(Order order, int shots) {
             this.order = order;
+            this.shots = shots;
         }
 
         Order order() {
             return order;
         }
 
-        /** Whether all hosts have answered. */
-        boolean isAnswered() {
-            return answers != null;
+        int shots() {
+            return shots;
         }
 
-        /** One or more per host, in the order of hosts; null before all have answered. */
+        /** Wall time since it was begun, or the one before was done. */
+        double seconds() {
+            return seconds;
+        }
+
+        /** What the slowest host had reached when this step was begun, s; see {@link HostLoad}. */
+        double given() {
+            return given;
+        }
+
+        /** Whether all hosts that are not lost have done it. */
+        boolean isDone() {
+            return replies != null;
+        }
+
+        /** Of hosts that were not lost, in their order. */
+        Map<Host, Reply> replies() {
+            return replies;
+        }
+
+        /** Whether an answer for every block is there. */
+        boolean isAnswered() {
+            return isAnswered;
+        }
+
+        /** One or more per host, in the order of hosts. */
         List<byte[]> answers() {
-            return answers;
+            return answers.values().stream().flatMap(List::stream).toList();
         }
     }
-
-    private record Step(Given what, long begin, double given, Map<Host, FutureTask<Reply>> running) { }
-
-    /**
-     * @param seconds wall time since it was begun, or the one before was done
-     * @param given   see {@link HostLoad}
-     * @param replies of hosts that were not lost, in their order
-     */
-    record Done(Order order, double seconds, double given, Map<Host, Reply> replies) { }
-
-    /** What hosts have said that are still there; one that has made blocks again has said several things. */
-    private record Torn(Given what, Map<Host, List<byte[]>> answers) { }
 
     /** How many not all hosts have done. */
     int count() {
@@ -84,68 +105,55 @@ final class InFlightSteps {
      * @param now   ns
      * @param given see {@link HostLoad}
      */
-    void begin(Collection<Host> hosts, Given what, byte[] bytes, long now, double given) {
-        Map<Host, FutureTask<Reply>> running = new LinkedHashMap<>();
+    void begin(Collection<Host> hosts, Step step, byte[] bytes, long now, double given) {
+        step.running = new LinkedHashMap<>();
+        step.begin = now;
+        step.given = given;
         for (Host host : hosts) {
             long number = host.nextRound();
             byte[] all = host.withTold(bytes);
-            running.put(host, host.begin(() -> host.round(number, all)));
+            step.running.put(host, host.begin(() -> host.round(number, all)));
         }
-        steps.add(new Step(what, now, given, running));
+        steps.add(step);
     }
 
     /** Waits for the first one. */
-    Done await(LongSupplier clock) {
+    Step await(LongSupplier clock) {
         Step first = steps.remove();
-        Map<Host, Reply> replies = calls.await(first.running());
+        first.replies = calls.await(first.running);
+        first.running = null;
         long now = clock.getAsLong();
-        double seconds = (now - Math.max(seen, first.begin())) * 1e-9;
+        first.seconds = (now - Math.max(seen, first.begin)) * 1e-9;
         seen = now;
-        Map<Host, List<byte[]>> answers = new LinkedHashMap<>();
-        replies.forEach((host, reply) -> answers.put(host, new ArrayList<>(List.of(reply.answer()))));
-        seams.answers(first.what().order(), replies).forEach((host, answer) -> answers.get(host).add(answer));
-        torn.add(new Torn(first.what(), answers));
+        if (first.order.isAnswered()) {
+            first.replies.forEach((host, reply) -> first.answers.put(host, new ArrayList<>(List.of(reply.answer()))));
+            torn.add(first);
+        }
         if (!calls.isAnyLost()) {
             mended();
         }
-        return new Done(first.what().order(), seconds, first.given(), replies);
+        return first;
     }
 
     /*---- Losing hosts ----*/
 
-    /** Nobody waits for the answers to what is torn. */
-    void forget() {
-        torn.clear();
-    }
-
-    /** Takes out what is torn and has changed nothing, to be asked again; it came last. */
-    List<Given> takeQuestions() {
-        List<Given> questions = torn.stream().map(Torn::what).filter(what -> !what.order().changes()).toList();
-        torn.removeIf(step -> !step.what().order().changes());
-        return questions;
-    }
-
-    /** Of how many steps answers are missing. */
-    int torn() {
-        return torn.size();
-    }
-
     void lose(Host host) {
-        torn.forEach(step -> step.answers().remove(host));
+        torn.forEach(step -> step.answers.remove(host));
     }
 
-    /** @param answers of each host that has done the torn steps again on blocks that were lost, in their order */
+    /** @param answers of each host that has answered the torn questions again on lost blocks, in their order */
     void add(Map<Host, List<byte[]>> answers) {
         answers.forEach((host, again) -> {
             Iterator<byte[]> next = again.iterator();
-            torn.forEach(step -> step.answers().computeIfAbsent(host, h -> new ArrayList<>()).add(next.next()));
+            torn.forEach(step -> step.answers.computeIfAbsent(host, h -> new ArrayList<>()).add(next.next()));
         });
     }
 
     /** All hosts are there that have something to say. */
     void mended() {
-        for (Torn step : torn) {
-            step.what().answers = step.answers().values().stream().flatMap(List::stream).toList();
+        for (Step step : torn) {
+            step.isAnswered = true;
+            log.remove(step.order);
         }
         torn.clear();
     }

@@ -1,8 +1,8 @@
 package radiosity.master;
 
 import java.io.IOException;
-import java.util.List;
 import java.util.function.LongSupplier;
+import radiosity.master.InFlightSteps.Step;
 import radiosity.master.balance.Balance;
 import radiosity.master.host.HostCalls;
 import radiosity.protocol.Order;
@@ -22,41 +22,52 @@ final class RemoteSteps {
     private final InFlightSteps underWay;
     private final Hosts hosts;
     private final Counts counts;
-    private final HaloExchange points;
+    private final HaloExchange halo;
     private final LongSupplier clock;
+    /** Wall time of the first part of a step that is done in two, s. */
+    private double firstPart;
 
     /** Who keeps count. */
     record Counts(ShotLog log, SharedTotals totals, RoundTimes times, Balance balance) { }
 
     /** @param clock for differences, ns */
-    RemoteSteps(HostCalls calls, InFlightSteps underWay, Hosts hosts, Counts counts, HaloExchange points,
+    RemoteSteps(HostCalls calls, InFlightSteps underWay, Hosts hosts, Counts counts, HaloExchange halo,
                 LongSupplier clock) {
         this.calls = calls;
         this.underWay = underWay;
         this.hosts = hosts;
         this.counts = counts;
-        this.points = points;
+        this.halo = halo;
         this.clock = clock;
     }
 
     /** @param bytes what hosts are told of it */
-    InFlightSteps.Given begin(Order step, byte[] bytes) {
-        InFlightSteps.Given given = new InFlightSteps.Given(step);
-        begin(given, bytes);
-        return given;
+    Step begin(Order order, byte[] bytes, World.StepTimes told) {
+        return begin(order, order.shots().size(), bytes, told);
     }
 
-    private void begin(InFlightSteps.Given given, byte[] bytes) {
-        underWay.begin(hosts.present(), given, bytes, clock.getAsLong(), counts.times.criticalPath());
-        counts.totals.count(given.order());
-        points.begun(given.order());
+    /** The rest of an order that was begun where hosts need each other's values, see {@link Order#GIVE}. */
+    Step beginRest(int shots, World.StepTimes told) {
+        Order rest = Order.plain(Order.Kind.REST, -1);
+        return begin(rest, shots, rest.encode(), told);
+    }
+
+    private Step begin(Order order, int shots, byte[] bytes, World.StepTimes told) {
+        while (underWay.count() >= AHEAD) {
+            await(told);
+        }
+        Step step = new Step(order, shots);
+        underWay.begin(hosts.present(), step, bytes, clock.getAsLong(), counts.times.criticalPath());
+        counts.totals.count(order);
+        halo.begun(order);
+        return step;
     }
 
     /** Does something that changes no element, and is not answered; nothing is under way. */
-    void tell(Order order) {
-        begin(order, order.encode());
+    Step tell(Order order) {
+        Step step = begin(order, order.encode(), World.NOBODY);
         awaitAll(World.NOBODY);
-        underWay.forget();
+        return step;
     }
 
     void awaitAll(World.StepTimes told) {
@@ -65,40 +76,31 @@ final class RemoteSteps {
         }
     }
 
-    /** Waits until another one may be under way. */
-    void keepUp(World.StepTimes told) {
-        while (underWay.count() >= AHEAD) {
-            await(told);
-        }
-    }
-
-    /** All steps are done, by hosts that are there, on all blocks; questions are asked again. */
+    /** All steps are done, by hosts that are there, on all blocks. */
     void recover() throws IOException {
         if (calls.isAnyLost()) {
             awaitAll(World.NOBODY);
-            List<InFlightSteps.Given> questions = underWay.takeQuestions();
             hosts.recover();
-            points.forget();
+            halo.forget();
             underWay.mended();
-            for (InFlightSteps.Given question : questions) {
-                begin(question, question.order().encode());
-                keepUp(World.NOBODY);
-            }
         }
     }
 
     /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
     void await(World.StepTimes told) {
-        InFlightSteps.Done step = underWay.await(clock);
-        told.took(step.order().shots().size(), step.seconds());
+        Step step = underWay.await(clock);
+        if (step.order().most() == Order.GIVE) {
+            firstPart = step.seconds();
+        } else if (!step.order().isAnswered()) {
+            told.took(step.shots(), firstPart + step.seconds());
+            firstPart = 0;
+        }
         if (!calls.isAnyLost()) {
             hosts.haveDone();
             counts.times.add(step);
-            counts.balance.add(step.replies(), step.order());
-            points.done(step.order(), step.replies());
-            if (step.order().changes()) {
-                counts.log.took(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
-            }
+            counts.balance.add(step.replies(), step.shots());
+            halo.done(step);
+            counts.log.took(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
         }
     }
 }

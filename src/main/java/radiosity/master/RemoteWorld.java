@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import radiosity.master.InFlightSteps.Step;
 import radiosity.master.balance.Balance;
 import radiosity.master.balance.BlockCostModel;
 import radiosity.master.balance.Borders;
@@ -13,6 +14,7 @@ import radiosity.master.host.HostCalls;
 import radiosity.master.host.Link;
 import radiosity.master.host.NoWorkerException;
 import radiosity.master.host.RmiLink;
+import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 import radiosity.protocol.SceneBytes;
 import radiosity.protocol.Shot;
@@ -48,7 +50,9 @@ public final class RemoteWorld extends World {
     private final RemoteSteps steps;
     private final LongSupplier clock;
     private final BlockTransfer transfer;
-    private final HaloExchange points;
+    private final HaloExchange halo;
+    /** The question that follows the last order, until it is asked; null where there is none. */
+    private Question next;
 
     /**
      * Opens a session with every host that can be reached.
@@ -70,24 +74,20 @@ public final class RemoteWorld extends World {
         this.clock = clock;
         times = new RoundTimes(clock);
         totals = new SharedTotals(mesh, calls);
-        Seams seams = new Seams(threads);
-        underWay = new InFlightSteps(calls, seams);
-        points = new HaloExchange(calls, mesh, seams);
         log = new ShotLog(patches());
+        underWay = new InFlightSteps(calls, log);
+        halo = new HaloExchange(calls, mesh);
         Borders borders = new Borders(mesh);
-        BlockCostModel forecast = new BlockCostModel(borders, mesh.hasSeams());
+        BlockCostModel forecast = new BlockCostModel(borders, mesh.gathersOnce() && !mesh.predicts());
         dealing = new Dealing(forecast, borders);
         balance = new Balance(forecast, dealing, patches(), mesh.clusters.clusters.size());
         transfer = new BlockTransfer(dealing, log, calls);
         hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
                 new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
-        steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, balance), points,
+        steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, balance), halo,
                 clock);
         hosts.open(links);
         steps.recover();
-        if (mesh.gathersOnce()) {
-            agree();
-        }
     }
 
     @Override
@@ -98,13 +98,9 @@ public final class RemoteWorld extends World {
     }
 
     private List<byte[]> ask(Order order) throws IOException {
-        InFlightSteps.Given given = steps.begin(order, prepare(order));
-        while (underWay.count() > 0) {
-            steps.await(NOBODY);
-            steps.recover();
-        }
+        List<byte[]> answers = answers(steps.begin(order, prepare(order), NOBODY), NOBODY);
         balance.settle(hosts.present());
-        return given.answers();
+        return answers;
     }
 
     /** In parts: the next ones are made while one is on its way. */
@@ -112,63 +108,110 @@ public final class RemoteWorld extends World {
     public void rows(Order order, Planner planner) throws IOException {
         finish(NOBODY);
         admit(order);
-        List<InFlightSteps.Given> parts = new ArrayList<>();
+        List<Step> parts = new ArrayList<>();
         for (Order part : order.naming(0).parts(ROWS_AT_A_TIME)) {
-            parts.add(steps.begin(part, prepare(part)));
-            steps.keepUp(NOBODY);
+            parts.add(steps.begin(part, prepare(part), NOBODY));
         }
-        for (InFlightSteps.Given part : parts) {
+        for (Step part : parts) {
             planner.take(part.order().shots().size(), answers(part, NOBODY));
         }
     }
 
+    /**
+     * Hosts first gather at the vertices that others have, too, so that the ghost values are on their way while they
+     * gather elsewhere; how things stand is asked when they have come.
+     */
     @Override
-    public Begun begin(Order step, StepTimes told) throws IOException {
-        admit(step);
-        share(step);
-        boolean exchanged = step.isAnswered() && points.isShared(step) && !mesh.hasSeams();
-        Order now = exchanged ? step.naming(Order.GIVE) : step;
-        InFlightSteps.Given given = steps.begin(now, prepare(now));
-        if (exchanged) {
-            finish(told);
-            List<byte[]> answers = ask(Order.plain(Order.Kind.ASK, step.most()).from(step.least()));
-            return later -> sum(decode(answers), step.most());
+    public Begun begin(Order order, StepTimes told) throws IOException {
+        askNext(told);
+        admit(order);
+        agree(order);
+        if (!order.changes()) {
+            Step asked = steps.begin(order, prepare(order), told);
+            return later -> sum(decode(answers(asked, later)), order.most());
         }
-        steps.keepUp(told);
-        return later -> sum(decode(answers(given, later)), step.most());
-    }
-
-    /*---- Points that several hosts have ----*/
-
-    /** Who gathers where, if that is not known. */
-    private void share(Order order) throws IOException {
-        if (points.isOpen(order)) {
-            finish(NOBODY);
-            agree();
+        boolean isExchanged = order.isAnswered() && halo.isShared(order);
+        Order silent = order.naming(isExchanged ? Order.GIVE : -1);
+        Step first = steps.begin(silent, prepare(silent), told);
+        if (isExchanged) {
+            steps.beginRest(order.shots().size(), told);
         }
+        Question question = new Question(Order.plain(Order.Kind.ASK, order.most()).from(order.least()),
+                isExchanged ? first : null);
+        if (order.isAnswered()) {
+            next = question;
+        }
+        if (!isExchanged) {
+            askNext(told);
+        }
+        return question;
     }
 
-    private void agree() throws IOException {
-        do {
-            points.agree(hosts.present(), dealing);
-            steps.recover();
-        } while (!points.isAgreed());
-    }
+    /** How things stand after an order. */
+    private final class Question implements Begun {
 
-    /** Tells hosts what they have gathered for each other up to now; nothing is under way. */
-    private void exchange() {
-        if (points.isOwed()) {
-            if (mesh.hasSeams()) {
-                points.deliver();
-            } else {
-                steps.tell(Order.plain(Order.Kind.ASK, Order.GIVE));
+        private final Order order;
+        /** By which hosts tell what they have gathered for each other; null where they need not. */
+        private final Step exchange;
+        /** Null before hosts are asked. */
+        private Step asked;
+
+        Question(Order order, Step exchange) {
+            this.order = order;
+            this.exchange = exchange;
+        }
+
+        @Override
+        public Answer answer(StepTimes told) throws IOException {
+            if (asked == null) {
+                askNext(told);
             }
+            return sum(decode(answers(asked, told)), order.most());
+        }
+    }
+
+    /** Asks how things stand after the last order, where hosts were not asked yet. */
+    private void askNext(StepTimes told) throws IOException {
+        if (next == null) {
+            return;
+        }
+        Question question = next;
+        next = null;
+        if (question.exchange != null) {
+            while (!question.exchange.isDone()) {
+                steps.await(told);
+            }
+            steps.recover();
+            halo.deliver(question.exchange);
+        }
+        question.asked = steps.begin(question.order, prepare(question.order), told);
+    }
+
+    /*---- Vertices that several hosts have ----*/
+
+    /** Has hosts agree who gathers where, if they have to before an order. */
+    private void agree(Order order) throws IOException {
+        if (halo.isOpen(order)) {
+            exchange();
+            do {
+                halo.agree(hosts.present());
+                steps.recover();
+            } while (!halo.isAgreed());
+        }
+    }
+
+    /** Tells hosts what they have gathered for each other up to now; nothing is under way then. */
+    private void exchange() throws IOException {
+        finish(NOBODY);
+        if (halo.isOwed()) {
+            halo.deliver(steps.tell(Order.plain(Order.Kind.ASK, Order.GIVE)));
             steps.tell(Order.plain(Order.Kind.ASK, -1));
         }
     }
 
     @Override
     public void finish(StepTimes told) throws IOException {
+        askNext(told);
         do {
             steps.awaitAll(told);
             steps.recover();
@@ -177,15 +220,15 @@ public final class RemoteWorld extends World {
     }
 
     /** Waits until all hosts have answered an order. */
-    private List<byte[]> answers(InFlightSteps.Given given, StepTimes told) throws IOException {
-        while (!given.isAnswered()) {
+    private List<byte[]> answers(Step step, StepTimes told) throws IOException {
+        while (!step.isAnswered()) {
             if (calls.isAnyLost()) {
-                finish(told);
+                steps.recover();
             } else {
                 steps.await(told);
             }
         }
-        return given.answers();
+        return step.answers();
     }
 
     @Override
@@ -207,7 +250,7 @@ public final class RemoteWorld extends World {
             totals.tell(hosts.present());
         }
         byte[] bytes = order.encodeShort();
-        if (order.changes()) {
+        if (order.changes() || order.isAnswered()) {
             log.add(order, order.kind() == Order.Kind.GATHER ? null : bytes);
         }
         return bytes;
@@ -235,7 +278,7 @@ public final class RemoteWorld extends World {
         if (come && hosts.isAlone()) {
             blocks();
             hosts.leaveAlone();
-            points.forget();
+            halo.forget();
         } else if (come || due) {
             move(dealing.moves(hosts.present(), order.kind() == Order.Kind.GATHER));
         }
@@ -250,10 +293,7 @@ public final class RemoteWorld extends World {
         long begin = now();
         exchange();
         transfer.move(moves);
-        points.forget();
-        if (mesh.hasSeams()) {
-            agree();
-        }
+        halo.forget();
         balance.moved((now() - begin) * 1e-9);
     }
 
@@ -261,7 +301,6 @@ public final class RemoteWorld extends World {
 
     @Override
     public List<byte[]> blocks() throws IOException {
-        finish(NOBODY);
         long begin = now();
         exchange();
         while (true) {
@@ -278,7 +317,7 @@ public final class RemoteWorld extends World {
     public void restore(List<byte[]> states) throws IOException {
         log.checkpoint(states);
         transfer.restore(hosts.present());
-        points.forget();
+        halo.forget();
         steps.recover();
         if (mesh.predicts()) {
             totals.set(super.totals(), hosts.present());

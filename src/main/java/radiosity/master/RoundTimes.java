@@ -26,7 +26,7 @@ final class RoundTimes {
     }
 
     /** A step is done. */
-    void add(InFlightSteps.Done step) {
+    void add(InFlightSteps.Step step) {
         Collection<Reply> replies = step.replies().values();
         rounds++;
         step.replies().forEach((host, reply) -> {

@@ -11,8 +11,8 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 
 /**
- * What makes a lost block whole again: its state at the last checkpoint and every order since; and when the next one is
- * due.
+ * What makes a lost block whole again: its state at the last checkpoint, every order since, and the questions that not
+ * all hosts have answered; and when the next checkpoint is due.
  */
 final class ShotLog {
 
@@ -30,9 +30,11 @@ final class ShotLog {
 
     /** By id; empty before the first checkpoint, when all blocks are as in the initial mesh. */
     private List<byte[]> states = List.of();
-    private final List<Supplier<byte[]>> orders = new ArrayList<>();
+    private final List<Entry> entries = new ArrayList<>();
     private long bytes;
     private final AmortizedTrigger cadence;
+
+    private record Entry(Order order, Supplier<byte[]> encoded, long bytes) { }
 
     ShotLog(long patches) {
         cadence = new AmortizedTrigger(PATIENCE, SECONDS, Math.max(FIRST_SECONDS, patches * SECONDS_PER_PATCH));
@@ -40,8 +42,21 @@ final class ShotLog {
 
     /** @param encoded what the hosts were told, or null where that is not all */
     void add(Order order, byte[] encoded) {
-        orders.add(encoded == null ? order::encode : () -> encoded);
-        bytes += encoded == null ? order.shots().stream().mapToLong(Shot::bytes).sum() : encoded.length;
+        Entry entry = encoded == null
+                ? new Entry(order, order::encode, order.shots().stream().mapToLong(Shot::bytes).sum())
+                : new Entry(order, () -> encoded, encoded.length);
+        entries.add(entry);
+        bytes += entry.bytes;
+    }
+
+    /** All hosts have answered an order that changes nothing: it need not be done again. */
+    void remove(Order answered) {
+        for (int i = entries.size() - 1; i >= 0; i--) {
+            if (entries.get(i).order == answered) {
+                bytes -= entries.remove(i).bytes;
+                return;
+            }
+        }
     }
 
     /** What it took the slowest host to do an order that was added, s. */
@@ -62,16 +77,15 @@ final class ShotLog {
     /** States that were there already. */
     void checkpoint(List<byte[]> now) {
         states = List.copyOf(now);
-        orders.clear();
+        entries.clear();
         bytes = 0;
     }
 
-    /** @param said how many of the last orders are to be answered again */
-    BlockTakeover adoption(List<Integer> blocks, int said) {
+    BlockTakeover adoption(List<Integer> blocks) {
         Map<Integer, byte[]> wanted = new TreeMap<>();
         for (int block : blocks) {
             wanted.put(block, states.isEmpty() ? BlockTakeover.INITIAL : states.get(block));
         }
-        return new BlockTakeover(wanted, orders.stream().map(Supplier::get).toList(), said, List.of());
+        return new BlockTakeover(wanted, entries.stream().map(entry -> entry.encoded.get()).toList(), List.of());
     }
 }

@@ -1,6 +1,5 @@
 package radiosity.partition;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.PriorityQueue;
 import java.util.stream.IntStream;
@@ -29,8 +28,6 @@ final class Candidates {
     private final ParallelFor crew;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
-    /** Those at which somebody else looks. */
-    private BitSet left = new BitSet();
     /** Over all shooters; null where something has changed since. */
     private Answer sums;
     /** 1 per shooter, as far as they were asked for. */
@@ -71,12 +68,6 @@ final class Candidates {
         }
     }
 
-    /** Somebody else looks at these shooters. */
-    void leave(BitSet shooters) {
-        left = shooters;
-        changed();
-    }
-
     /** Something has shot or gathered, or was divided. */
     void changed() {
         sums = null;
@@ -99,7 +90,7 @@ final class Candidates {
         Answer sums = new Answer(faces, mesh.fluxScale());
         for (int p = from; p < to; p++) {
             flux[p] = 0;
-            for (int i = 0; i < shooters[p].length && !left.get(p); i++) {
+            for (int i = 0; i < shooters[p].length; i++) {
                 flux[p] += measure(shooters[p][i], sums);
             }
         }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.protocol.Wire;
@@ -12,70 +13,56 @@ import radiosity.util.ArraySize;
 import radiosity.util.Hash;
 
 /**
- * Receiving points that several hosts have: one of them gathers there where no elements are divided between rounds. By
- * prediction the others are given what it has got before anybody looks at their elements; in the paper's schedule the
- * master looks at them, see {@link Seam}. A point that a split made is the same where it was made by the same split: it
- * was dark then.
+ * The vertices that a host shares with other hosts: one of them gathers there, and the others receive the irradiance as
+ * a ghost value before they look at their elements.
+ *
+ * <p>A host that receives no ghost values gathers at these vertices itself, so nothing but time depends on them.
  */
 public final class GhostVertices {
 
-    /** What a host has to do with one of them. */
-    public enum Role { ALONE, GIVES, TAKES }
+    /** What a host has to do with a vertex that it has named. */
+    public enum Role {
+        /** No other host has it. */
+        ALONE,
+        /** The host gathers there for others. */
+        GIVES,
+        /** Another host gathers there. */
+        TAKES
+    }
 
     private final RadiosityNodes nodes;
-    private final PointIrradiance irradiance;
-    /** Nodes and vertices that were looked at for others. */
-    private int lookedAt;
-    private int known;
-    /** The points that were named last. */
+    /** The vertices that were named last. */
     private int[] named = {};
-    /** Of what was agreed; 0 where nothing was. */
+    /** Number of the agreement between hosts; 0 where there is none. */
     private int agreement;
     private int[] given = {};
     private int[] taken = {};
+    private final BitSet isGiven = new BitSet();
     private final BitSet isTaken = new BitSet();
-    /** Those where others do not gather; null where they are to be found. */
-    private int[] own;
-    private int vertices;
 
     GhostVertices(RadiosityNodes nodes) {
         this.nodes = nodes;
-        irradiance = new PointIrradiance(nodes);
     }
 
     /**
-     * Names those on the border of what this host has.
+     * Names the vertices on the border of this host's elements, and ends the agreement.
      *
-     * @param anew whether all, and not only those that were made since
-     * @return what they are, whoever has them: 8 bytes each
+     * @return keys, 8 bytes each, that are equal on all hosts for the same vertex
      */
-    byte[] name(boolean anew) {
-        if (anew) {
-            lookedAt = known = agreement = 0;
-            given = new int[0];
-            taken = new int[0];
-            isTaken.clear();
-            own = null;
-        }
-        named = IntStream.of(ends(edges())).filter(v -> v >= known).toArray();
-        lookedAt = nodes.nodes();
-        known = nodes.vertices();
-        return keys(named);
-    }
-
-    private byte[] keys(int[] points) {
-        ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of points of a border", Long.BYTES,
-                points.length));
-        IntStream.of(points).forEach(v -> keys.putLong(key(v)));
+    public byte[] name() {
+        agreement = 0;
+        given = new int[0];
+        taken = new int[0];
+        isGiven.clear();
+        isTaken.clear();
+        named = ends(edges());
+        ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of ghost vertices", Long.BYTES,
+                named.length));
+        IntStream.of(named).forEach(v -> keys.putLong(key(v)));
         return keys.array();
     }
 
-    /** Of all points, whether others have them or not. */
-    public byte[] keys() {
-        return keys(IntStream.range(0, nodes.vertices()).toArray());
-    }
-
-    /** The same for whoever would gather the same there. */
+    /** Equal for vertices with the same position, plane and creating split: there all hosts would gather the same. */
     private long key(int v) {
         long key = Hash.mix(nodes.vertexKey(v), nodes.made(v));
         key = Hash.mix(key, nodes.vertexPlane(v));
@@ -85,21 +72,21 @@ public final class GhostVertices {
         return key;
     }
 
-    /** Of elements that were not looked at yet: two vertices each. */
+    /** The edges of all elements: two vertices each, the lower number in the upper half. */
     private long[] edges() {
-        long[] edges = new long[3 * (nodes.nodes() - lookedAt)];
+        long[] edges = new long[ArraySize.of("edges of elements", 3, nodes.elements())];
         int count = 0;
-        for (int node = lookedAt; node < nodes.nodes(); node++) {
+        for (int node = 0; node < nodes.nodes(); node++) {
             for (int k = 0; k < 3 && nodes.isElement(node); k++) {
                 long p = nodes.corner(node, k);
                 long q = nodes.corner(node, (k + 1) % 3);
                 edges[count++] = Math.min(p, q) << Integer.SIZE | Math.max(p, q);
             }
         }
-        return Arrays.copyOf(edges, count);
+        return edges;
     }
 
-    /** The ends of those that belong to one element only. */
+    /** The ends of the edges that belong to one element only; sorts the edges. */
     private static int[] ends(long[] edges) {
         Arrays.sort(edges);
         BitSet ends = new BitSet();
@@ -116,95 +103,88 @@ public final class GhostVertices {
         return ends.stream().toArray();
     }
 
-    /** @param roles number of the agreement, then for each that was named what to do with it */
+    /** @param roles number of the agreement, then one byte per vertex that was named: number of its {@link Role} */
     public void agree(DataInputStream roles) throws IOException {
         agreement = roles.readInt();
         byte[] role = Wire.exactly(roles, named.length);
-        given = IntStream.concat(IntStream.of(given), withRole(role, Role.GIVES)).toArray();
-        taken = IntStream.concat(IntStream.of(taken), withRole(role, Role.TAKES)).toArray();
+        given = withRole(role, Role.GIVES);
+        taken = withRole(role, Role.TAKES);
+        IntStream.of(given).forEach(isGiven::set);
         IntStream.of(taken).forEach(isTaken::set);
-        own = null;
         named = new int[0];
     }
 
-    private IntStream withRole(byte[] role, Role wanted) {
-        return IntStream.range(0, role.length).filter(i -> role[i] == wanted.ordinal()).map(i -> named[i]);
+    private int[] withRole(byte[] role, Role wanted) {
+        return IntStream.range(0, role.length).filter(i -> role[i] == wanted.ordinal()).map(i -> named[i]).toArray();
     }
 
-    /** Gives what it gathers at these points, too. */
-    void giveAlso(BitSet points) {
-        BitSet more = (BitSet) points.clone();
-        more.andNot(isTaken);
-        IntStream.of(given).forEach(more::clear);
-        given = IntStream.concat(IntStream.of(given), more.stream()).toArray();
+    /** Whether this host gathers at some vertices for others, or they for it. */
+    boolean isShared() {
+        return given.length + taken.length > 0;
     }
 
-    byte[] givenKeys() {
-        return keys(given);
+    /** Whether other hosts gather at some vertices for this one. */
+    public boolean isTaking() {
+        return taken.length > 0;
     }
 
-    /** Others gather at these points, and nowhere else. */
-    public void take(BitSet points) {
-        isTaken.clear();
-        isTaken.or(points);
-        own = null;
+    /** Of some vertices those at which this host gathers for others. */
+    int[] given(int[] vertices) {
+        return filter(vertices, isGiven::get);
     }
 
-    public PointIrradiance irradiance() {
-        return irradiance;
+    /** Of some vertices those that only this host needs. */
+    int[] alone(int[] vertices) {
+        return filter(vertices, v -> !isGiven.get(v) && !isTaken.get(v));
     }
 
-    /** Where others gather; not to be modified. */
-    public BitSet taken() {
-        return isTaken;
+    /** Of some vertices those at which other hosts do not gather. */
+    int[] own(int[] vertices) {
+        return filter(vertices, v -> !isTaken.get(v));
     }
 
-    /** Whether others gather at some of them. */
-    boolean isTaking() {
-        return !isTaken.isEmpty();
+    /** Of some vertices those at which other hosts gather. */
+    int[] taken(int[] vertices) {
+        return filter(vertices, isTaken::get);
     }
 
-    boolean isTaken(int point) {
-        return isTaken.get(point);
+    private static int[] filter(int[] vertices, IntPredicate wanted) {
+        return IntStream.of(vertices).filter(wanted).toArray();
     }
 
-    boolean isAgreed() {
-        return agreement != 0;
+    private int bytesPerVertex() {
+        return Double.BYTES * nodes.channels();
     }
 
-    /** Of all points those where this host gathers; every step of a round wants them. Not to be modified. */
-    int[] own() {
-        if (own == null || vertices != nodes.vertices()) {
-            vertices = nodes.vertices();
-            own = IntStream.range(0, vertices).filter(v -> !isTaken.get(v)).toArray();
-        }
-        return own;
-    }
-
-    /** Of some points those where this host gathers. */
-    int[] own(int[] points) {
-        return IntStream.of(points).filter(v -> !isTaken.get(v)).toArray();
-    }
-
-    /** Whether at some of these others gather. */
-    boolean takesAny(int[] points) {
-        return IntStream.of(points).anyMatch(isTaken::get);
-    }
-
-    /** For others: number of the agreement, then channels per point. */
+    /** The ghost values for other hosts: number of the agreement, then the irradiance per vertex that is given. */
     public byte[] give() {
-        return irradiance.told(agreement, given);
+        ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of ghost values",
+                Integer.BYTES + (long) bytesPerVertex() * given.length)).putInt(agreement);
+        double[] irradiance = nodes.light().irradiance();
+        for (int v : given) {
+            for (int c = 0; c < nodes.channels(); c++) {
+                bytes.putDouble(irradiance[nodes.channels() * v + c]);
+            }
+        }
+        return bytes.array();
     }
 
     /**
-     * @param gift number of the agreement, then channels per point that is taken
-     * @return whether it was of this agreement: if not, nothing is changed
+     * Takes ghost values from other hosts.
+     *
+     * @param values number of the agreement, then the irradiance per vertex that is taken
+     * @return whether they belong to this agreement; else nothing is changed
      */
-    boolean take(DataInputStream gift) throws IOException {
-        if (gift.readInt() != agreement) {
+    boolean take(DataInputStream values) throws IOException {
+        if (values.readInt() != agreement) {
             return false;
         }
-        irradiance.put(taken, gift);
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(values, bytesPerVertex() * taken.length));
+        for (int v : taken) {
+            for (int c = 0; c < nodes.channels(); c++) {
+                nodes.light().irradiance()[nodes.channels() * v + c] = bytes.getDouble();
+            }
+        }
         return true;
     }
 }

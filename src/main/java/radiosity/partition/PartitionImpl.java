@@ -4,7 +4,6 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -45,7 +44,9 @@ public final class PartitionImpl implements Partition {
     private final int[][] shooters;
     private final Map<Shot.Place, List<Integer>> parts;
     private final Candidates candidates;
-    private GhostVertices border;
+    private final GhostVertices ghosts;
+    /** Where to gather at {@link Order.Kind#REST}; null where nothing is left. */
+    private Work rest;
     /** Those of the coarse mesh while their rows are made; else null. */
     private CoarseReceivers coarse;
 
@@ -68,6 +69,7 @@ public final class PartitionImpl implements Partition {
         shooters = mesh.shootsClusters() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         parts = mesh.clusters.parts(nodes);
         candidates = new Candidates(mesh, nodes, shooters, crew);
+        ghosts = new GhostVertices(nodes);
         if (!restored) {
             receivers.bury(nodes, 0);
             light(IntStream.range(0, nodes.vertices()).toArray());
@@ -99,14 +101,15 @@ public final class PartitionImpl implements Partition {
 
     /** The same for orders of which the answer is how things stand then. */
     public Answer answer(Order order) {
-        if (order.changes()) {
+        if (order.changes() || order.kind() == Order.Kind.REST) {
             candidates.changed();
         }
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
             case DISCARD -> discard();
-            case GATHER -> gather(order, ownPoints(order));
+            case GATHER -> gather(order);
+            case REST -> gatherRest();
             default -> { }
         }
         return order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
@@ -115,53 +118,31 @@ public final class PartitionImpl implements Partition {
     /** Mark what has shot, gather, subdivide. */
     private void shoot(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
-        gather(order, ownPoints(order));
+        gather(order);
         if (!order.more()) {
             subdivide(order.number());
         }
     }
 
-    /** What it has in common with other hosts. */
-    public GhostVertices border() {
-        border = border == null ? new GhostVertices(nodes) : border;
-        return border;
+    /** The vertices that this partition shares with others. */
+    public GhostVertices ghosts() {
+        return ghosts;
     }
 
-    /** See {@link GhostVertices#name}; what was left to the master before is not any more. */
-    public byte[] nameBorder(boolean anew) {
-        if (anew) {
-            candidates.leave(new BitSet());
-        }
-        return border().name(anew);
-    }
-
-    /** Leaves the patches between this host and others to the master. */
-    public byte[] leaveSeam() {
-        Seam seam = new Seam(nodes, border());
-        candidates.leave(seam.patches());
-        return seam.report();
-    }
-
-    /** Whether other hosts gather where this one does not. */
-    public boolean isShared() {
-        return border != null && border.isAgreed();
-    }
-
-    /** Whether others gather at some points in this step. */
-    public boolean takes(Order order) {
-        return border().isTaking() && (order.kind() != Order.Kind.GATHER || border.takesAny(points(order)));
-    }
-
-    /** See {@link GhostVertices#take}. */
-    public boolean take(DataInputStream gift) throws IOException {
+    /**
+     * Takes ghost values from other hosts.
+     *
+     * @return whether they belong to what hosts have agreed on; else nothing is changed
+     */
+    public boolean takeGhosts(DataInputStream values) throws IOException {
         candidates.changed();
-        return border().take(gift);
+        return ghosts.take(values);
     }
 
-    /** What this step does at some points. */
-    public void gatherAt(Order order, BitSet points) {
+    /** Does what an order says where other hosts gather: they have not told what they have gathered. */
+    public void gatherAtGhosts(Order order) {
         candidates.changed();
-        gather(order, IntStream.of(points(order)).filter(points::get).toArray());
+        gather(work(order), ghosts.taken(points(order)));
     }
 
     /**
@@ -173,13 +154,6 @@ public final class PartitionImpl implements Partition {
                 : IntStream.concat(IntStream.of(nodes.verticesMade(order.number() - 1)),
                         IntStream.of(nodes.discarded()))
                 .toArray();
-    }
-
-    private int[] ownPoints(Order order) {
-        if (border == null) {
-            return points(order);
-        }
-        return order.kind() == Order.Kind.GATHER ? border.own(points(order)) : border.own();
     }
 
     /** Subdivide where it pays. */
@@ -220,23 +194,46 @@ public final class PartitionImpl implements Partition {
         return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
     }
 
-    /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
-    private void gather(Order order, int[] vertices) {
+    /** What gathering by an order needs; made once where it is done in two parts. */
+    private record Work(Order order, ShooterHierarchy[] shooters, FormFactorCalculator[] calculators) { }
+
+    private Work work(Order order) {
+        return new Work(order, receivers.shooters(order), receivers.calculators(order));
+    }
+
+    /** Gathers where no other host does; by {@link Order#GIVE} only where others need it, and elsewhere later. */
+    private void gather(Order order) {
         if (order.kind() == Order.Kind.GATHER) {
             costs.split(order.number() - 1);
         }
+        Work work = work(order);
+        if (order.most() == Order.GIVE && ghosts.isShared()) {
+            gather(work, ghosts.given(points(order)));
+            rest = work;
+        } else {
+            gather(work, ghosts.own(points(order)));
+        }
+    }
+
+    private void gatherRest() {
+        if (rest != null) {
+            gather(rest, ghosts.alone(points(rest.order)));
+            rest = null;
+        }
+    }
+
+    /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
+    private void gather(Work work, int[] vertices) {
         if (vertices.length == 0) {
             return;
         }
-        receivers.receiveAmbient(order, nodes, vertices);
-        ShooterHierarchy[] source = receivers.shooters(order);
-        FormFactorCalculator[] calculator = receivers.calculators(order);
+        receivers.receiveAmbient(work.order, nodes, vertices);
         costs.begin(vertices);
         crew.run(vertices.length, Gatherer.RUN, (from, to) -> {
             int[] run = Arrays.copyOfRange(vertices, from, to);
             long begin = BlockCosts.now();
-            for (ShooterHierarchy shooter : source) {
-                receivers.gather(calculator, shooter, nodes, run);
+            for (ShooterHierarchy shooter : work.shooters) {
+                receivers.gather(work.calculators, shooter, nodes, run);
             }
             costs.add(run, BlockCosts.now() - begin);
         });

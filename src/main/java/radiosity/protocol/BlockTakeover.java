@@ -12,11 +12,10 @@ import java.util.TreeMap;
  * Blocks for a new owner: what they were at a checkpoint, and what was done since.
  *
  * @param states by id; empty for one that is as in the initial mesh
- * @param orders to be done again on all of them, in their order
- * @param said   how many of the last of those are to be answered
+ * @param orders to be done again on all of them, in their order; some are answered
  * @param leave  blocks that it gives up
  */
-public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, int said, List<Integer> leave) {
+public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, List<Integer> leave) {
 
     /** What stands for a block as it is in the initial mesh. */
     public static final byte[] INITIAL = new byte[0];
@@ -41,7 +40,6 @@ public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, in
         for (byte[] order : orders) {
             Wire.write(out, order);
         }
-        out.writeInt(said);
         out.writeInt(leave.size());
         for (int block : leave) {
             out.writeInt(block);
@@ -57,11 +55,10 @@ public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, in
         for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
             orders.add(Wire.bytes(in));
         }
-        int said = in.readInt();
         List<Integer> leave = new ArrayList<>();
         for (int n = Wire.count(in, Integer.BYTES); n > 0; n--) {
             leave.add(in.readInt());
         }
-        return new BlockTakeover(states, orders, said, leave);
+        return new BlockTakeover(states, orders, leave);
     }
 }

@@ -21,8 +21,8 @@ import radiosity.worker.ShotHistory;
  * @param ambient   channels per closed room, see {@link radiosity.mesh.UniformRadiosity}; empty: none. W/m²
  * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
  * @param begun     whether a part of the round is done: the ambient light has been received
- * @param most      how many candidates for the next round to name; -1: nobody reads the answer; {@link #GIVE}: only
- *                  what other hosts need
+ * @param most      how many candidates for the next round to name; -1: nobody reads the answer; {@link #GIVE}:
+ *                  gather only where other hosts need it, and say what has arrived there
  * @param least     unshot flux that a candidate has at least, W
  */
 public record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
@@ -53,7 +53,9 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         /** Say who could shoot, on the patches of the coarse mesh: their means. */
         MEANS,
         /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
-        ROWS
+        ROWS,
+        /** Gather where an order with {@link #GIVE} has left it for later: at the points that no other host needs. */
+        REST
     }
 
     /** An order without shots. */

@@ -3,7 +3,6 @@ package radiosity.rmi;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import radiosity.master.RemoteWorld;
-import radiosity.partition.GhostReport;
 import radiosity.partition.GhostVertices;
 import radiosity.partition.Partition;
 import radiosity.protocol.Answer;
@@ -42,22 +41,18 @@ public interface RemotePartition extends Remote {
     /**
      * Makes the blocks its own that were sent, see {@link BlockTakeover}, and brings them up to date; gives others up.
      *
-     * @return for each order that was to be answered: number of bytes, then an {@link Answer}
+     * @return for each order that is answered: number of bytes, then an {@link Answer}
      */
     byte[] take(long session) throws RemoteException;
 
     /** Takes all that was ever shot from the message that was sent. */
     void know(long session) throws RemoteException;
 
-    /** The keys of receiving points that other hosts may have, too, see {@link GhostVertices#name}. */
-    byte[] border(long session, boolean anew) throws RemoteException;
+    /** The keys of the vertices that other hosts may have, too, see {@link GhostVertices#name}. */
+    byte[] border(long session) throws RemoteException;
 
-    /**
-     * Takes from the message that was sent who gathers at which of them.
-     *
-     * @return what it leaves to the master then: a {@link GhostReport}, or nothing
-     */
-    byte[] share(long session) throws RemoteException;
+    /** Takes from the message that was sent who gathers at which of them, see {@link GhostVertices#agree}. */
+    void share(long session) throws RemoteException;
 
     /**
      * One round on the blocks that this host owns. The same number again is not done again.

@@ -135,11 +135,6 @@ public final class InitialMesh {
         return (predicts() || settings.schedule() == Schedule.PAPER) && Double.isInfinite(settings.meshing());
     }
 
-    /** Whether then the master looks at patches between hosts: where everybody looks at all of them in every round. */
-    public boolean hasSeams() {
-        return gathersOnce() && !predicts();
-    }
-
     /** Whether all flux that is shot must be received. */
     public boolean conserves() {
         return predicts() && rooms.isPlain();

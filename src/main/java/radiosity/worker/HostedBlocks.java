@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import radiosity.mesh.Block;
-import radiosity.partition.GhostReport;
 import radiosity.partition.GhostVertices;
 import radiosity.partition.PartitionImpl;
 import radiosity.protocol.BlockTakeover;
@@ -28,7 +27,7 @@ final class HostedBlocks {
     private PartitionImpl partition;
     private final ShotHistory totals;
     /** Orders that were not done yet where other hosts gather. */
-    private final List<byte[]> owed = new ArrayList<>();
+    private final List<Order> owed = new ArrayList<>();
     private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
@@ -57,7 +56,7 @@ final class HostedBlocks {
     /**
      * Does on the newcomers what was done since their states were taken, then joins them with the others.
      *
-     * @return what the newcomers answer to the orders that are to be answered
+     * @return what the newcomers answer to the orders that are answered
      */
     List<byte[]> take(BlockTakeover adoption) throws IOException {
         settle();
@@ -86,11 +85,10 @@ final class HostedBlocks {
         if (restored) {
             adoption.states().forEach(newcomers::restore);
         }
-        int silent = adoption.orders().size() - adoption.said();
-        for (int i = 0; i < adoption.orders().size(); i++) {
-            Order order = Order.decode(adoption.orders().get(i));
-            byte[] answer = newcomers.round(i < silent ? order.naming(-1) : order);
-            if (i >= silent) {
+        for (byte[] bytes : adoption.orders()) {
+            Order order = Order.decode(bytes);
+            byte[] answer = newcomers.round(order);
+            if (order.isAnswered()) {
                 answers.add(answer);
             }
         }
@@ -111,33 +109,30 @@ final class HostedBlocks {
     byte[] round(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);
-        given = new byte[0];
-        if (in.available() > 0 && partition.take(in)) {
+        if (in.available() > 0 && partition.takeGhosts(in)) {
             owed.clear();
         }
-        byte[] answer = order.gathers() ? gather(order, bytes) : ask(order);
-        if (partition.isShared() && (mesh.hasSeams() || order.most() == Order.GIVE)) {
-            given = partition.border().give();
-        }
+        byte[] answer = order.gathers() ? gather(order) : answer(order);
+        given = order.most() == Order.GIVE ? partition.ghosts().give() : new byte[0];
         return answer;
     }
 
-    private byte[] gather(Order order, byte[] bytes) throws IOException {
+    private byte[] gather(Order order) {
         if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
             totals.add(order.shots());
         }
-        if (!partition.isShared()) {
-            return partition.round(whole(order));
+        Order whole = whole(order);
+        if (partition.ghosts().isTaking()) {
+            owed.add(whole);
         }
-        if (partition.takes(order)) {
-            owed.add(bytes);
+        return partition.round(whole);
+    }
+
+    private byte[] answer(Order order) {
+        if (order.most() != Order.GIVE && order.kind() != Order.Kind.REST) {
+            settle();
         }
-        if (mesh.hasSeams()) {
-            return partition.round(order);
-        }
-        Order now = whole(order);
-        byte[] nothing = partition.round(now.naming(-1));
-        return order.isAnswered() ? ask(Order.plain(Order.Kind.ASK, order.most()).from(order.least())) : nothing;
+        return partition.round(order);
     }
 
     /** With what was shot, where the order says by whom only. */
@@ -145,39 +140,29 @@ final class HostedBlocks {
         return order.kind() == Order.Kind.GATHER ? order.shooting(totals.of(order.shots())) : order;
     }
 
-    private byte[] ask(Order order) throws IOException {
-        if (order.most() != Order.GIVE && !(mesh.hasSeams() && order.kind() == Order.Kind.ASK)) {
-            settle();
-        }
-        return partition.round(order);
-    }
-
     /** For other hosts: what this one has gathered for them up to the last order. */
     byte[] given() {
         return given;
     }
 
-    /** Gathers where others should have gathered and nothing was heard of it. */
-    private void settle() throws IOException {
-        for (byte[] order : owed) {
-            partition.gatherAt(whole(Order.decode(order)), partition.border().taken());
-        }
+    /** Gathers where other hosts should have gathered and this one was not told what came of it. */
+    private void settle() {
+        owed.forEach(partition::gatherAtGhosts);
         owed.clear();
     }
 
     /** See {@link GhostVertices#name}. */
-    byte[] border(boolean anew) throws IOException {
+    byte[] border() {
         settle();
-        return partition.nameBorder(anew);
+        return partition.ghosts().name();
     }
 
-    /** @return what it leaves to the master: a {@link GhostReport}, or nothing */
-    byte[] share(DataInputStream roles) throws IOException {
-        partition.border().agree(roles);
-        return mesh.hasSeams() ? partition.leaveSeam() : new byte[0];
+    /** See {@link GhostVertices#agree}. */
+    void share(DataInputStream roles) throws IOException {
+        partition.ghosts().agree(roles);
     }
 
-    byte[] block(int id) throws IOException {
+    byte[] block(int id) {
         settle();
         return partition.block(id);
     }

@@ -190,13 +190,16 @@ public final class ServedPartition implements RemotePartition {
     }
 
     @Override
-    public byte[] border(long id, boolean anew) throws SessionEndedException {
-        return inSession(id, session -> session.blocks.border(anew));
+    public byte[] border(long id) throws SessionEndedException {
+        return inSession(id, session -> session.blocks.border());
     }
 
     @Override
-    public byte[] share(long id) throws SessionEndedException {
-        return inSession(id, session -> session.blocks.share(message(session)));
+    public void share(long id) throws SessionEndedException {
+        inSession(id, session -> {
+            session.blocks.share(message(session));
+            return null;
+        });
     }
 
     @Override

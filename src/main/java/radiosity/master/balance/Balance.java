@@ -40,11 +40,9 @@ public final class Balance {
         this.dealing = dealing;
     }
 
-    /** After a round, or a part of one. */
-    public void add(Map<Host, Reply> replies, Order order) {
-        replies.forEach((host, reply) -> {
-            note(host, reply, order.shots().size());
-        });
+    /** @param shots of a round, or of a part of one, that hosts have done */
+    public void add(Map<Host, Reply> replies, int shots) {
+        replies.forEach((host, reply) -> note(host, reply, shots));
         judge(replies.keySet());
     }
 

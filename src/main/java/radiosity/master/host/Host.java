@@ -19,7 +19,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import radiosity.master.RemoteWorld;
-import radiosity.partition.GhostReport;
 import radiosity.partition.GhostVertices;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.Reply;
@@ -187,7 +186,7 @@ public final class Host implements AutoCloseable {
         return Reply.decode(bytes);
     }
 
-    /** What it answers to the orders that it was to answer. */
+    /** What it says to the orders that are answered. */
     public List<byte[]> take(BlockTakeover adoption) throws IOException {
         send(adoption::write);
         byte[] answers = remote.take(session);
@@ -202,23 +201,21 @@ public final class Host implements AutoCloseable {
         return null;
     }
 
-    /** The points that other hosts may have, too, see {@link GhostVertices#name}. */
-    public byte[] border(boolean anew) throws IOException {
-        return remote.border(session, anew);
+    /** The keys of the vertices that other hosts may have, too, see {@link GhostVertices#name}. */
+    public byte[] border() throws IOException {
+        byte[] keys = remote.border(session);
+        load.bytes.addAndGet(keys.length);
+        return keys;
     }
 
-    /**
-     * @param roles see {@link GhostVertices#agree}
-     * @return what it leaves to the master: a {@link GhostReport}, or nothing
-     */
-    public byte[] share(int agreement, byte[] roles) throws IOException {
+    /** @param roles see {@link GhostVertices#agree} */
+    public Void share(int agreement, byte[] roles) throws IOException {
         send(out -> {
             out.writeInt(agreement);
             out.write(roles);
         });
-        byte[] left = remote.share(session);
-        load.bytes.addAndGet(left.length);
-        return left;
+        remote.share(session);
+        return null;
     }
 
     /** The states of some of its blocks, in their order. */

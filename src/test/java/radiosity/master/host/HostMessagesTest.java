@@ -55,7 +55,7 @@ class HostMessagesTest {
                 BlockTakeover.INITIAL));
         List<byte[]> parts = new ArrayList<>();
         Host host = host(parts::add);
-        assertEquals(List.of(), host.take(new BlockTakeover(states, List.of(random(100), random(2)), 1, List.of(4))));
+        assertEquals(List.of(), host.take(new BlockTakeover(states, List.of(random(100), random(2)), List.of(4))));
         assertTrue(parts.size() >= 4 && parts.size() <= 6, parts.size() + " parts");
         assertTrue(parts.stream().allMatch(part -> part.length > 0 && part.length <= MOST_PART_BYTES));
         BlockTakeover got = BlockTakeover.read(new DataInputStream(Pieces.open(parts)));
@@ -63,7 +63,6 @@ class HostMessagesTest {
         states.forEach((id, state) -> assertArrayEquals(state, got.states().get(id)));
         assertEquals(2, got.orders().size());
         assertArrayEquals(random(100), got.orders().get(0));
-        assertEquals(1, got.said());
         assertEquals(List.of(4), got.leave());
         assertEquals(Pieces.length(parts), host.load.bytes.get());
     }
@@ -78,7 +77,7 @@ class HostMessagesTest {
             states.put(id, state);
         }
         long[] sent = new long[1];
-        host(part -> sent[0] += part.length).take(new BlockTakeover(states, List.of(), 0, List.of()));
+        host(part -> sent[0] += part.length).take(new BlockTakeover(states, List.of(), List.of()));
         assertTrue(sent[0] > 33L * state.length, sent[0] + " bytes");
         assertTrue(sent[0] > Integer.MAX_VALUE);
     }
