@@ -47,9 +47,10 @@ public final class Radiosity {
     }
 
     /**
-     * Reads a LightWave scene or object, the objects that it names, and their images.
+     * Reads a scene (LightWave, glTF or OBJ), the files that it names, and their images.
      *
-     * @param file     a scene (.lws) or an object (.lwo)
+     * @param file     a LightWave scene (.lws) or object (.lwo), glTF (.glb, .gltf), or OBJ (.obj); its content says
+     *                 which, and its name where the content leaves that open
      * @param warnings gets one line for each kind of thing that was left out or mended
      * @throws IOException where the file cannot be read; a {@link radiosity.scene.SceneFormatException} where its
      *                     content cannot be used
@@ -59,7 +60,7 @@ public final class Radiosity {
     }
 
     /**
-     * Reads a LightWave scene or object as the options say, see {@link #read(Path, Consumer)}.
+     * Reads a scene as the options say, see {@link #read(Path, Consumer)}.
      *
      * @param options which frame, which emission, where to search for objects and images
      */

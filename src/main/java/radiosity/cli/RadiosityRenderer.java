@@ -41,7 +41,7 @@ import radiosity.output.image.SurfaceMaps;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 
-/** Renders a LightWave scene and writes a scene file (appendix C.1 of the paper). */
+/** Renders a scene and writes a scene file (appendix C.1 of the paper). */
 public final class RadiosityRenderer {
 
     private final RendererOptions options;

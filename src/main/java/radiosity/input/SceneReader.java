@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
 import radiosity.input.file.ReadOptions;
+import radiosity.input.gltf.GltfReader;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.input.obj.ObjReader;
 import radiosity.scene.Scene;
@@ -44,10 +45,14 @@ public final class SceneReader {
             throw new SceneFormatException(name, "", "a scene", FileSniffer.describe(start, name)
                     + "; LightWave, glTF and OBJ are read");
         }
+        if (format.get() != SceneFormat.LIGHTWAVE && (options.frame().isPresent()
+                || options.emission() != ReadOptions.Emission.LUMINOSITY)) {
+            warnings.accept(name + ": a frame and a property that emits are chosen for LightWave only");
+        }
         return switch (format.get()) {
             case LIGHTWAVE -> LightWaveReader.read(file, options, warnings);
             case OBJ -> ObjReader.read(file, options, warnings);
-            case GLTF -> throw new SceneFormatException(name, "", "a scene", "glTF");
+            case GLTF -> GltfReader.read(file, options, warnings);
         };
     }
 }

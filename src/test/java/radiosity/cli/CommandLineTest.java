@@ -74,7 +74,7 @@ class CommandLineTest {
             --accuracy             | --accuracy: expected per cent above 0 and up to 100, like 2%, got nothing
             --time 0s a b          | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got 0s
             --time -1s a b         | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got -1s
-            --time 3 min a b       | files: expected a LightWave scene and a scene file to write, got min a b
+            --time 3 min a b       | files: expected a scene to read and a scene file to write, got min a b
             --time 1d a b          | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got 1d
             --time s a b           | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got s
             --time 1e9s a b        | --time: expected a time above 0 like 60s, 500ms, 2m or 1h, got 1e9s
@@ -131,9 +131,9 @@ class CommandLineTest {
             -x a b                 | -x: expected an option that --help lists, got an unknown one
             -paq a b               | -paq: expected an option that --help lists, got an unknown one
             --patch 3 a b          | --patch: expected an option that --help lists, got an unknown one
-            -q                     | files: expected a LightWave scene and a scene file to write, got none
-            a                      | files: expected a LightWave scene and a scene file to write, got a
-            a b c                  | files: expected a LightWave scene and a scene file to write, got a b c
+            -q                     | files: expected a scene to read and a scene file to write, got none
+            a                      | files: expected a scene to read and a scene file to write, got a
+            a b c                  | files: expected a scene to read and a scene file to write, got a b c
             """)
     void wrongCommandLine_isToldInOneLine(String commandLine, String expected) {
         Failure failure = assertThrows(Failure.class, () -> parse(commandLine));
@@ -156,7 +156,7 @@ class CommandLineTest {
             new CommandLineParser(options).parse("", "b");
             options.check();
         });
-        assertEquals("files: expected a LightWave scene and a scene file to write, got \"\" b", failure.getMessage());
+        assertEquals("files: expected a scene to read and a scene file to write, got \"\" b", failure.getMessage());
     }
 
     @Test

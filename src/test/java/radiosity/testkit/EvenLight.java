@@ -8,7 +8,7 @@ import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 
-/** A solution without a calculation: every front of a scene's triangles is an element, and 1 W/m² arrives everywhere. */
+/** A solution without a calculation: the front of each triangle is an element, and 1 W/m² arrives everywhere. */
 public final class EvenLight {
 
     private EvenLight() { }

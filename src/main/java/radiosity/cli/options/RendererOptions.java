@@ -14,8 +14,8 @@ import radiosity.cli.RadiosityRenderer;
 /** The command line of {@link RadiosityRenderer} (appendix C.1 of the paper). */
 @Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
         customSynopsis = "RadiosityRenderer [parameters] <LightWave Scene> <output Scene file>",
-        description = "%nRenders a LightWave scene by progressive radiosity and writes a scene file, a glTF 2.0 binary"
-                + " that ViewSceneFile and every glTF viewer open.%n",
+        description = "%nRenders a scene (LightWave, glTF or OBJ) by progressive radiosity and writes a scene file, a"
+                + " glTF 2.0 binary that ViewSceneFile and every glTF viewer open.%n",
         footer = {"",
             "Press any key to stop after the current iteration and save.",
             "",
@@ -36,7 +36,7 @@ public final class RendererOptions {
     @Mixin(name = "Pictures")
     public final PictureOptions picture = new PictureOptions();
 
-    @Mixin(name = "How to read the LightWave scene")
+    @Mixin(name = "How to read the scene")
     public final SceneOptions scene = new SceneOptions();
 
     @Mixin(name = "Distributed mode")
@@ -71,7 +71,7 @@ public final class RendererOptions {
         if (files.size() != 2 || files.stream().anyMatch(file -> file.toString().isEmpty())) {
             String got = files.stream().map(file -> file.toString().isEmpty() ? "\"\"" : file.toString())
                     .collect(Collectors.joining(" "));
-            throw Failure.commandLine("files", "expected a LightWave scene and a scene file to write, got "
+            throw Failure.commandLine("files", "expected a scene to read and a scene file to write, got "
                     + (got.isEmpty() ? "none" : got));
         }
     }
@@ -91,7 +91,7 @@ public final class RendererOptions {
         });
     }
 
-    /** The LightWave scene. */
+    /** The scene to be lit. */
     public Path input() {
         return files.get(0);
     }

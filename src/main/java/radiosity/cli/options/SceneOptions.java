@@ -8,15 +8,15 @@ import java.util.Map;
 import picocli.CommandLine.Option;
 import radiosity.input.file.ReadOptions;
 
-/** How to read the LightWave scene. */
+/** How to read the scene. */
 public final class SceneOptions {
 
     @Option(names = "--frame", paramLabel = "<n>", converter = Values.AnyNumber.class,
-            description = "Frame at which motions are taken. Default: the scene's first.")
+            description = "LightWave: frame at which motions are taken. Default: the scene's first.")
     Double frame;
 
     @Option(names = "--content", paramLabel = "<dir>",
-            description = "Directory in which objects are searched besides the scene's own. Repeatable.")
+            description = "Directory in which files that the scene names are searched besides its own. Repeatable.")
     public List<Path> content = new ArrayList<>();
 
     @Option(names = "--map", paramLabel = "<prefix=dir>",
@@ -24,14 +24,16 @@ public final class SceneOptions {
     public Map<String, Path> map = new LinkedHashMap<>();
 
     @Option(names = "--emission", paramLabel = "<property>", converter = EmissionParser.class,
-            description = "What makes a surface emit: luminosity (default), or specular as in the paper.")
+            description = "LightWave: what makes a surface emit, luminosity (default), or specular as in the paper.")
     ReadOptions.Emission emission = ReadOptions.Emission.LUMINOSITY;
 
     @Option(names = "--lights", paramLabel = "<use>", converter = LightsParser.class,
-            description = "The scene's lights: auto (where no surface emits; default), ignore or emitters (always).")
+            description = "The scene's lights: auto (LightWave: where no surface emits, glTF: always; default), ignore"
+                    + " or emitters (always).")
     ReadOptions.Lights lights = ReadOptions.Lights.AUTO;
 
-    @Option(names = "--srgb", description = "Colours of the scene are sRGB and made linear. Default: as written.")
+    @Option(names = "--srgb",
+            description = "Colours of LightWave and OBJ are sRGB and made linear. Default: as written.")
     public boolean srgb;
 
     @Option(names = "--strict", description = "Every warning about the scene is an error (exit code 3).")

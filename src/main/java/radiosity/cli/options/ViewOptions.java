@@ -26,7 +26,7 @@ public final class ViewOptions {
     @Mixin(name = "What to show, and where")
     public final WindowOptions window = new WindowOptions();
 
-    @Mixin(name = "How to read the LightWave scene (-lw)")
+    @Mixin(name = "How to read the scene (-lw)")
     public final SceneOptions scene = new SceneOptions();
 
     @Mixin(name = CommonOptions.GROUP)
@@ -36,7 +36,7 @@ public final class ViewOptions {
     public void check() {
         if (files.size() != 1) {
             String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
-            throw Failure.commandLine("file", "expected one " + (window.lightWave ? "LightWave" : "scene")
+            throw Failure.commandLine("file", "expected one " + (window.lightWave ? "LightWave, glTF or OBJ" : "scene")
                     + " file, got "
                     + (got.isEmpty() ? "none" : got));
         }

@@ -17,7 +17,7 @@ public final class WindowOptions {
             description = "Use textures. Only if the scene was rendered with -ut.")
     public boolean textures;
 
-    @Option(names = {"-lw", "--lightwave"}, description = "View a LightWave file, not lit.")
+    @Option(names = {"-lw", "--lightwave"}, description = "View a LightWave, glTF or OBJ file, not lit.")
     public boolean lightWave;
 
     @Option(names = "--screenshot", paramLabel = "<file.png>",

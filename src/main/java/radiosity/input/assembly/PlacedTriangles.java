@@ -1,6 +1,7 @@
 package radiosity.input.assembly;
 
 import java.util.Arrays;
+import radiosity.util.PointNumbers;
 
 /**
  * The triangles of a scene while its objects are placed: right-handed, in the scene's space. The corners of a mesh that
@@ -11,7 +12,7 @@ final class PlacedTriangles {
     /** A triangle with less than this share of the square of its longest edge is rounding. */
     private static final double NO_AREA = 1e-13;
 
-    private final double[] points;
+    private double[] points;
     private final int[] corners;
     private final int[] surfaceOf;
     private final int[] nodeOf;
@@ -85,6 +86,29 @@ final class PlacedTriangles {
         for (int k = 0; k < 3; k++) {
             System.arraycopy(from, values * (3 * t + order[k]), to, values * (3 * count + k), values);
         }
+    }
+
+    /**
+     * Makes equal places one point, and numbers points in the order in which a mirrored space first meets them, as
+     * LightWave's is: what is sampled follows from points, so that equal triangles of all formats get equal light.
+     */
+    void shareEqualPoints() {
+        int[] same = PointNumbers.of(points);
+        int[] number = new int[pointCount];
+        Arrays.fill(number, -1);
+        double[] shared = new double[points.length];
+        int used = 0;
+        for (int i = 0; i < 3 * count; i++) {
+            int at = i / 3 * 3 + (3 - i % 3) % 3;
+            int p = same[corners[at]];
+            if (number[p] < 0) {
+                System.arraycopy(points, 3 * p, shared, 3 * used, 3);
+                number[p] = used++;
+            }
+            corners[at] = number[p];
+        }
+        points = Arrays.copyOf(shared, 3 * used);
+        pointCount = used;
     }
 
     private boolean hasArea(int a, int b, int c) {

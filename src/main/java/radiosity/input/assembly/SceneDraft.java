@@ -23,6 +23,8 @@ public final class SceneDraft {
     private static final int TRIANGLE_BYTES = 20 + 24;
     private static final int COLOUR_BYTES = 36;
     private static final int POINT_BYTES = 24;
+    /** And while equal points are found. */
+    private static final int SHARED_POINT_BYTES = 24 + 4 + 4 + 48;
     /** Coordinates beyond this lose their squares. */
     private static final double FARTHEST = 1e70;
 
@@ -33,13 +35,18 @@ public final class SceneDraft {
     private final List<Instance> instances = new ArrayList<>();
     private long triangles;
     private long points;
+    private final boolean shared;
     private boolean textured;
     private boolean coloured;
 
     private record Instance(TriangleMesh mesh, Placing placing, int[] surfaces, int node) { }
 
-    /** @param name of the scene */
-    public SceneDraft(String name, ReadOptions options, Diagnostics notes) {
+    /**
+     * @param name   of the scene
+     * @param shared whether equal places are one point, as where a format repeats points for the sake of textures
+     */
+    public SceneDraft(String name, boolean shared, ReadOptions options, Diagnostics notes) {
+        this.shared = shared;
         this.name = name;
         this.options = options;
         this.notes = notes;
@@ -106,7 +113,8 @@ public final class SceneDraft {
             throw notes.error("", "at most " + options.maxTriangles() + " triangles", String.valueOf(triangles));
         }
         long each = TRIANGLE_BYTES + (coloured ? COLOUR_BYTES : 0);
-        if (triangles * each + points * POINT_BYTES > Runtime.getRuntime().maxMemory() / 2) {
+        long eachPoint = shared ? POINT_BYTES + SHARED_POINT_BYTES : POINT_BYTES;
+        if (triangles * each + points * eachPoint > Runtime.getRuntime().maxMemory() / 2) {
             throw notes.error("", "a scene that fits in half of " + (Runtime.getRuntime().maxMemory() >> 20) + " MiB",
                     triangles + " triangles of " + points + " points");
         }
@@ -122,6 +130,9 @@ public final class SceneDraft {
         PlacedTriangles placed = new PlacedTriangles((int) points, (int) triangles, textured, coloured);
         for (Instance instance : instances) {
             placed.add(instance.mesh, instance.placing, instance.surfaces, instance.node);
+        }
+        if (shared) {
+            placed.shareEqualPoints();
         }
         if (placed.flat() > 0) {
             notes.note("", "triangles without area where they are placed are left out", placed.flat() + " triangles");

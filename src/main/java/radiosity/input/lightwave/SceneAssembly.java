@@ -56,7 +56,7 @@ public final class SceneAssembly {
         this.options = options;
         this.notes = notes;
         this.surfaces = new SurfaceTable(options, notes);
-        this.draft = new SceneDraft(name, options, notes);
+        this.draft = new SceneDraft(name, false, options, notes);
     }
 
     /** A scene with what it was made from; an object alone has no description and no placement. */

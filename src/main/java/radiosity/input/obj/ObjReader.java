@@ -49,7 +49,7 @@ public final class ObjReader {
     private ObjReader(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes) {
         this.options = options;
         this.notes = notes;
-        draft = new SceneDraft(name, options, notes);
+        draft = new SceneDraft(name, true, options, notes);
         materials = new Materials(search, options, notes);
         file = new ObjParser(bytes, name.replaceFirst("(?i)\\.obj$", ""), draft, notes);
     }

@@ -5,10 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import radiosity.mesh.face.CutPoints;
 import radiosity.mesh.face.Faces;
-import radiosity.mesh.face.PointNumbers;
 import radiosity.mesh.face.TriangleBoxes;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.PointNumbers;
 
 /** Finds where triangles stand on a face or come through it. */
 final class FaceIntersections {

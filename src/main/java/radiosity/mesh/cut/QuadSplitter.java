@@ -2,12 +2,12 @@ package radiosity.mesh.cut;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import radiosity.mesh.face.PointNumbers;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
+import radiosity.util.PointNumbers;
 
 /**
  * Cuts long quadrangles across, for division in four keeps a triangle's shape: a corridor's wall would be meshed as

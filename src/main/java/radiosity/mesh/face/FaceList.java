@@ -4,6 +4,7 @@ import java.util.List;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.ArraySize;
+import radiosity.util.PointNumbers;
 
 /**
  * Faces in arrays, as they are added one by one: the sides of a scene's triangles, or the pieces of those that are cut.

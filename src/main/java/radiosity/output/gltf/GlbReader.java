@@ -11,6 +11,7 @@ import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import radiosity.gltf.JsonCursor;
 import radiosity.scene.SceneFormatException;
 import radiosity.solution.SavedState;
 

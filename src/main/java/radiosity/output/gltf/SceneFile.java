@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import radiosity.gltf.JsonCursor;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.image.ToneMapping;
 import radiosity.output.lightmap.TextureBake;

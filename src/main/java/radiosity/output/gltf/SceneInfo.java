@@ -18,6 +18,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import radiosity.gltf.JsonCursor;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.SceneFormatException;

@@ -12,6 +12,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import radiosity.gltf.JsonCursor;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Affine;
 import radiosity.scene.Camera;

@@ -95,7 +95,8 @@ class CorpusTest {
         Map<String, Double> areas = new HashMap<>();
         for (Layer layer : object.layers) {
             Diagnostics notes = new Diagnostics("layer", w -> { }, false);
-            Triangulation triangulation = new Triangulation(layer.points, layer.polygons, polygon -> "layer " + layer.number,
+            Triangulation triangulation = new Triangulation(layer.points, layer.polygons,
+                    polygon -> "layer " + layer.number,
                     new WorkBudget(), notes);
             for (int polygon = 0; polygon < layer.polygons.size(); polygon++) {
                 Vec3 expected = PolygonAreas.ofPolygon(layer, polygon);

@@ -89,8 +89,8 @@ class ObjReaderTest {
 
     @Test
     void objectsAndGroups_areNodes() throws IOException {
-        Scene scene = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no house\nf 1 2 3\ng roof left\nf 1 2 3\ng door\nf 1 2 3\n"
-                + "o\ng tree\nf 1 2 3\no house\nf 1 2 3\n");
+        Scene scene = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no house\nf 1 2 3\ng roof left\nf 1 2 3\ng door\n"
+                + "f 1 2 3\no\ng tree\nf 1 2 3\no house\nf 1 2 3\n");
         assertEquals(List.of("room -1", "house -1", "roof left 1", "door 1", "tree -1"),
                 scene.hierarchy().nodes().stream().map(node -> node.name() + " " + node.parent()).toList());
         assertEquals(5, scene.triangles(), "an equal polygon of the same object is dropped");
@@ -120,7 +120,8 @@ class ObjReaderTest {
                 + "-clamp on glow.png\n");
         library("my wood.png", "");
         library("GLOW.PNG", "");
-        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/-1\n");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\n"
+                + "f 1/1 2/2 3/-1\n");
         assertEquals(List.of(), told);
         List<ImageMap> maps = scene.surfaces().get(0).textures();
         assertEquals(List.of(ImageMap.Target.REFLECTANCE, ImageMap.Target.EXITANCE),
@@ -137,7 +138,8 @@ class ObjReaderTest {
     /** Coordinates of a land survey: floats alone would be off by 3 cm. */
     @Test
     void sceneFarFromTheOrigin_keepsItsDigits() throws IOException {
-        Scene scene = read("v 500000.125 5600000.001 0\nv 500001.125 5600000.001 0\nv 500000.125 5600001.003 0\nf 1 2 3\n");
+        Scene scene = read("v 500000.125 5600000.001 0\n"
+                + "v 500001.125 5600000.001 0\nv 500000.125 5600001.003 0\nf 1 2 3\n");
         assertEquals(500000.125, scene.corner(0, 0).x(), 1e-6);
         assertEquals(5600000.001, scene.corner(0, 0).y(), 1e-6);
         assertEquals(1.002 / 2, scene.area(), 1e-6);

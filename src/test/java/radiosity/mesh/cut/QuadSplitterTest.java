@@ -8,10 +8,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import radiosity.mesh.face.PointNumbers;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.util.PointNumbers;
 
 class QuadSplitterTest {
 

@@ -1,7 +1,4 @@
-package radiosity.mesh.face;
-
-import radiosity.util.Hash;
-import radiosity.util.LongIndex;
+package radiosity.util;
 
 /** Numbers for points: equal coordinates get equal numbers. */
 public final class PointNumbers {

@@ -1,4 +1,4 @@
-package radiosity.output.gltf;
+package radiosity.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Optional;
@@ -6,23 +6,23 @@ import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 
 /**
- * A place in a scene file's JSON: what is not there, or not as it should be, is said with its path.
+ * A place in a glTF file's JSON: what is not there, or not as it should be, is said with its path.
  *
  * @param file the file's name
  * @param path from the root to here
  * @param node what stands here
  */
-record JsonCursor(String file, String path, JsonNode node) {
+public record JsonCursor(String file, String path, JsonNode node) {
 
-    JsonCursor(String file, JsonNode root) {
+    public JsonCursor(String file, JsonNode root) {
         this(file, "", root);
     }
 
-    JsonCursor at(String key) throws SceneFormatException {
+    public JsonCursor at(String key) throws SceneFormatException {
         return below("/" + key, node.get(key));
     }
 
-    JsonCursor at(int index) throws SceneFormatException {
+    public JsonCursor at(int index) throws SceneFormatException {
         return below("/" + index, node.get(index));
     }
 
@@ -33,36 +33,65 @@ record JsonCursor(String file, String path, JsonNode node) {
         return new JsonCursor(file, path + step, child);
     }
 
-    Optional<JsonCursor> optional(String key) {
+    public Optional<JsonCursor> optional(String key) {
         return Optional.ofNullable(node.get(key)).map(child -> new JsonCursor(file, path + "/" + key, child));
     }
 
-    int size() {
+    /** An extension of what stands here. */
+    public Optional<JsonCursor> extension(String name) {
+        return optional("extensions").flatMap(extensions -> extensions.optional(name));
+    }
+
+    /** A number, or another where there is none. */
+    public double number(String key, double otherwise) throws SceneFormatException {
+        Optional<JsonCursor> there = optional(key);
+        return there.isPresent() ? there.get().number() : otherwise;
+    }
+
+    /** Numbers, or others, as many, where there are none. */
+    public double[] numbers(String key, double... otherwise) throws SceneFormatException {
+        Optional<JsonCursor> there = optional(key);
+        return there.isPresent() ? there.get().numbers(otherwise.length) : otherwise;
+    }
+
+    /** An index, or -1 where there is none. */
+    public int index(String key) throws SceneFormatException {
+        Optional<JsonCursor> there = optional(key);
+        return there.isPresent() ? there.get().integer() : -1;
+    }
+
+    /** A text, or another where there is none. */
+    public String text(String key, String otherwise) throws SceneFormatException {
+        Optional<JsonCursor> there = optional(key);
+        return there.isPresent() ? there.get().text() : otherwise;
+    }
+
+    public int size() {
         return node.size();
     }
 
-    int integer() throws SceneFormatException {
+    public int integer() throws SceneFormatException {
         require(node.isIntegralNumber() && node.canConvertToInt() && node.intValue() >= 0, "a whole number");
         return node.intValue();
     }
 
     /** A whole number of any size, -1 where it is none. */
-    long unchecked() {
+    public long unchecked() {
         return node.isIntegralNumber() && node.canConvertToLong() ? node.longValue() : -1;
     }
 
-    double number() throws SceneFormatException {
+    public double number() throws SceneFormatException {
         require(node.isNumber() && Double.isFinite(node.doubleValue()), "a number");
         return node.doubleValue();
     }
 
-    String text() throws SceneFormatException {
+    public String text() throws SceneFormatException {
         require(node.isTextual(), "text");
         return node.textValue();
     }
 
     /** @param count how many numbers there must be */
-    double[] numbers(int count) throws SceneFormatException {
+    public double[] numbers(int count) throws SceneFormatException {
         require(node.isArray() && node.size() == count, count + " numbers");
         double[] numbers = new double[count];
         for (int i = 0; i < count; i++) {
@@ -71,12 +100,12 @@ record JsonCursor(String file, String path, JsonNode node) {
         return numbers;
     }
 
-    Rgb rgb() throws SceneFormatException {
+    public Rgb rgb() throws SceneFormatException {
         double[] rgb = numbers(3);
         return new Rgb(rgb[0], rgb[1], rgb[2]);
     }
 
-    SceneFormatException wrong(String expected) {
+    public SceneFormatException wrong(String expected) {
         String got = node.toString();
         return new SceneFormatException(file, "JSON " + path, expected,
                 got.length() > 60 ? got.substring(0, 60) + "…" : got);

@@ -1,0 +1,4 @@
+/**
+ * What reading and writing of glTF share: a place in a file's JSON that says what is wrong there.
+ */
+package radiosity.gltf;

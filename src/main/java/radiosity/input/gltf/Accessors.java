@@ -1,0 +1,181 @@
+package radiosity.input.gltf;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import radiosity.gltf.JsonCursor;
+import radiosity.scene.SceneFormatException;
+
+/** The arrays of a glTF file, whatever their type, place, or sparseness. */
+final class Accessors {
+
+    private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4,
+            "MAT4", 16);
+    /** All arrays together take at most this part of the memory. */
+    private static final int PART = 4;
+
+    private final JsonCursor root;
+    private final Buffers buffers;
+    private final Map<Integer, float[]> read = new HashMap<>();
+    private long total;
+
+    Accessors(JsonCursor root, Buffers buffers) {
+        this.root = root;
+        this.buffers = buffers;
+    }
+
+    /** How many elements an array has, which is not read for it. */
+    int count(JsonCursor where) throws SceneFormatException {
+        return root.at("accessors").at(where.integer()).at("count").integer();
+    }
+
+    /** The kind of an array's elements, as VEC3. */
+    String type(JsonCursor where) throws SceneFormatException {
+        return root.at("accessors").at(where.integer()).at("type").text();
+    }
+
+    /**
+     * The numbers of an array, whole ones that are normalised as parts of the largest.
+     *
+     * @param where names it
+     * @param types one of which its elements must be, as VEC3
+     * @return not to be modified
+     */
+    float[] floats(JsonCursor where, String... types) throws IOException {
+        JsonCursor accessor = root.at("accessors").at(where.integer());
+        String type = accessor.at("type").text();
+        if (!List.of(types).contains(type)) {
+            throw accessor.at("type").wrong(String.join(" or ", types));
+        }
+        float[] known = read.get(where.integer());
+        if (known == null) {
+            known = read(accessor, COMPONENTS.get(type));
+            read.put(where.integer(), known);
+        }
+        return known;
+    }
+
+    private float[] read(JsonCursor accessor, int components) throws IOException {
+        long length = (long) accessor.at("count").integer() * components;
+        total += 4 * length;
+        if (total > Runtime.getRuntime().maxMemory() / PART) {
+            throw accessor.wrong("arrays of at most " + Runtime.getRuntime().maxMemory() / PART + " bytes together");
+        }
+        int type = accessor.at("componentType").integer();
+        boolean normalised = accessor.optional("normalized").map(n -> n.node().booleanValue()).orElse(false);
+        Optional<JsonCursor> view = accessor.optional("bufferView");
+        float[] values = new float[0];
+        if (view.isPresent()) {
+            long offset = accessor.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L);
+            long stride = root.at("bufferViews").at(view.get().integer()).optional("byteStride")
+                    .map(JsonCursor::unchecked).orElse(0L);
+            values = values(accessor, new Elements(buffers.view(view.get()), offset, stride, type, components,
+                    normalised), (int) (length / components));
+        } else {
+            values = new float[(int) length];
+        }
+        Optional<JsonCursor> sparse = accessor.optional("sparse");
+        if (sparse.isPresent()) {
+            replace(values, sparse.get(), type, components, normalised);
+        }
+        return values;
+    }
+
+    /**
+     * Where elements lie, and what they are.
+     *
+     * @param stride bytes from one to the next; 0 where they lie close together
+     */
+    private record Elements(ByteBuffer bytes, long offset, long stride, int type, int components,
+                            boolean normalised) { }
+
+    private static float[] values(JsonCursor where, Elements of, int count) throws SceneFormatException {
+        int size = size(where, of.type);
+        long step = of.stride == 0 ? (long) size * of.components : of.stride;
+        if (of.offset < 0 || step < (long) size * of.components
+                || count > 0 && of.offset + step * (count - 1L) + (long) size * of.components > of.bytes.capacity()) {
+            throw where.wrong("elements within " + of.bytes.capacity() + " bytes");
+        }
+        float[] values = new float[count * of.components];
+        for (int i = 0; i < values.length; i++) {
+            int at = (int) (of.offset + step * (i / of.components) + (long) size * (i % of.components));
+            values[i] = value(of.bytes, at, of.type, of.normalised);
+        }
+        return values;
+    }
+
+    private static int size(JsonCursor where, int type) throws SceneFormatException {
+        return switch (type) {
+            case 5120, 5121 -> 1;
+            case 5122, 5123 -> 2;
+            case 5125, 5126 -> 4;
+            default -> throw where.wrong("a componentType from 5120 to 5126");
+        };
+    }
+
+    private static float value(ByteBuffer bytes, int at, int type, boolean normalised) {
+        return switch (type) {
+            case 5120 -> normalised ? Math.max(bytes.get(at) / 127f, -1) : bytes.get(at);
+            case 5121 -> (bytes.get(at) & 0xFF) / (normalised ? 255f : 1);
+            case 5122 -> normalised ? Math.max(bytes.getShort(at) / 32767f, -1) : bytes.getShort(at);
+            case 5123 -> (bytes.getShort(at) & 0xFFFF) / (normalised ? 65535f : 1);
+            case 5125 -> Integer.toUnsignedLong(bytes.getInt(at));
+            default -> bytes.getFloat(at);
+        };
+    }
+
+    /** Replaces some elements by others. */
+    private void replace(float[] values, JsonCursor sparse, int type, int components, boolean normalised)
+            throws IOException {
+        int count = sparse.at("count").integer();
+        if ((long) count * components > values.length) {
+            throw sparse.wrong("no more elements than there are");
+        }
+        JsonCursor where = sparse.at("indices");
+        int[] indices = indices(where, where.at("componentType").integer(), buffers.view(where.at("bufferView")),
+                where.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L), count);
+        JsonCursor by = sparse.at("values");
+        float[] others = values(by, new Elements(buffers.view(by.at("bufferView")),
+                by.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L), 0, type, components, normalised),
+                count);
+        for (int i = 0; i < count; i++) {
+            if (indices[i] < 0 || (long) indices[i] * components >= values.length) {
+                throw where.wrong("elements that there are");
+            }
+            System.arraycopy(others, i * components, values, indices[i] * components, components);
+        }
+    }
+
+    /** Whole numbers that name vertices; what is too large for an int is -1. */
+    int[] indices(JsonCursor where) throws IOException {
+        JsonCursor accessor = root.at("accessors").at(where.integer());
+        Optional<JsonCursor> view = accessor.optional("bufferView");
+        if (view.isEmpty() || accessor.optional("sparse").isPresent() || !accessor.at("type").text().equals("SCALAR")) {
+            throw accessor.wrong("indices that are no sparse array");
+        }
+        return indices(accessor, accessor.at("componentType").integer(), buffers.view(view.get()),
+                accessor.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L),
+                accessor.at("count").integer());
+    }
+
+    private static int[] indices(JsonCursor where, int type, ByteBuffer bytes, long offset, int count)
+            throws SceneFormatException {
+        int size = size(where, type);
+        if (offset < 0 || offset + (long) size * count > bytes.capacity()) {
+            throw where.wrong("indices within " + bytes.capacity() + " bytes");
+        }
+        if (type == 5126) {
+            throw where.wrong("whole numbers");
+        }
+        int[] indices = new int[count];
+        for (int i = 0; i < count; i++) {
+            int at = (int) offset + size * i;
+            indices[i] = size == 1 ? bytes.get(at) & 0xFF : size == 2 ? bytes.getShort(at) & 0xFFFF
+                    : Math.max(-1, bytes.getInt(at));
+        }
+        return indices;
+    }
+}

@@ -1,0 +1,118 @@
+package radiosity.input.gltf;
+
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import radiosity.gltf.JsonCursor;
+import radiosity.input.file.FileSearch;
+import radiosity.input.file.InputFile;
+import radiosity.input.file.ReadOptions;
+import radiosity.scene.SceneFormatException;
+
+/** The bytes of a glTF file: in the file itself, in data URIs, and in files beside it. */
+final class Buffers {
+
+    /** All buffers together take at most this part of the memory. */
+    private static final int PART = 4;
+
+    private final Container file;
+    private final FileSearch search;
+    private final ReadOptions options;
+    private final Map<Integer, ByteBuffer> buffers = new HashMap<>();
+    private long total;
+
+    Buffers(Container file, FileSearch search, ReadOptions options) {
+        this.file = file;
+        this.search = search;
+        this.options = options;
+    }
+
+    /**
+     * The bytes of a buffer view, little endian.
+     *
+     * @param where names it
+     */
+    ByteBuffer view(JsonCursor where) throws IOException {
+        JsonCursor view = file.root().at("bufferViews").at(where.integer());
+        ByteBuffer buffer = buffer(view.at("buffer"));
+        long offset = view.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L);
+        long length = view.at("byteLength").unchecked();
+        if (offset < 0 || length < 0 || offset > buffer.capacity() - length) {
+            throw view.wrong("bytes of a buffer of " + buffer.capacity() + " bytes");
+        }
+        return buffer.slice((int) offset, (int) length).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private ByteBuffer buffer(JsonCursor where) throws IOException {
+        int number = where.integer();
+        ByteBuffer known = buffers.get(number);
+        if (known == null) {
+            known = load(file.root().at("buffers").at(number), number);
+            buffers.put(number, known);
+        }
+        return known;
+    }
+
+    private ByteBuffer load(JsonCursor buffer, int number) throws IOException {
+        Optional<JsonCursor> uri = buffer.optional("uri");
+        if (uri.isEmpty()) {
+            return number == 0 && file.bytes().isPresent() ? file.bytes().get() : ByteBuffer.allocate(0);
+        }
+        if (isData(uri.get())) {
+            return data(uri.get());
+        }
+        Optional<Path> path = found(uri.get());
+        if (path.isEmpty()) {
+            throw uri.get().wrong("a file beside it");
+        }
+        byte[] bytes = InputFile.read(path.get(), search.shown(path.get()), options.maxBytes());
+        reserve(uri.get(), bytes.length);
+        return ByteBuffer.wrap(bytes).asReadOnlyBuffer();
+    }
+
+    private void reserve(JsonCursor where, long bytes) throws SceneFormatException {
+        total += bytes;
+        if (total > Runtime.getRuntime().maxMemory() / PART) {
+            throw where.wrong("buffers of at most " + Runtime.getRuntime().maxMemory() / PART + " bytes together");
+        }
+    }
+
+    /** Whether a URI is its own data. */
+    static boolean isData(JsonCursor uri) throws SceneFormatException {
+        return uri.text().regionMatches(true, 0, "data:", 0, 5);
+    }
+
+    /** What stands in a data URI. */
+    ByteBuffer data(JsonCursor uri) throws SceneFormatException {
+        String text = uri.text();
+        int comma = text.indexOf(',');
+        if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
+            throw uri.wrong("data in base64");
+        }
+        reserve(uri, text.length());
+        try {
+            return ByteBuffer.wrap(Base64.getMimeDecoder().decode(text.substring(comma + 1).getBytes(
+                    StandardCharsets.ISO_8859_1))).asReadOnlyBuffer();
+        } catch (IllegalArgumentException e) {
+            throw uri.wrong("data in base64");
+        }
+    }
+
+    /** The file beside this one that a URI names. */
+    Optional<Path> found(JsonCursor uri) throws SceneFormatException {
+        String text = uri.text();
+        try {
+            Optional<Path> decoded = search.file(URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8));
+            return decoded.isPresent() ? decoded : search.file(text);
+        } catch (IllegalArgumentException e) {
+            return search.file(text);
+        }
+    }
+}

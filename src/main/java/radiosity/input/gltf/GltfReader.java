@@ -1,0 +1,167 @@
+package radiosity.input.gltf;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import radiosity.gltf.JsonCursor;
+import radiosity.input.assembly.Placing;
+import radiosity.input.assembly.SceneDraft;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSearch;
+import radiosity.input.file.InputFile;
+import radiosity.input.file.ReadOptions;
+import radiosity.scene.Affine;
+import radiosity.scene.Light;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.SceneNode;
+
+/** Reads a glTF 2.0 file or binary: what there is to see in the scene that it shows first, at rest. */
+public final class GltfReader {
+
+    /** What a file may require. */
+    private static final Set<String> READ = new TreeSet<>(Set.of("KHR_lights_punctual",
+            "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit",
+            "KHR_mesh_quantization", "KHR_texture_transform", "EXT_mesh_gpu_instancing"));
+
+    private final ReadOptions options;
+    private final Diagnostics notes;
+    private final JsonCursor root;
+    private final SceneDraft draft;
+    private final Accessors accessors;
+    private final Materials materials;
+    private final Meshes meshes;
+    private final Nodes nodes;
+    private final Views views;
+    private final Map<String, Integer> geometries = new HashMap<>();
+
+    private GltfReader(Container file, String name, FileSearch search, ReadOptions options, Diagnostics notes)
+            throws IOException {
+        this.options = options;
+        this.notes = notes;
+        root = file.root();
+        checkExtensions();
+        draft = new SceneDraft(name, true, options, notes);
+        Buffers buffers = new Buffers(file, search, options);
+        accessors = new Accessors(root, buffers);
+        materials = new Materials(root, buffers, notes);
+        meshes = new Meshes(root, accessors, materials, options, notes);
+        nodes = new Nodes(root);
+        views = new Views(root, notes);
+    }
+
+    /**
+     * Reads a file and those that it names.
+     *
+     * @param options  how; colours are linear and images sRGB as the format has it, whatever they say
+     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
+     * @return at least one triangle
+     * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
+     * @throws IOException          if a file cannot be read
+     */
+    public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
+        String name = String.valueOf(file.getFileName());
+        byte[] bytes = InputFile.read(file, name, options.maxBytes());
+        Diagnostics notes = new Diagnostics(name, warnings, options.strict());
+        FileSearch search = new FileSearch(file, options.content(), options.map(), start -> false, notes);
+        return read(bytes, name, search, options, notes);
+    }
+
+    /**
+     * Reads what has been read from a file.
+     *
+     * @param bytes  the whole file
+     * @param search for the buffers and images it names
+     */
+    static Scene read(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes)
+            throws IOException {
+        return new GltfReader(Container.of(bytes, name, notes), name, search, options, notes).scene();
+    }
+
+    private void checkExtensions() throws SceneFormatException {
+        Optional<JsonCursor> required = root.optional("extensionsRequired");
+        for (int i = 0; required.isPresent() && i < required.get().size(); i++) {
+            JsonCursor extension = required.get().at(i);
+            if (!READ.contains(extension.text())) {
+                throw notes.error("JSON " + extension.path(), "extensions that are read (" + String.join(", ", READ)
+                        + ")", extension.text());
+            }
+        }
+    }
+
+    private Scene scene() throws IOException {
+        if (root.optional("animations").isPresent()) {
+            notes.tell("animations are not evaluated: all stands at rest");
+        }
+        List<Integer> drafted = new ArrayList<>();
+        for (Nodes.Placed at : nodes.all()) {
+            int mesh = at.node().index("mesh");
+            Optional<List<Affine>> instances = Nodes.instances(at.node(), accessors, SceneDraft.MOST_NODES);
+            int node = draft.node(new SceneNode(at.node().text("name", ""),
+                    at.parent() < 0 ? -1 : drafted.get(at.parent()), mesh < 0 || instances.isPresent() ? ""
+                    : geometry(mesh), at.local()), at.node().path());
+            drafted.add(node);
+            views.add(at);
+            if (mesh >= 0 && instances.isPresent()) {
+                for (Affine instance : instances.get()) {
+                    int own = draft.node(new SceneNode(at.node().text("name", ""), node, geometry(mesh), instance),
+                            at.node().path());
+                    add(mesh, at, new Shape(weights(at.node()), null), at.world().times(instance), own);
+                }
+            } else if (mesh >= 0) {
+                Shape shape = new Shape(weights(at.node()), skin(at.node()));
+                add(mesh, at, shape, shape.skin() == null ? at.world() : Affine.IDENTITY, node);
+            }
+        }
+        List<Light> lights = options.lights() == ReadOptions.Lights.IGNORE ? List.of() : views.lights();
+        return draft.scene(materials.surfaces(), lights, views.camera());
+    }
+
+    private void add(int mesh, Nodes.Placed at, Shape shape, Affine world, int node) throws IOException {
+        for (Meshes.Part part : meshes.parts(mesh, shape)) {
+            draft.add(part.triangles(), Placing.of(world), new int[] {part.surface()}, node, at.node().path());
+        }
+    }
+
+    /** The name of a mesh, with its number where another mesh has the same. */
+    private String geometry(int mesh) throws SceneFormatException {
+        String name = root.at("meshes").at(mesh).text("name", "mesh " + mesh);
+        return geometries.computeIfAbsent(name, n -> mesh) == mesh ? name : name + "#" + mesh;
+    }
+
+    private static double[] weights(JsonCursor node) throws SceneFormatException {
+        Optional<JsonCursor> weights = node.optional("weights");
+        return weights.isEmpty() ? new double[0] : weights.get().numbers(weights.get().size());
+    }
+
+    /** The joints of a node's mesh as they stand; null where it has none. */
+    private Skin skin(JsonCursor node) throws IOException {
+        if (node.optional("skin").isEmpty()) {
+            return null;
+        }
+        JsonCursor skin = root.at("skins").at(node.at("skin").integer());
+        JsonCursor joints = skin.at("joints");
+        Optional<JsonCursor> bound = skin.optional("inverseBindMatrices");
+        float[] inverse = bound.isEmpty() ? new float[0] : accessors.floats(bound.get(), "MAT4");
+        if (bound.isPresent() && inverse.length < 16L * joints.size()) {
+            throw bound.get().wrong("a matrix for each joint");
+        }
+        List<Affine> worlds = new ArrayList<>();
+        for (int j = 0; j < joints.size(); j++) {
+            Affine world = nodes.world(joints.at(j).integer()).orElse(Affine.IDENTITY);
+            double[] numbers = new double[16];
+            for (int i = 0; i < 16 && bound.isPresent(); i++) {
+                numbers[i] = inverse[16 * j + i];
+            }
+            worlds.add(bound.isEmpty() ? world : world.times(Nodes.columns(numbers)));
+        }
+        return new Skin(worlds);
+    }
+}

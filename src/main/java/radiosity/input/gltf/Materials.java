@@ -1,0 +1,191 @@
+package radiosity.input.gltf;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import radiosity.gltf.JsonCursor;
+import radiosity.input.file.Diagnostics;
+import radiosity.scene.ImageMap;
+import radiosity.scene.ImageSource;
+import radiosity.scene.Rgb;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Surface;
+
+/** The surfaces of a scene, one for each material that is used: base colour is reflectance, emission is exitance. */
+final class Materials {
+
+    private static final int MIRRORED = 33648;
+    private static final int CLAMPED = 33071;
+
+    private final JsonCursor root;
+    private final Buffers buffers;
+    private final Diagnostics notes;
+    private final List<Surface> surfaces = new ArrayList<>();
+    private final List<Optional<TextureLie>> lies = new ArrayList<>();
+    private final Map<Integer, Integer> known = new HashMap<>();
+    private final Set<String> names = new HashSet<>();
+    private final Map<Integer, Optional<ImageSource>> images = new HashMap<>();
+
+    Materials(JsonCursor root, Buffers buffers, Diagnostics notes) {
+        this.root = root;
+        this.buffers = buffers;
+        this.notes = notes;
+    }
+
+    List<Surface> surfaces() {
+        return surfaces;
+    }
+
+    /** How the images of a surface lie; empty where it has none. */
+    Optional<TextureLie> lie(int surface) {
+        return lies.get(surface);
+    }
+
+    /** The number of the surface of a material; -1 is the one that holds where none is named. */
+    int surface(int material) throws IOException {
+        Integer number = known.get(material);
+        if (number == null) {
+            number = surfaces.size();
+            add(material);
+            known.put(material, number);
+        }
+        return number;
+    }
+
+    private void add(int number) throws IOException {
+        if (number < 0) {
+            surfaces.add(new Surface(unique("default"), Rgb.BLACK, Rgb.grey(clipped(1, "default")), false));
+            lies.add(Optional.empty());
+            return;
+        }
+        JsonCursor material = root.at("materials").at(number);
+        String name = unique(material.text("name", "material " + number));
+        Optional<JsonCursor> old = material.extension("KHR_materials_pbrSpecularGlossiness");
+        Optional<JsonCursor> base = old.isPresent() ? old : material.optional("pbrMetallicRoughness");
+        Rgb colour = Rgb.grey(1);
+        Optional<JsonCursor> baseTexture = Optional.empty();
+        if (base.isPresent()) {
+            double[] factor = base.get().numbers(old.isPresent() ? "diffuseFactor" : "baseColorFactor", 1, 1, 1, 1);
+            colour = new Rgb(Math.max(0, factor[0]), Math.max(0, factor[1]), Math.max(0, factor[2]));
+            baseTexture = base.get().optional(old.isPresent() ? "diffuseTexture" : "baseColorTexture");
+        }
+        double[] e = material.numbers("emissiveFactor", 0, 0, 0);
+        Optional<JsonCursor> more = material.extension("KHR_materials_emissive_strength");
+        double strength = more.isPresent() ? more.get().number("emissiveStrength", 1) : 1;
+        Rgb exitance = new Rgb(e[0], e[1], e[2]).times(strength);
+        if (!exitance.isFinite() || Math.min(exitance.r(), Math.min(exitance.g(), exitance.b())) < 0) {
+            throw material.wrong("emission of at least 0");
+        }
+        if (!material.text("alphaMode", "OPAQUE").equals("OPAQUE")) {
+            notes.note("", "transparent surfaces are taken as opaque", name);
+        }
+        List<ImageMap> maps = new ArrayList<>(0);
+        Optional<TextureLie> lie = Optional.empty();
+        if (baseTexture.isPresent()) {
+            lie = addImage(maps, ImageMap.Target.REFLECTANCE, baseTexture.get(), colour, lie);
+        }
+        Optional<JsonCursor> emitted = material.optional("emissiveTexture");
+        if (emitted.isPresent() && exitance.max() > 0) {
+            lie = addImage(maps, ImageMap.Target.EXITANCE, emitted.get(), exitance, lie);
+        }
+        lies.add(lie);
+        surfaces.add(new Surface(name, exitance, new Rgb(clipped(colour.r(), name), clipped(colour.g(), name),
+                clipped(colour.b(), name)), material.optional("doubleSided").map(d -> d.node().booleanValue())
+                .orElse(false), maps));
+    }
+
+    private double clipped(double reflectance, String name) {
+        if (reflectance > Surface.MAX_REFLECTANCE) {
+            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, name);
+        }
+        return Math.min(reflectance, Surface.MAX_REFLECTANCE);
+    }
+
+    /** The name, or with a number where another surface has it. */
+    private String unique(String name) {
+        String candidate = name;
+        for (int n = surfaces.size(); !names.add(candidate); n++) {
+            candidate = name + "#" + n;
+        }
+        return candidate;
+    }
+
+    /**
+     * Adds an image to those of a surface.
+     *
+     * @param first how the first image lies, if there is one
+     * @return how the images lie
+     */
+    private Optional<TextureLie> addImage(List<ImageMap> maps, ImageMap.Target target, JsonCursor info, Rgb scale,
+                                          Optional<TextureLie> first) throws IOException {
+        TextureLie lie = lie(info);
+        JsonCursor texture = root.at("textures").at(info.at("index").integer());
+        Optional<JsonCursor> source = texture.optional("source");
+        if (source.isEmpty()) {
+            notes.note("", "textures without an image are left out", texture.path());
+            return first;
+        }
+        if (first.isPresent() && !first.get().equals(lie)) {
+            notes.note("", "images that lie otherwise than the first of their surface are left out", info.path());
+            return first;
+        }
+        Optional<ImageSource> image = image(source.get());
+        if (image.isEmpty()) {
+            return first;
+        }
+        int sampler = texture.index("sampler");
+        maps.add(new ImageMap(target, image.get(), scale, false, true, false, 1, wrap(sampler, "wrapS"),
+                wrap(sampler, "wrapT")));
+        return Optional.of(lie);
+    }
+
+    private static TextureLie lie(JsonCursor info) throws SceneFormatException {
+        int set = Math.max(0, info.index("texCoord"));
+        Optional<JsonCursor> transform = info.extension("KHR_texture_transform");
+        if (transform.isEmpty()) {
+            return TextureLie.of(set, new double[] {1, 1}, 0, new double[2]);
+        }
+        int other = transform.get().index("texCoord");
+        return TextureLie.of(other < 0 ? set : other, transform.get().numbers("scale", 1, 1),
+                transform.get().number("rotation", 0), transform.get().numbers("offset", 0, 0));
+    }
+
+    private ImageMap.Wrap wrap(int sampler, String key) throws SceneFormatException {
+        int mode = sampler < 0 ? -1 : root.at("samplers").at(sampler).index(key);
+        return mode == CLAMPED ? ImageMap.Wrap.EDGE : mode == MIRRORED ? ImageMap.Wrap.MIRROR : ImageMap.Wrap.REPEAT;
+    }
+
+    private Optional<ImageSource> image(JsonCursor source) throws IOException {
+        int number = source.integer();
+        Optional<ImageSource> image = images.get(number);
+        if (image == null) {
+            image = find(root.at("images").at(number));
+            images.put(number, image);
+        }
+        return image;
+    }
+
+    private Optional<ImageSource> find(JsonCursor image) throws IOException {
+        String name = root.file() + ", " + image.path();
+        Optional<JsonCursor> uri = image.optional("uri");
+        if (uri.isEmpty()) {
+            ByteBuffer bytes = buffers.view(image.at("bufferView"));
+            return Optional.of(new ImageSource(name, Optional.of(bytes)));
+        }
+        if (Buffers.isData(uri.get())) {
+            return Optional.of(new ImageSource(name, Optional.of(buffers.data(uri.get()))));
+        }
+        Optional<Path> file = buffers.found(uri.get());
+        if (file.isEmpty()) {
+            notes.note("", "images that are not found leave the base colour", uri.get().text());
+        }
+        return file.map(path -> ImageSource.file(path.toString()));
+    }
+}

@@ -1,0 +1,154 @@
+package radiosity.input.gltf;
+
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import radiosity.gltf.JsonCursor;
+import radiosity.scene.Affine;
+import radiosity.scene.SceneFormatException;
+
+/** The nodes of the scene that is shown first, each after its parent, and where they stand. */
+final class Nodes {
+
+    /**
+     * A node in place.
+     *
+     * @param number its place in the file's list
+     * @param parent index among the placed nodes, or -1
+     * @param local  to its parent
+     * @param world  to the scene
+     */
+    record Placed(JsonCursor node, int number, int parent, Affine local, Affine world) { }
+
+    private final JsonCursor root;
+    private final List<Placed> nodes = new ArrayList<>();
+    /** By number. */
+    private final Map<Integer, Placed> byNumber = new HashMap<>();
+
+    Nodes(JsonCursor root) throws SceneFormatException {
+        this.root = root;
+        collect();
+    }
+
+    List<Placed> all() {
+        return nodes;
+    }
+
+    /** Where a node stands; empty where it is none of the scene's. */
+    Optional<Affine> world(int number) {
+        return Optional.ofNullable(byNumber.get(number)).map(Placed::world);
+    }
+
+    /** The list of the scene's top nodes: of the one that the file names, else of the first. */
+    private Optional<JsonCursor> top() throws SceneFormatException {
+        if (root.optional("scenes").isEmpty()) {
+            return Optional.empty();
+        }
+        return root.at("scenes").at(Math.max(0, root.index("scene"))).optional("nodes");
+    }
+
+    private record Ahead(int number, int parent) { }
+
+    private void collect() throws SceneFormatException {
+        Deque<Ahead> ahead = new ArrayDeque<>();
+        Optional<JsonCursor> top = top();
+        for (int i = top.map(JsonCursor::size).orElse(0) - 1; i >= 0; i--) {
+            ahead.push(new Ahead(top.get().at(i).integer(), -1));
+        }
+        while (!ahead.isEmpty()) {
+            Ahead next = ahead.pop();
+            JsonCursor node = root.at("nodes").at(next.number);
+            Affine local = local(node);
+            Affine world = next.parent < 0 ? local : nodes.get(next.parent).world.times(local);
+            Placed placed = new Placed(node, next.number, next.parent, local, world);
+            if (byNumber.put(next.number, placed) != null) {
+                throw new SceneFormatException(root.file(), "JSON " + node.path(), "a node with one parent", "several");
+            }
+            nodes.add(placed);
+            Optional<JsonCursor> children = node.optional("children");
+            for (int i = children.map(JsonCursor::size).orElse(0) - 1; i >= 0; i--) {
+                ahead.push(new Ahead(children.get().at(i).integer(), nodes.size() - 1));
+            }
+        }
+    }
+
+    private static Affine local(JsonCursor node) throws SceneFormatException {
+        Optional<JsonCursor> matrix = node.optional("matrix");
+        if (matrix.isPresent()) {
+            return columns(matrix.get().numbers(16));
+        }
+        return of(node.numbers("translation", 0, 0, 0), node.numbers("rotation", 0, 0, 0, 1),
+                node.numbers("scale", 1, 1, 1));
+    }
+
+    /** Of 16 numbers column by column, the last row left out. */
+    static Affine columns(double[] numbers) {
+        double[] m = new double[12];
+        for (int i = 0; i < m.length; i++) {
+            m[i] = numbers[4 * (i % 4) + i / 4];
+        }
+        return new Affine(m);
+    }
+
+    /**
+     * Scales, then turns, then moves.
+     *
+     * @param q x, y, z, w of any length; 0 does not turn
+     */
+    static Affine of(double[] t, double[] q, double[] s) {
+        double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+        double f = square > 0 ? 2 / square : 0;
+        double x = q[0];
+        double y = q[1];
+        double z = q[2];
+        double w = q[3];
+        return new Affine(new double[] {
+            (1 - f * (y * y + z * z)) * s[0], f * (x * y - z * w) * s[1], f * (x * z + y * w) * s[2], t[0],
+            f * (x * y + z * w) * s[0], (1 - f * (x * x + z * z)) * s[1], f * (y * z - x * w) * s[2], t[1],
+            f * (x * z - y * w) * s[0], f * (y * z + x * w) * s[1], (1 - f * (x * x + y * y)) * s[2], t[2]});
+    }
+
+    /** Where the instances of a node stand within it (EXT_mesh_gpu_instancing); empty where it has none. */
+    static Optional<List<Affine>> instances(JsonCursor node, Accessors accessors, long most) throws IOException {
+        Optional<JsonCursor> extension = node.extension("EXT_mesh_gpu_instancing");
+        if (extension.isEmpty()) {
+            return Optional.empty();
+        }
+        JsonCursor attributes = extension.get().at("attributes");
+        List<String> names = List.of("TRANSLATION", "ROTATION", "SCALE");
+        Map<String, float[]> values = new HashMap<>();
+        int count = -1;
+        for (String name : names) {
+            Optional<JsonCursor> where = attributes.optional(name);
+            if (where.isPresent()) {
+                int own = accessors.count(where.get());
+                if (own > most || count >= 0 && own != count) {
+                    throw attributes.wrong("arrays of one length of at most " + most);
+                }
+                count = own;
+                values.put(name, accessors.floats(where.get(), name.equals("ROTATION") ? "VEC4" : "VEC3"));
+            }
+        }
+        List<Affine> instances = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            instances.add(of(values(values, "TRANSLATION", i, 0, 0, 0), values(values, "ROTATION", i, 0, 0, 0, 1),
+                    values(values, "SCALE", i, 1, 1, 1)));
+        }
+        return Optional.of(instances);
+    }
+
+    private static double[] values(Map<String, float[]> of, String name, int i, double... otherwise) {
+        float[] all = of.get(name);
+        if (all != null) {
+            for (int k = 0; k < otherwise.length; k++) {
+                otherwise[k] = all[otherwise.length * i + k];
+            }
+        }
+        return otherwise;
+    }
+}

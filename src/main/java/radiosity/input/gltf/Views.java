@@ -1,0 +1,116 @@
+package radiosity.input.gltf;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import radiosity.gltf.JsonCursor;
+import radiosity.input.file.Diagnostics;
+import radiosity.scene.Affine;
+import radiosity.scene.Camera;
+import radiosity.scene.Light;
+import radiosity.scene.Rgb;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Vec3;
+
+/** The lights of a scene (KHR_lights_punctual) and its camera: both look along -z of their nodes. */
+final class Views {
+
+    /** Width of a picture / its height, where a camera leaves it to the window. */
+    private static final double ASPECT = 16.0 / 9;
+    private static final double QUARTER = Math.PI / 4;
+
+    private final JsonCursor root;
+    private final Diagnostics notes;
+    private final List<Light> lights = new ArrayList<>();
+    private Optional<Camera> camera = Optional.empty();
+
+    Views(JsonCursor root, Diagnostics notes) {
+        this.root = root;
+        this.notes = notes;
+    }
+
+    List<Light> lights() {
+        return lights;
+    }
+
+    /** The first one. */
+    Optional<Camera> camera() {
+        return camera;
+    }
+
+    /** Takes the light and the camera of a node, where it has any. */
+    void add(Nodes.Placed at) throws SceneFormatException {
+        Optional<JsonCursor> light = at.node().extension("KHR_lights_punctual");
+        if (light.isPresent()) {
+            JsonCursor all = root.extension("KHR_lights_punctual").orElseThrow(
+                    () -> root.wrong("lights in extensions/KHR_lights_punctual"));
+            addLight(all.at("lights").at(light.get().at("light").integer()), at);
+        }
+        if (at.node().optional("camera").isPresent() && camera.isEmpty()) {
+            camera = camera(root.at("cameras").at(at.node().at("camera").integer()), at);
+        }
+    }
+
+    private static Vec3 vec(double[] d) {
+        return new Vec3(d[0], d[1], d[2]);
+    }
+
+    private static Vec3 position(Affine world) {
+        return new Vec3(world.m()[3], world.m()[7], world.m()[11]);
+    }
+
+    private void addLight(JsonCursor light, Nodes.Placed at) throws SceneFormatException {
+        double[] colour = light.numbers("color", 1, 1, 1);
+        Rgb power = new Rgb(Math.max(0, colour[0]), Math.max(0, colour[1]), Math.max(0, colour[2]))
+                .times(Math.max(0, light.number("intensity", 1)));
+        String type = light.at("type").text();
+        Optional<Light.Kind> kind = switch (type) {
+            case "directional" -> Optional.of(Light.Kind.DISTANT);
+            case "point" -> Optional.of(Light.Kind.POINT);
+            case "spot" -> Optional.of(Light.Kind.SPOT);
+            default -> Optional.empty();
+        };
+        Vec3 direction = vec(at.world().direction(0, 0, -1)).unit();
+        Vec3 position = position(at.world());
+        if (kind.isEmpty()) {
+            notes.note(light.path(), "lights of a kind that is not known are left out", type);
+            return;
+        }
+        if (!position.isFinite() || !(direction.length() > 0.5) || !direction.isFinite() || !power.isFinite()) {
+            notes.note(light.path(), "lights are left out that are nowhere, or scaled to nothing");
+            return;
+        }
+        if (power.max() > 0) {
+            Optional<JsonCursor> spot = light.optional("spot");
+            double outer = spot.isEmpty() ? QUARTER : angle(spot.get().number("outerConeAngle", QUARTER));
+            double inner = spot.isEmpty() ? 0 : angle(spot.get().number("innerConeAngle", 0));
+            lights.add(new Light(light.text("name", at.node().text("name", "light")), kind.get(), power, position,
+                    direction, Vec3.ZERO, Vec3.ZERO, 1, outer, Math.max(0, outer - inner)));
+        }
+    }
+
+    private static double angle(double written) {
+        return Math.max(0, Math.min(Math.PI / 2, written));
+    }
+
+    private Optional<Camera> camera(JsonCursor written, Nodes.Placed at) throws SceneFormatException {
+        Optional<JsonCursor> perspective = written.optional("perspective");
+        if (perspective.isEmpty()) {
+            notes.note(written.path(), "cameras without perspective are left out");
+            return Optional.empty();
+        }
+        double half = perspective.get().at("yfov").number() / 2;
+        double aspect = perspective.get().number("aspectRatio", ASPECT);
+        Vec3 forward = vec(at.world().direction(0, 0, -1)).unit();
+        Vec3 up = vec(at.world().direction(0, 1, 0));
+        up = up.minus(forward.times(up.dot(forward))).unit();
+        Vec3 position = position(at.world());
+        boolean sound = position.isFinite() && forward.isFinite() && up.isFinite() && forward.length() > 0.5
+                && up.length() > 0.5 && half > 1e-6 && half < Math.PI / 2 - 1e-6 && aspect > 1e-6 && aspect < 1e6;
+        if (!sound) {
+            notes.note(written.path(), "a camera without a sound position, angle or picture size is left out");
+            return Optional.empty();
+        }
+        return Optional.of(new Camera(position, forward, up, half, aspect));
+    }
+}

@@ -1,0 +1,316 @@
+package radiosity.input.gltf;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import radiosity.input.file.ReadOptions;
+import radiosity.scene.Camera;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Light;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.SceneNode;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** What the reader makes of small files whose content is known number by number. */
+class GltfReaderTest {
+
+    private static final String PAINT = "{'name':'paint','pbrMetallicRoughness':{'baseColorFactor':[0.1,0.2,0.3,1]}}";
+
+    @TempDir
+    Path folder;
+    private final Model model = new Model();
+    private final List<String> told = new ArrayList<>();
+
+    private Scene read(String text) throws IOException {
+        return read(Files.writeString(folder.resolve("a.gltf"), text));
+    }
+
+    private Scene read(Path file) throws IOException {
+        return GltfReader.read(file, ReadOptions.defaults(), told::add);
+    }
+
+    private String refused(String text) {
+        return assertThrows(SceneFormatException.class, () -> read(text)).getMessage();
+    }
+
+    private String square(String more, String node, String materials) {
+        return model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE),
+                ",'indices':" + model.indices(0, 1, 2, 0, 2, 3) + ",'material':0" + more, node, materials);
+    }
+
+    @Test
+    void mesh_standsWhereItsNodeIs_withItsMaterial() throws IOException {
+        Scene scene = read(square("", ",'translation':[1,2,3],'scale':[2,3,1],'rotation':[0,0.7071067811865476,0,"
+                + "0.7071067811865476]", "{'name':'paint','doubleSided':true,'emissiveFactor':[1,0.5,0],"
+                + "'pbrMetallicRoughness':{'baseColorFactor':[0.1,0.2,0.3,1]},"
+                + "'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':8}}}"));
+        assertEquals(List.of(), told);
+        assertEquals(2, scene.triangles());
+        assertEquals(6, scene.area(), 1e-12);
+        Vec3 far = scene.corner(0, 2);
+        assertEquals(1, far.x(), 1e-12);
+        assertEquals(5, far.y(), 1e-12);
+        assertEquals(1, far.z(), 1e-12, "x goes to -z");
+        Surface paint = scene.surface(0);
+        assertEquals(new Rgb(.1, .2, .3), paint.reflectance());
+        assertEquals(new Rgb(8, 4, 0), paint.exitance());
+        assertTrue(paint.twoSided());
+        assertEquals("n", scene.hierarchy().nodes().get(0).name());
+        assertEquals("m", scene.hierarchy().nodes().get(0).geometry());
+    }
+
+    /** Strips and fans of the same square; each triangle looks towards +z. */
+    @ParameterizedTest
+    @CsvSource({"4, 0 1 2 0 2 3", "5, 0 1 3 2", "6, 0 1 2 3"})
+    void modes_giveTheSameSquare(int mode, String indices) throws IOException {
+        int[] numbers = Arrays.stream(indices.split(" ")).mapToInt(Integer::parseInt).toArray();
+        Scene scene = read(model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE),
+                ",'indices':" + model.indices(numbers) + ",'mode':" + mode, "", PAINT));
+        assertEquals(2, scene.triangles());
+        for (int t = 0; t < 2; t++) {
+            assertEquals(0, scene.cross(t).minus(new Vec3(0, 0, 1)).length());
+        }
+    }
+
+    @Test
+    void mirroredNode_isSeenFromTheSameSide() throws IOException {
+        Scene scene = read(square("", ",'scale':[-1,1,1]", PAINT));
+        assertEquals(new Vec3(0, 0, 1), scene.cross(0));
+    }
+
+    @Test
+    void meshWithoutIndices_andMatrix() throws IOException {
+        Scene scene = read(model.one("'POSITION':" + model.floats("VEC3", 0, 0, 0, 1, 0, 0, 0, 1, 0), "",
+                ",'matrix':[1,0,0,0, 0,2,0,0, 0,0,1,0, 5,6,7,1]", PAINT));
+        assertEquals(new Vec3(5, 8, 7), scene.corner(0, 2));
+    }
+
+    /** Positions of 16 bit with a stride, scaled by the node as KHR_mesh_quantization has it. */
+    @Test
+    void quantisedPositions_areScaledBack() throws IOException {
+        int position = model.accessor("VEC3", 5122, 3, ",\"normalized\":true,\"bufferView\":" + model.view(
+                Model.shorts(0, 0, 0, 7, 32767, 0, 0, 7, 0, 32767, 0, 7), 8));
+        Scene scene = read(model.one("'POSITION':" + position, "", ",'scale':[3,3,3]", PAINT)
+                .replace("\"scene\":0", "\"extensionsRequired\":[\"KHR_mesh_quantization\"],\"scene\":0"));
+        assertEquals(4.5, scene.area(), 1e-12);
+        assertEquals(new Vec3(3, 0, 0), scene.corner(0, 1));
+    }
+
+    @Test
+    void sparseAccessors_replaceElements_withAndWithoutOthersBelow() throws IOException {
+        String sparse = ",\"sparse\":{\"count\":2,\"indices\":{\"componentType\":5123,\"bufferView\":"
+                + model.view(Model.shorts(1, 2), 0) + "},\"values\":{\"bufferView\":" + model.view(4, 0, 0, 0, 2, 0)
+                + "}}";
+        int position = model.accessor("VEC3", 5126, 3, sparse);
+        assertEquals(4, read(model.one("'POSITION':" + position, "", "", PAINT)).area(), 1e-12);
+        int over = model.accessor("VEC3", 5126, 3, ",\"bufferView\":" + model.view(1, 0, 0, 9, 9, 9, 9, 9, 9) + sparse);
+        assertEquals(3, read(model.one("'POSITION':" + over, "", "", PAINT)).area(), 1e-12);
+    }
+
+    /** Black at one corner of a triangle, white at the others, times the base colour. */
+    @Test
+    void vertexColours_areFactorsOfReflectance_linearBetweenCorners() throws IOException {
+        int colours = model.accessor("VEC4", 5121, 4, ",\"normalized\":true,\"bufferView\":" + model.view(new byte[] {
+            0, 0, 0, 0, -1, -1, -1, 0, -1, -1, -1, 0, 51, 102, -1, 9}, 0));
+        Scene scene = read(model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'COLOR_0':" + colours,
+                ",'indices':" + model.indices(0, 1, 2, 0, 2, 3) + ",'material':0", "",
+                "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.5,0.25,1]}}"));
+        assertEquals(0, scene.look(0, new Vec3(0, 0, 0)).reflectance().max(), 1e-9);
+        assertEquals(.5, scene.look(0, new Vec3(1, 0, 0)).reflectance().r(), 1e-9);
+        assertEquals(.25, scene.look(0, new Vec3(.5, .25, 0)).reflectance().g(), 1e-9);
+        Rgb mean = scene.meanLook(1, scene.corner(1, 0), scene.corner(1, 1), scene.corner(1, 2)).reflectance();
+        assertEquals(.5 * (0 + 1 + .2) / 3, mean.r(), 1e-7);
+        assertEquals(.25 * (0 + 1 + 1) / 3, mean.b(), 1e-7);
+    }
+
+    @Test
+    void textures_areImages_thatLieAsTheFileSays() throws IOException {
+        String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'TEXCOORD_1':"
+                + model.floats("VEC2", 0, 0, 1, 0, 1, 1, 0, 1), ",'indices':" + model.indices(0, 1, 2, 0, 2, 3)
+                + ",'material':0", "", "{'name':'wood','emissiveFactor':[2,2,2],'emissiveTexture':{'index':1,"
+                + "'texCoord':1,'extensions':{'KHR_texture_transform':{'offset':[0.5,0.25],'scale':[2,3]}}},"
+                + "'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.5,0.5,1],'baseColorTexture':{'index':0,'extensions':{"
+                + "'KHR_texture_transform':{'offset':[0.5,0.25],'scale':[2,3],'texCoord':1}}}}}");
+        text = text.substring(0, text.length() - 1) + """
+                ,"textures":[{"source":0,"sampler":0},{"source":1}],"samplers":[{"wrapS":33071,"wrapT":33648}],
+                "images":[{"uri":"my%20Wood.PNG"},{"uri":"data:image/png;base64,AAEC"}]}""";
+        Files.write(folder.resolve("My wood.png"), new byte[0]);
+        Scene scene = read(text);
+        assertEquals(List.of(), told);
+        List<ImageMap> maps = scene.surfaces().get(0).textures();
+        assertTrue(maps.get(0).image().name().endsWith("My wood.png"));
+        assertTrue(maps.get(0).coded());
+        assertEquals(List.of(ImageMap.Wrap.EDGE, ImageMap.Wrap.MIRROR), List.of(maps.get(0).wrapU(),
+                maps.get(0).wrapV()));
+        assertEquals(new Rgb(.5, .5, .5), maps.get(0).scale());
+        assertEquals(ByteBuffer.wrap(new byte[] {0, 1, 2}), maps.get(1).image().content().orElseThrow());
+        assertEquals(new Rgb(2, 2, 2), maps.get(1).scale());
+        float[] uv = scene.textureCoordinates();
+        assertEquals(.5f, uv[0]);
+        assertEquals(.75f, uv[1], "v upwards: 1 - 0.25");
+        assertEquals(2.5f, uv[2]);
+        assertEquals(-2.25f, uv[5], "1 - (3 * 1 + 0.25)");
+    }
+
+    /** A quarter turn counter-clockwise as one sees the image: u to the right becomes v upwards. */
+    @Test
+    void rotation_turnsCoordinatesCounterClockwise() {
+        TextureLie lie = TextureLie.of(0, new double[] {1, 1}, Math.PI / 2, new double[2]);
+        assertEquals(0, lie.u(1, 0), 1e-6);
+        assertEquals(2, lie.v(1, 0), 1e-6, "1 - (-1)");
+    }
+
+    @Test
+    void hierarchy_namesAndInstances_areTheFiles() throws IOException {
+        int move = model.floats("VEC3", 0, 0, 1, 0, 0, 2);
+        int position = model.floats("VEC3", Model.SQUARE);
+        String text = model.text("'scene':1,'scenes':[{'nodes':[3]},{'nodes':[0]}]",
+                "'nodes':[{'name':'room','children':[2,1]},{'name':'chair','mesh':0,'translation':[5,0,0]},"
+                        + "{'name':'table','mesh':1,'children':[4],'scale':[2,2,2]},{'name':'elsewhere','mesh':0},"
+                        + "{'name':'cups','mesh':0,'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{"
+                        + "'TRANSLATION':" + move + "}}}}]",
+                "'meshes':[{'name':'quad','primitives':[{'attributes':{'POSITION':" + position + "},'mode':6}]},"
+                        + "{'name':'quad','primitives':[{'attributes':{'POSITION':" + position + "},'mode':6}]}]");
+        Scene scene = read(text);
+        assertEquals(List.of("room|-1|", "table|0|quad", "cups|1|", "cups|2|quad#0", "cups|2|quad#0",
+                "chair|0|quad#0"), scene.hierarchy().nodes().stream()
+                .map((SceneNode n) -> n.name() + "|" + n.parent() + "|" + n.geometry()).toList());
+        assertEquals(4 + 4 + 4 + 1, scene.area(), 1e-12);
+        assertEquals(2, scene.corner(2, 0).z(), "the first instance, moved by 1 in a node that is twice as large");
+        assertEquals(4, scene.corner(4, 0).z());
+    }
+
+    @Test
+    void lights_haveCandelaAndLux_asTheyAreWritten() throws IOException {
+        String text = square("", ",'translation':[0,5,0],'rotation':[-0.7071067811865476,0,0,0.7071067811865476],"
+                + "'children':[1,2],'extensions':{'KHR_lights_punctual':{'light':0}}},{'translation':[1,0,0],"
+                + "'extensions':{'KHR_lights_punctual':{'light':1}}},{'extensions':{'KHR_lights_punctual':{'light':2}}",
+                PAINT);
+        text = text.substring(0, text.length() - 1) + """
+                ,"extensions":{"KHR_lights_punctual":{"lights":[
+                {"type":"directional","intensity":100,"color":[1,0.5,0]},
+                {"type":"point","name":"bulb","intensity":40},{"type":"spot","intensity":10,
+                "spot":{"innerConeAngle":0.25,"outerConeAngle":0.75}}]}}}""";
+        List<Light> lights = read(text).lights();
+        assertEquals(List.of(Light.Kind.DISTANT, Light.Kind.POINT, Light.Kind.SPOT),
+                lights.stream().map(Light::kind).toList());
+        assertEquals(new Rgb(100, 50, 0), lights.get(0).power());
+        assertEquals(-1, lights.get(0).direction().y(), 1e-12);
+        assertEquals("n", lights.get(0).name());
+        assertEquals("bulb", lights.get(1).name());
+        assertEquals(Rgb.grey(40), lights.get(1).power());
+        assertEquals(1, lights.get(1).range(), "candela are lux at a distance of 1");
+        assertEquals(1, lights.get(1).position().x(), 1e-12);
+        assertEquals(.75, lights.get(2).cone());
+        assertEquals(.5, lights.get(2).edge());
+        assertEquals(0, GltfReader.read(folder.resolve("a.gltf"), ReadOptions.defaults().withLights(
+                ReadOptions.Lights.IGNORE), told::add).lights().size());
+    }
+
+    @Test
+    void camera_looksAlongMinusZ() throws IOException {
+        String text = square("", ",'children':[1]},{'camera':0,'translation':[0,0,9]", PAINT);
+        Camera camera = read(text.substring(0, text.length() - 1) + """
+                ,"cameras":[{"type":"perspective","perspective":{"yfov":0.8,"aspectRatio":1.5,"znear":0.1}}]}""")
+                .camera().orElseThrow();
+        assertEquals(new Vec3(0, 0, 9), camera.position());
+        assertEquals(-1, camera.forward().z(), 1e-12);
+        assertEquals(.4, camera.verticalHalfAngle(), 1e-12);
+        assertEquals(1.5, camera.aspect());
+    }
+
+    /** The second joint stands twice as high as it was bound, and its vertices too; the node's place does not count. */
+    @Test
+    void skins_standAsTheirJointsDo() throws IOException {
+        int bound = model.floats("MAT4", 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,
+                1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1);
+        int joints = model.accessor("VEC4", 5121, 4, ",\"bufferView\":" + model.view(new byte[] {
+            0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, 0));
+        int weights = model.floats("VEC4", 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0);
+        String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'JOINTS_0':" + joints
+                + ",'WEIGHTS_0':" + weights, ",'mode':6", ",'skin':0,'translation':[100,0,0],'children':[1,2]},"
+                + "{'translation':[-100,0,0]},{'translation':[-100,2,0]", PAINT);
+        Scene scene = read(text.substring(0, text.length() - 1) + ",\"skins\":[{\"joints\":[1,2],"
+                + "\"inverseBindMatrices\":" + bound + "}]}");
+        assertEquals(2, scene.area(), 1e-6);
+        assertEquals(0, scene.corner(0, 2).length(), 1e-6);
+    }
+
+    @Test
+    void morphs_haveTheWeightsThatTheyRestAt() throws IOException {
+        int target = model.floats("VEC3", 0, 0, 0, 2, 0, 0, 2, 0, 0, 0, 0, 0);
+        String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE),
+                ",'mode':6,'targets':[{'POSITION':" + target + "}]", "", PAINT);
+        assertEquals(1, read(text).area(), 1e-12);
+        assertEquals(2, read(text.replace("\"name\":\"m\"", "\"weights\":[0.5]")).area(), 1e-6);
+        assertEquals(3, read(text.replace("\"name\":\"n\"", "\"weights\":[1]")).area(), 1e-6);
+    }
+
+    @Test
+    void binaries_andFilesBesideThem_areRead() throws IOException {
+        byte[] positions = Model.bytes(0, 0, 0, 1, 0, 0, 0, 1, 0);
+        String json = """
+                {"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+                "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[
+                {"type":"VEC3","componentType":5126,"count":3,"bufferView":0}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36%s}]}""";
+        byte[] text = json.formatted("").getBytes(StandardCharsets.UTF_8);
+        text = Arrays.copyOf(text, text.length + 3 & ~3);
+        ByteBuffer glb = ByteBuffer.allocate(28 + text.length + 36).order(ByteOrder.LITTLE_ENDIAN);
+        glb.putInt(0x46546C67).putInt(2).putInt(glb.capacity()).putInt(text.length).putInt(0x4E4F534A)
+                .put(new String(text, StandardCharsets.UTF_8).replace('\0', ' ').getBytes(StandardCharsets.UTF_8))
+                .putInt(36).putInt(0x004E4942).put(positions);
+        assertEquals(.5, read(Files.write(folder.resolve("b.glb"), glb.array())).area(), 1e-12);
+        String beside = json.formatted(",\"uri\":\"Data%20of%20b.bin\"");
+        assertEquals("a.gltf, JSON /buffers/0/uri: expected a file beside it, got \"Data%20of%20b.bin\"",
+                refused(beside));
+        Files.write(folder.resolve("data of B.BIN"), positions);
+        assertEquals(.5, read(beside).area(), 1e-12);
+        assertTrue(refused(json.formatted(",\"uri\":\"../../../../etc/passwd\"")).contains("a file beside it"));
+    }
+
+    @Test
+    void whatIsNotRead_isRefusedByName() throws IOException {
+        String text = square("", "", PAINT);
+        assertTrue(refused(text.replace("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"))
+                .endsWith("got KHR_draco_mesh_compression"));
+        assertEquals("a.gltf, JSON /asset/version: expected glTF version 2.0, got \"1.0\"",
+                refused(text.replace("\"2.0\"", "\"1.0\"")));
+        assertTrue(refused(text.replace("{\"version\"", "{\"extras\":{\"radiosity\":{}},\"version\""))
+                .endsWith("got a scene file of this program; give what it was made from"));
+        assertEquals("a.gltf, JSON /nodes/0: expected a node with one parent, got several",
+                refused(text.replace("\"name\":\"n\"", "\"children\":[0]")));
+        assertTrue(refused(text.replace("\"count\":4", "\"count\":5")).contains("expected elements within 48 bytes"));
+        assertTrue(refused("{\"asset\":{\"version\":\"2.0\"}").contains("expected JSON"));
+        assertTrue(refused(text.replace("\"count\":4", "\"count\":2000000000")).contains("/accessors/0"));
+        assertEquals(1, read(text.replace("\"scene\":0", "\"extensionsUsed\":[\"KHR_draco_mesh_compression\"]")).area(),
+                1e-12);
+    }
+
+    @Test
+    void namesThatMaterialsShare_getNumbers_andWhiteIsDarkenedWithAWord() throws IOException {
+        String text = model.text("'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}]", "'meshes':[{'primitives':["
+                + "{'attributes':{'POSITION':" + model.floats("VEC3", Model.SQUARE) + "},'mode':6,'material':0},"
+                + "{'attributes':{'POSITION':0},'mode':6,'material':1}]}]",
+                "'materials':[{'name':'a'},{'name':'a','alphaMode':'BLEND'}]");
+        assertEquals(List.of("a", "a#1"), read(text).surfaces().stream().map(Surface::name).toList());
+        assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a (6 times)",
+                "a.gltf: transparent surfaces are taken as opaque: a#1"), told);
+    }
+}
