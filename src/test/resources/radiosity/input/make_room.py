@@ -3,6 +3,8 @@ import bpy, math, sys
 out = sys.argv[-1]
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
+# sides of a box whose corners are numbered 4 x + 2 y + z, seen from outside
+OUTWARD = [(0, 2, 6, 4), (1, 5, 7, 3), (0, 4, 5, 1), (2, 3, 7, 6), (0, 1, 3, 2), (4, 6, 7, 5)]
 
 def material(name, colour, emission=None, strength=0):
     m = bpy.data.materials.new(name); m.use_nodes = True
@@ -28,11 +30,10 @@ def place(name, data, parent=None, at=(0, 0, 0), turn=0, scale=(1, 1, 1)):
 white = material("white", (.7, .7, .7)); red = material("red", (.6, .1, .05)); wood = material("wood", (.4, .25, .1))
 lamp = material("lamp", (0, 0, 0), (1, .8, .5), 12)
 c = [(x, y, z) for x in (0, 4) for y in (0, 3) for z in (0, 2.5)]
-room = place("Room", mesh("RoomShell", c, [(0, 2, 6, 4), (1, 5, 7, 3), (0, 4, 5, 1), (2, 3, 7, 6), (0, 1, 3, 2), (4, 6, 7, 5)],
+room = place("Room", mesh("RoomShell", c, [s[::-1] for s in OUTWARD],
                           [white, red], [0, 0, 0, 0, 1, 0]))
 cube = [(x, y, z) for x in (-.5, .5) for y in (-.5, .5) for z in (0, 1)]
-sides = [s[::-1] for s in [(0, 2, 6, 4), (1, 5, 7, 3), (0, 4, 5, 1), (2, 3, 7, 6), (0, 1, 3, 2), (4, 6, 7, 5)]]
-stool = mesh("Stool", cube, sides, [wood])
+stool = mesh("Stool", cube, OUTWARD, [wood])
 furniture = place("Furniture", None, room, (1, 1, 0))
 place("Stool near", stool, furniture, (0, 0, 0.01), .3, (.5, .5, .6))
 place("Stool far", stool, furniture, (1.7, .9, 0.01), -.4, (.5, .5, .8))

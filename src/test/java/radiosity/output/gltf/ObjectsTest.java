@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
@@ -19,6 +20,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Test;
+import radiosity.input.SceneReader;
 import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.output.mesh.Mesh;
@@ -94,6 +96,27 @@ class ObjectsTest extends WrittenScene {
                 + Arrays.toString(node.placement().m())).toList();
     }
 
+    /** Nodes of a file of Blender's, by the names of their parents: they are in the scene file as they are in it. */
+    @Test
+    void blendersRoom_keepsObjectsHierarchyAndInstances() throws IOException, URISyntaxException {
+        Path room = Path.of(ObjectsTest.class.getResource("/radiosity/input/room.glb").toURI());
+        write(EvenLight.on(SceneReader.read(room, ReadOptions.defaults(), warning -> { })));
+        assertEquals(7, edges(json(room)).size());
+        assertEquals(edges(json(room)), edges(json()).stream().map(edge -> edge.replaceFirst("^room.glb/", "/"))
+                .filter(edge -> !edge.matches("/room.glb|Room/(white|red)")).sorted().toList());
+    }
+
+    /** Each node's name after its parent's. */
+    private static List<String> edges(JsonNode json) {
+        Map<Integer, String> parents = new HashMap<>();
+        for (JsonNode node : json.get("nodes")) {
+            node.path("children").forEach(child -> parents.put(child.asInt(), node.path("name").asText()));
+        }
+        return IntStream.range(0, json.get("nodes").size())
+                .mapToObj(i -> parents.getOrDefault(i, "") + "/" + json.get("nodes").get(i).path("name").asText())
+                .sorted().toList();
+    }
+
     @Test
     void objectsWithinObjects_nullObjects_andObjectsOfTwoSurfaces_areNodesWithinNodes() throws IOException {
         Affine up = Affine.move(0, 2, 0);
@@ -121,7 +144,11 @@ class ObjectsTest extends WrittenScene {
     }
 
     private JsonNode json() throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        return json(file);
+    }
+
+    private static JsonNode json(Path glb) throws IOException {
+        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(glb)).order(ByteOrder.LITTLE_ENDIAN);
         return new ObjectMapper().readTree(bytes.array(), 20, bytes.getInt(12));
     }
 

@@ -18,12 +18,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.input.file.ReadOptions;
+import radiosity.input.lightwave.LightWaveReader;
 import radiosity.output.image.ToneMapping;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.testkit.EvenLight;
 
 /** What others make of our scene files. */
 @Tag("slow")
@@ -74,6 +77,14 @@ class OtherReadersTest {
         write(new Handmade().solution());
         JsonNode issues = validated();
         assertEquals(0, issues.get("numErrors").asInt(), issues.toString());
+    }
+
+    @Test
+    void khronosValidator_findsNothingWrong_whereObjectsAreWithinObjects() throws IOException, InterruptedException {
+        write(EvenLight.on(LightWaveReader.read(Path.of("scenes/study.lws"), ReadOptions.defaults(), warning -> { })));
+        JsonNode issues = validated();
+        assertEquals(0, issues.get("numErrors").asInt(), issues.toString());
+        assertEquals(0, issues.get("numWarnings").asInt(), issues.toString());
     }
 
     @Test
