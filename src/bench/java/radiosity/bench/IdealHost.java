@@ -105,6 +105,6 @@ final class IdealHost {
     }
 
     private static BlockWork done(BlockWork block) {
-        return new BlockWork(block.elements(), block.points(), 0, block.points(), block.points() * 1e-6f);
+        return new BlockWork(block.elements(), block.points(), block.points(), block.points() * 1e-6f);
     }
 }

@@ -6,15 +6,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
-import radiosity.master.balance.Dealing;
 import radiosity.master.host.Host;
 import radiosity.master.host.HostCalls;
 import radiosity.master.host.HostFinder;
 import radiosity.master.host.Link;
 import radiosity.master.host.NoWorkerException;
 import radiosity.master.host.OwnLink;
+import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.SceneBytes;
 import radiosity.rmi.HostLostException;
 import radiosity.solution.HostStatistics;
@@ -40,8 +41,8 @@ final class Hosts {
     private int failures;
 
     /** What hosts have to do. */
-    record Work(HostCalls calls, InFlightSteps underWay, Dealing dealing, BlockTransfer transfer, SharedTotals totals,
-                RoundTimes times) { }
+    record Work(HostCalls calls, InFlightSteps underWay, BlockAssignment assignment, ShotLog log,
+                SharedTotals totals, RoundTimes times) { }
 
     /**
      * @param task        see {@link SceneBytes}
@@ -87,7 +88,7 @@ final class Hosts {
             Map<Host, HostLostException> now = work.calls().takeLost();
             Map<Host, Integer> blocks = new LinkedHashMap<>();
             for (Map.Entry<Host, HostLostException> one : now.entrySet()) {
-                blocks.put(one.getKey(), work.dealing().blocks(one.getKey()).size());
+                blocks.put(one.getKey(), work.assignment().blocks(one.getKey()).size());
                 lose(one.getKey(), one.getValue());
             }
             long begin = System.nanoTime();
@@ -125,7 +126,7 @@ final class Hosts {
     private void remove(Host host, String state) {
         gone.add(host.load.statistics(host.name(), state, 0, work.times().criticalPath()));
         present.remove(host);
-        work.dealing().lose(host);
+        work.assignment().lose(host);
     }
 
     /** @return how many hosts have got blocks that had no owner */
@@ -133,7 +134,17 @@ final class Hosts {
         if (present.isEmpty()) {
             goOnAlone();
         }
-        Map<Host, List<byte[]>> answers = work.transfer().adopt(present);
+        List<Integer> orphans = work.assignment().deal(present);
+        Map<Host, List<Integer>> heirs = new LinkedHashMap<>();
+        for (Host host : present) {
+            List<Integer> blocks = new ArrayList<>(work.assignment().blocks(host));
+            blocks.retainAll(orphans);
+            if (!blocks.isEmpty()) {
+                heirs.put(host, blocks);
+            }
+        }
+        Map<Host, List<byte[]>> answers = work.calls().onAll(heirs.keySet(),
+                host -> host.take(work.log().adoption(heirs.get(host))));
         work.underWay().add(answers);
         return answers.size();
     }
@@ -188,10 +199,47 @@ final class Hosts {
         adopt();
     }
 
+    /*---- Blocks ----*/
+
+    /** From host to host, as they are; what a lost host had stays its own until it is adopted. */
+    void move(List<BlockAssignment.Move> moves) {
+        Map<Host, List<Integer>> from = new LinkedHashMap<>();
+        Map<Host, Map<Integer, byte[]>> to = new LinkedHashMap<>();
+        moves.forEach(move -> from.computeIfAbsent(move.from(), h -> new ArrayList<>()).add(move.block()));
+        Map<Host, List<byte[]>> states = work.calls().onAll(from.keySet(), host -> host.blocks(from.get(host)));
+        states.keySet().forEach(host -> to.put(host, new TreeMap<>()));
+        for (BlockAssignment.Move move : moves) {
+            if (states.containsKey(move.from())) {
+                byte[] state = states.get(move.from()).get(from.get(move.from()).indexOf(move.block()));
+                to.computeIfAbsent(move.to(), h -> new TreeMap<>()).put(move.block(), state);
+                work.assignment().give(move.block(), move.to());
+            }
+        }
+        work.calls().onAll(to.keySet(), host ->
+                host.take(new BlockTakeover(to.get(host), List.of(), from.getOrDefault(host, List.of()))));
+    }
+
+    /** The states of all blocks, by id; fewer where a host is lost. */
+    List<byte[]> states() {
+        Map<Integer, byte[]> all = new TreeMap<>();
+        work.calls().onAll(present, host -> host.blocks(work.assignment().blocks(host))).forEach((host, some) -> {
+            List<Integer> ids = work.assignment().blocks(host);
+            for (int i = 0; i < ids.size(); i++) {
+                all.put(ids.get(i), some.get(i));
+            }
+        });
+        return List.copyOf(all.values());
+    }
+
+    /** Puts all blocks back to what is in the log. */
+    void restore() {
+        work.calls().onAll(present, host -> host.take(work.log().adoption(work.assignment().blocks(host))));
+    }
+
     List<HostStatistics> statistics() {
         List<HostStatistics> all = new ArrayList<>(gone);
         present.forEach(host -> all.add(host.load.statistics(host.name(), "working",
-                work.dealing().blocks(host).size(), work.times().criticalPath())));
+                work.assignment().blocks(host).size(), work.times().criticalPath())));
         return all;
     }
 

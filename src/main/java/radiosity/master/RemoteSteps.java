@@ -3,7 +3,6 @@ package radiosity.master;
 import java.io.IOException;
 import java.util.function.LongSupplier;
 import radiosity.master.InFlightSteps.Step;
-import radiosity.master.balance.Balance;
 import radiosity.master.host.HostCalls;
 import radiosity.protocol.Order;
 import radiosity.protocol.Reply;
@@ -28,7 +27,7 @@ final class RemoteSteps {
     private double firstPart;
 
     /** Who keeps count. */
-    record Counts(ShotLog log, SharedTotals totals, RoundTimes times, Balance balance) { }
+    record Counts(ShotLog log, SharedTotals totals, RoundTimes times, BlockAssignment assignment) { }
 
     /** @param clock for differences, ns */
     RemoteSteps(HostCalls calls, InFlightSteps underWay, Hosts hosts, Counts counts, HaloExchange halo,
@@ -98,7 +97,7 @@ final class RemoteSteps {
         if (!calls.isAnyLost()) {
             hosts.haveDone();
             counts.times.add(step);
-            counts.balance.add(step.replies(), step.shots());
+            counts.assignment.add(step.replies(), step.shots());
             halo.done(step);
             counts.log.took(step.replies().values().stream().mapToDouble(Reply::seconds).max().orElse(0));
         }

@@ -6,10 +6,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import radiosity.master.InFlightSteps.Step;
-import radiosity.master.balance.Balance;
-import radiosity.master.balance.BlockCostModel;
-import radiosity.master.balance.Borders;
-import radiosity.master.balance.Dealing;
 import radiosity.master.host.HostCalls;
 import radiosity.master.host.Link;
 import radiosity.master.host.NoWorkerException;
@@ -39,17 +35,15 @@ public final class RemoteWorld extends World {
     /** Shots of which rows are made together. */
     private static final int ROWS_AT_A_TIME = 8;
 
-    private final Dealing dealing;
+    private final BlockAssignment assignment;
     private final ShotLog log;
     private final SharedTotals totals;
     private final RoundTimes times;
-    private final Balance balance;
     private final Hosts hosts;
     private final HostCalls calls = new HostCalls();
     private final InFlightSteps underWay;
     private final RemoteSteps steps;
     private final LongSupplier clock;
-    private final BlockTransfer transfer;
     private final HaloExchange halo;
     /** The question that follows the last order, until it is asked; null where there is none. */
     private Question next;
@@ -77,14 +71,10 @@ public final class RemoteWorld extends World {
         log = new ShotLog(patches());
         underWay = new InFlightSteps(calls, log);
         halo = new HaloExchange(calls, mesh);
-        Borders borders = new Borders(mesh);
-        BlockCostModel forecast = new BlockCostModel(borders, mesh.gathersOnce() && !mesh.predicts());
-        dealing = new Dealing(forecast, borders);
-        balance = new Balance(forecast, dealing, patches(), mesh.clusters.clusters.size());
-        transfer = new BlockTransfer(dealing, log, calls);
+        assignment = new BlockAssignment(mesh);
         hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
-                new Hosts.Work(calls, underWay, dealing, transfer, totals, times));
-        steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, balance), halo,
+                new Hosts.Work(calls, underWay, assignment, log, totals, times));
+        steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, assignment), halo,
                 clock);
         hosts.open(links);
         steps.recover();
@@ -93,13 +83,13 @@ public final class RemoteWorld extends World {
     @Override
     public List<byte[]> round(Order order) throws IOException {
         finish(NOBODY);
-        admit(order);
+        admit();
         return ask(order.isAnswered() ? order : order.naming(0));
     }
 
     private List<byte[]> ask(Order order) throws IOException {
         List<byte[]> answers = answers(steps.begin(order, prepare(order), NOBODY), NOBODY);
-        balance.settle(hosts.present());
+        assignment.settle(hosts.present());
         return answers;
     }
 
@@ -107,7 +97,7 @@ public final class RemoteWorld extends World {
     @Override
     public void rows(Order order, Planner planner) throws IOException {
         finish(NOBODY);
-        admit(order);
+        admit();
         List<Step> parts = new ArrayList<>();
         for (Order part : order.naming(0).parts(ROWS_AT_A_TIME)) {
             parts.add(steps.begin(part, prepare(part), NOBODY));
@@ -124,7 +114,7 @@ public final class RemoteWorld extends World {
     @Override
     public Begun begin(Order order, StepTimes told) throws IOException {
         askNext(told);
-        admit(order);
+        admit();
         agree(order);
         if (!order.changes()) {
             Step asked = steps.begin(order, prepare(order), told);
@@ -216,7 +206,7 @@ public final class RemoteWorld extends World {
             steps.awaitAll(told);
             steps.recover();
         } while (underWay.count() > 0);
-        balance.settle(hosts.present());
+        assignment.settle(hosts.present());
     }
 
     /** Waits until all hosts have answered an order. */
@@ -269,32 +259,32 @@ public final class RemoteWorld extends World {
     /*---- Losing hosts, and finding them again ----*/
 
     /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
-    private void admit(Order order) throws IOException {
-        boolean due = balance.isDue(order, hosts.present());
+    private void admit() throws IOException {
+        boolean due = assignment.isDue(hosts.present());
         if (calls.isAnyLost() || hosts.isAnyOutside() || due) {
             finish(NOBODY);
         }
-        boolean come = hosts.admit(host -> balance.speed(hosts.present(), host));
+        boolean come = hosts.admit(host -> assignment.speed(hosts.present(), host));
         if (come && hosts.isAlone()) {
             blocks();
             hosts.leaveAlone();
             halo.forget();
         } else if (come || due) {
-            move(dealing.moves(hosts.present(), order.kind() == Order.Kind.GATHER));
+            move(assignment.moves(hosts.present()));
         }
         steps.recover();
     }
 
-    private void move(List<Dealing.Move> moves) throws IOException {
+    private void move(List<BlockAssignment.Move> moves) throws IOException {
         if (moves.isEmpty()) {
-            balance.notMoved();
+            assignment.moved(0);
             return;
         }
         long begin = now();
         exchange();
-        transfer.move(moves);
+        hosts.move(moves);
         halo.forget();
-        balance.moved((now() - begin) * 1e-9);
+        assignment.moved((now() - begin) * 1e-9);
     }
 
     /*---- States ----*/
@@ -305,7 +295,7 @@ public final class RemoteWorld extends World {
         exchange();
         while (true) {
             steps.recover();
-            List<byte[]> all = transfer.states(hosts.present());
+            List<byte[]> all = hosts.states();
             if (!calls.isAnyLost()) {
                 log.checkpoint(all, (now() - begin) * 1e-9);
                 return all;
@@ -316,7 +306,7 @@ public final class RemoteWorld extends World {
     @Override
     public void restore(List<byte[]> states) throws IOException {
         log.checkpoint(states);
-        transfer.restore(hosts.present());
+        hosts.restore();
         halo.forget();
         steps.recover();
         if (mesh.predicts()) {

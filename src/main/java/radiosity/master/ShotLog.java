@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import radiosity.master.balance.AmortizedTrigger;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
@@ -32,12 +31,14 @@ final class ShotLog {
     private List<byte[]> states = List.of();
     private final List<Entry> entries = new ArrayList<>();
     private long bytes;
-    private final AmortizedTrigger cadence;
+    /** What a checkpoint takes, as far as is known, and the orders since the last one took; s. */
+    private double cost;
+    private double since;
 
     private record Entry(Order order, Supplier<byte[]> encoded, long bytes) { }
 
     ShotLog(long patches) {
-        cadence = new AmortizedTrigger(PATIENCE, SECONDS, Math.max(FIRST_SECONDS, patches * SECONDS_PER_PATCH));
+        cost = Math.max(FIRST_SECONDS, patches * SECONDS_PER_PATCH);
     }
 
     /** @param encoded what the hosts were told, or null where that is not all */
@@ -61,17 +62,18 @@ final class ShotLog {
 
     /** What it took the slowest host to do an order that was added, s. */
     void took(double seconds) {
-        cadence.add(seconds);
+        since += seconds;
     }
 
     boolean isCheckpointDue() {
-        return cadence.isDue() || bytes > MOST_BYTES;
+        return since >= PATIENCE * cost || bytes > MOST_BYTES;
     }
 
     /** @param seconds that it took to get these states */
     void checkpoint(List<byte[]> now, double seconds) {
         checkpoint(now);
-        cadence.done(seconds);
+        cost = Math.max(SECONDS, seconds);
+        since = 0;
     }
 
     /** States that were there already. */

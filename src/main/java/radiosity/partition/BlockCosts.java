@@ -22,22 +22,18 @@ public final class BlockCosts {
     private final int[][] tops;
     private final int[] elements;
     private final int[] points;
-    /** 1 per block: points that the last split made. */
-    private final int[] fresh;
     private final int[] told;
     /** 1 per block: processor time since it was reported, ns. */
     private final AtomicLongArray time;
     /** 1 per vertex: a block that has it. */
     private int[] blockOf = new int[0];
     private int known = -1;
-    private int split;
 
     BlockCosts(RadiosityNodes nodes, List<Block> blocks) {
         this.nodes = nodes;
         tops = blocks.stream().map(nodes::tops).toArray(int[][]::new);
         elements = new int[tops.length];
         points = new int[tops.length];
-        fresh = new int[tops.length];
         told = new int[tops.length];
         time = new AtomicLongArray(tops.length);
     }
@@ -45,12 +41,6 @@ public final class BlockCosts {
     /** Processor time of this thread, ns; 0 where the machine does not tell. */
     public static long now() {
         return THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime() : 0;
-    }
-
-    /** @param number of the split that was made last */
-    void split(int number) {
-        known = split == number ? known : -1;
-        split = number;
     }
 
     /** Before points gather. */
@@ -81,7 +71,7 @@ public final class BlockCosts {
         blockOf = new int[nodes.vertices()];
         Arrays.fill(blockOf, -1);
         for (int b = 0; b < tops.length; b++) {
-            elements[b] = points[b] = fresh[b] = 0;
+            elements[b] = points[b] = 0;
             for (int top : tops[b]) {
                 count(b, top);
             }
@@ -101,7 +91,6 @@ public final class BlockCosts {
             if (blockOf[v] != b) {
                 blockOf[v] = b;
                 points[b]++;
-                fresh[b] += split > 0 && nodes.made(v) == split ? 1 : 0;
             }
         }
     }
@@ -121,7 +110,7 @@ public final class BlockCosts {
         BlockWork[] report = new BlockWork[tops.length];
         for (int b = 0; b < tops.length; b++) {
             double seconds = time.getAndSet(b, 0) * 1e-9 + rest * elements[b];
-            report[b] = new BlockWork(elements[b], points[b], fresh[b], told[b], (float) seconds);
+            report[b] = new BlockWork(elements[b], points[b], told[b], (float) seconds);
             told[b] = 0;
         }
         return report;

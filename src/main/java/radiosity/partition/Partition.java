@@ -1,29 +1,34 @@
 package radiosity.partition;
 
-import java.rmi.Remote;
-import java.rmi.RemoteException;
+import java.util.List;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
 
 /**
  * One part of a world (section 4.5.4 of the paper): some blocks of elements, and what is done to them in every round.
  *
- * <p>Arguments and results are bytes, so that the same calls go to a partition in this process and to one on another
- * machine.
+ * <p>A world in this process calls it; a host calls it for a master on another machine.
  */
-public interface Partition extends Remote {
+public interface Partition {
 
     /**
-     * One round.
+     * One round, or a part of one.
      *
-     * @param order what to do, as written by {@link Order}
-     * @return an {@link Answer}, or what else the order asks for
+     * @param order what to do, with all that is shot
+     * @return how things stand then; nothing where the order is not {@linkplain Order#isAnswered answered}
      */
-    byte[] round(byte[] order) throws RemoteException;
+    Answer answer(Order order);
+
+    /** The same for orders of any kind: an {@link Answer} as bytes, or what else the order asks for. */
+    byte[] round(Order order);
+
+    /** What each shooter has ever shot. */
+    List<Shot> totals();
 
     /** Everything about a block: its trees, what their vertices have received, what their elements have shot. */
-    byte[] block(int id) throws RemoteException;
+    byte[] block(int id);
 
     /** Puts a block that this partition owns back to what {@link #block} had given. */
-    void restore(int id, byte[] state) throws RemoteException;
+    void restore(int id, byte[] state);
 }

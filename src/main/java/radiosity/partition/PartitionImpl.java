@@ -2,7 +2,6 @@ package radiosity.partition;
 
 import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -81,15 +80,6 @@ public final class PartitionImpl implements Partition {
     }
 
     @Override
-    public byte[] round(byte[] bytes) {
-        try {
-            return round(Order.decode(bytes));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    /** @param order with all that is shot */
     public byte[] round(Order order) {
         return switch (order.kind()) {
             case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
@@ -99,7 +89,7 @@ public final class PartitionImpl implements Partition {
         };
     }
 
-    /** The same for orders of which the answer is how things stand then. */
+    @Override
     public Answer answer(Order order) {
         if (order.changes() || order.kind() == Order.Kind.REST) {
             candidates.changed();
@@ -161,7 +151,6 @@ public final class PartitionImpl implements Partition {
         int known = nodes.vertices();
         nodes.keepAll();
         new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number(), crew);
-        costs.split(order.number());
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(IntStream.range(known, nodes.vertices()).toArray());
@@ -183,7 +172,7 @@ public final class PartitionImpl implements Partition {
         }
     }
 
-    /** What each shooter has ever shot. */
+    @Override
     public List<Shot> totals() {
         Shot[] totals = new Shot[shooters.length];
         crew.run(totals.length, i -> totals[i] = Shot.total(nodes, shooters[i]));
@@ -203,9 +192,6 @@ public final class PartitionImpl implements Partition {
 
     /** Gathers where no other host does; by {@link Order#GIVE} only where others need it, and elsewhere later. */
     private void gather(Order order) {
-        if (order.kind() == Order.Kind.GATHER) {
-            costs.split(order.number() - 1);
-        }
         Work work = work(order);
         if (order.most() == Order.GIVE && ghosts.isShared()) {
             gather(work, ghosts.given(points(order)));

@@ -9,23 +9,21 @@ import java.io.IOException;
  *
  * @param elements that it has now
  * @param points   receiving points that it has now
- * @param fresh    those of them that the last split made
  * @param told     points at which was gathered; one that several blocks of a host share counts for one of them
  * @param seconds  processor time
  */
-public record BlockWork(int elements, int points, int fresh, int told, float seconds) {
+public record BlockWork(int elements, int points, int told, float seconds) {
 
-    static final int BYTES = 4 * Integer.BYTES + Float.BYTES;
+    static final int BYTES = 3 * Integer.BYTES + Float.BYTES;
 
     void write(DataOutput out) throws IOException {
         out.writeInt(elements);
         out.writeInt(points);
-        out.writeInt(fresh);
         out.writeInt(told);
         out.writeFloat(seconds);
     }
 
     static BlockWork read(DataInputStream in) throws IOException {
-        return new BlockWork(in.readInt(), in.readInt(), in.readInt(), in.readInt(), in.readFloat());
+        return new BlockWork(in.readInt(), in.readInt(), in.readInt(), in.readFloat());
     }
 }

@@ -12,7 +12,8 @@ import radiosity.protocol.Reply;
 import radiosity.protocol.SceneBytes;
 
 /**
- * A {@link Partition} on another machine: what {@link RemoteWorld} calls and {@code PartitionServer} exports.
+ * How the calls of a {@link RemoteWorld} come to a {@link Partition} on another machine, for which {@code
+ * PartitionServer} exports this: in sessions, with messages in parts, and so that a call may be repeated.
  *
  * <p>Arguments are numbers and bytes only, so that a host can refuse whatever else is sent. All calls but
  * {@link #greet} and {@link #open} name the session that they belong to; a host has one at a time.

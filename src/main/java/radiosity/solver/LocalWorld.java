@@ -16,7 +16,7 @@ import radiosity.settings.RadiositySettings;
 /** A world whose elements are all in this process (section 4.5.2 of the paper). */
 public final class LocalWorld extends World {
 
-    private final List<PartitionImpl> partitions = new ArrayList<>();
+    private final List<Partition> partitions = new ArrayList<>();
     private final LongSupplier clock;
 
     /**
@@ -46,7 +46,7 @@ public final class LocalWorld extends World {
     @Override
     public List<byte[]> round(Order order) throws IOException {
         List<byte[]> answers = new ArrayList<>();
-        for (PartitionImpl partition : partitions) {
+        for (Partition partition : partitions) {
             answers.add(partition.round(order));
         }
         return answers;

@@ -80,7 +80,7 @@ class ClocksTest {
         long begin = clock.getAsLong();
         double seconds = (clock.getAsLong() - begin) * 1e-9;
         List<BlockWork> work = reply.work().stream()
-                .map(block -> new BlockWork(block.elements(), block.points(), block.fresh(), block.told(),
+                .map(block -> new BlockWork(block.elements(), block.points(), block.told(),
                         (float) (seconds / reply.work().size()))).toList();
         return new Reply(reply.answer(), seconds, seconds, work, reply.given());
     }

@@ -1,0 +1,269 @@
+package radiosity.master;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import radiosity.master.host.Host;
+import radiosity.mesh.Block;
+import radiosity.mesh.Patcher;
+import radiosity.mesh.face.NodePath;
+import radiosity.protocol.BlockWork;
+import radiosity.protocol.Reply;
+import radiosity.setup.InitialMesh;
+
+/**
+ * Which host owns which block (section 4.3 of the paper).
+ *
+ * <p>Blocks are dealt by longest processing time first (R. L. Graham, Bounds on multiprocessing timing anomalies,
+ * 1969), in runs of neighbours, so that hosts share few vertices. When hosts have waited for each other as long as
+ * moving blocks takes, the slowest host gives the fastest one the block that fits best, as long as that helps.
+ */
+final class BlockAssignment {
+
+    /**
+     * Runs of neighbouring blocks that each host is dealt, so that each has some of what looks in every direction: who
+     * shoots at a time stands on few surfaces, and reaches only what looks there.
+     */
+    private static final int RUNS = 8;
+    /** Blocks move where the slowest host takes longer than all on average by this part. */
+    private static final double WORTH = 0.03;
+    /** So many shooters later, a measured time counts for an e-th: the last shooters may all stand in one corner. */
+    private static final double MEMORY = 1000;
+    /** A move has to help the slowest host by this part of its time. */
+    private static final double RELIEF = 2e-3;
+    /** What a host did in a round counts for when the next one is over. */
+    private static final double KEPT = 0.95;
+    /** Less time says nothing about a host's speed: who shoots in a few rounds may not be seen from its blocks. */
+    private static final double LEAST_SECONDS = 0.2;
+    /** A host is as fast as was thought within this factor: blocks differ too, and theirs is measured on its own. */
+    private static final double FACTOR = 2;
+    /** What a move is taken to cost at least, and before the first one per patch of the scene, s. */
+    private static final double LEAST_COST = 0.005;
+    private static final double FIRST_COST_PER_PATCH = 4e-6;
+
+    /** 1 per block; null where the owner is lost. */
+    private final Host[] owner;
+    /** 1 per block: receiving points; before it is known, patches. */
+    private final double[] points;
+    /** 1 per block, of the last rounds: time on a host of speed 1, s, and for how many pairs of point and shooter. */
+    private final double[] time;
+    private final double[] pairs;
+    /** How long hosts have waited for the slowest one since blocks moved, s. */
+    private double waited;
+    /** What moving blocks took the last time, s; twice as much each time there was nothing to be moved. */
+    private double cost;
+
+    /** A block that shall go from one host to another. */
+    record Move(int block, Host from, Host to) { }
+
+    BlockAssignment(InitialMesh mesh) {
+        owner = new Host[mesh.blocks.size()];
+        points = mesh.blocks.stream().mapToDouble(block -> patches(mesh.patcher, block)).toArray();
+        time = new double[owner.length];
+        pairs = new double[owner.length];
+        cost = Math.max(LEAST_COST, mesh.patcher.patches() * FIRST_COST_PER_PATCH);
+    }
+
+    private static double patches(Patcher patcher, Block block) {
+        double patches = 0;
+        for (int i = 0; i < block.face().length; i++) {
+            patches += 1L << 2 * (patcher.level(block.face()[i]) - NodePath.level(block.path()[i]));
+        }
+        return patches;
+    }
+
+    /*---- Who owns what ----*/
+
+    /** The ids of a host's blocks, in their order; of the blocks without an owner where the host is null. */
+    List<Integer> blocks(Host of) {
+        List<Integer> blocks = new ArrayList<>();
+        for (int b = 0; b < owner.length; b++) {
+            if (owner[b] == of) {
+                blocks.add(b);
+            }
+        }
+        return blocks;
+    }
+
+    void give(int block, Host to) {
+        owner[block] = to;
+    }
+
+    /** Takes its blocks from a host that is lost. */
+    void lose(Host host) {
+        blocks(host).forEach(b -> owner[b] = null);
+    }
+
+    /**
+     * Deals every block without an owner.
+     *
+     * @return those blocks
+     */
+    List<Integer> deal(List<Host> hosts) {
+        List<Integer> orphans = blocks(null);
+        double[] seconds = seconds();
+        double[] load = load(hosts, seconds);
+        int length = Math.max(1, orphans.size() / (RUNS * hosts.size()));
+        List<List<Integer>> runs = new ArrayList<>();
+        for (int i = 0; i < orphans.size(); i += length) {
+            runs.add(orphans.subList(i, Math.min(orphans.size(), i + length)));
+        }
+        runs.sort(Comparator.comparingDouble(run -> -sum(run, seconds)));
+        for (List<Integer> run : runs) {
+            double all = sum(run, seconds);
+            int first = 0;
+            for (int h = 1; h < load.length; h++) {
+                first = load[h] + all / hosts.get(h).speed < load[first] + all / hosts.get(first).speed ? h : first;
+            }
+            load[first] += all / hosts.get(first).speed;
+            for (int b : run) {
+                owner[b] = hosts.get(first);
+            }
+        }
+        return orphans;
+    }
+
+    private static double sum(List<Integer> blocks, double[] seconds) {
+        return blocks.stream().mapToDouble(b -> seconds[b]).sum();
+    }
+
+    /** 1 per block: how long it takes per shooter on a host of speed 1, s; only relative before it was measured. */
+    private double[] seconds() {
+        double all = DoubleStream.of(time).sum();
+        double mean = all > 0 ? all / DoubleStream.of(pairs).sum() : 1;
+        double[] seconds = new double[owner.length];
+        Arrays.setAll(seconds, b -> (pairs[b] > 0 ? time[b] / pairs[b] : mean) * points[b]);
+        return seconds;
+    }
+
+    /** 1 per host: how long it takes per shooter, s. */
+    private double[] load(List<Host> hosts, double[] seconds) {
+        return hosts.stream().mapToDouble(host -> sum(blocks(host), seconds) / host.speed).toArray();
+    }
+
+    /*---- What hosts do ----*/
+
+    /** @param shots of a round, or of a part of one, that hosts have done */
+    void add(Map<Host, Reply> replies, int shots) {
+        replies.forEach((host, reply) -> add(host, reply, shots));
+        judge(replies.keySet());
+    }
+
+    private void add(Host host, Reply reply, int shots) {
+        List<Integer> blocks = blocks(host);
+        double cpu = reply.work().stream().mapToDouble(BlockWork::seconds).sum();
+        double kept = StrictMath.exp(-shots / MEMORY);
+        double done = 0;
+        for (int i = 0; i < Math.min(blocks.size(), reply.work().size()); i++) {
+            int b = blocks.get(i);
+            BlockWork work = reply.work().get(i);
+            double pairsOfBlock = (double) work.told() * shots;
+            points[b] = work.points();
+            if (cpu > 0 && pairsOfBlock > 0) {
+                time[b] = kept * time[b] + work.seconds() / cpu * reply.seconds() * host.speed;
+                pairs[b] = kept * pairs[b] + pairsOfBlock;
+            }
+            done += pairsOfBlock;
+        }
+        if (done > 0) {
+            host.pairs = KEPT * host.pairs + done;
+            host.seconds = KEPT * host.seconds + reply.seconds();
+        }
+    }
+
+    /** Speeds are relative: those of all together stay what they are. */
+    private void judge(Collection<Host> hosts) {
+        if (hosts.stream().anyMatch(host -> host.seconds < LEAST_SECONDS)) {
+            return;
+        }
+        double unit = hosts.stream().mapToDouble(Host::pace).sum() / hosts.stream().mapToDouble(host -> host.speed)
+                .sum();
+        for (Host host : hosts) {
+            double factor = host.pace() / unit / host.speed;
+            if (factor > FACTOR || factor < 1 / FACTOR) {
+                host.speed *= factor;
+                blocks(host).forEach(b -> time[b] *= factor);
+            }
+        }
+    }
+
+    /** What to expect of a newcomer: as much as of the others. */
+    double speed(List<Host> others, Host newcomer) {
+        return others.stream().mapToDouble(host -> host.speed).average().orElse(newcomer.speed);
+    }
+
+    /*---- Moving blocks ----*/
+
+    /** All hosts have waited for the slowest. */
+    void settle(Collection<Host> hosts) {
+        waited += behind(hosts);
+        hosts.forEach(host -> host.load.sinceWait = 0);
+    }
+
+    /** How much longer the slowest has taken since the last wait than all on average, s. */
+    private static double behind(Collection<Host> hosts) {
+        double slowest = hosts.stream().mapToDouble(host -> host.load.sinceWait).max().orElse(0);
+        return slowest - hosts.stream().mapToDouble(host -> host.load.sinceWait).average().orElse(0);
+    }
+
+    /** Whether hosts have waited for each other as long as moving blocks takes. */
+    boolean isDue(Collection<Host> hosts) {
+        return waited + behind(hosts) >= cost;
+    }
+
+    /**
+     * They have moved, or there was nothing to be moved.
+     *
+     * @param seconds that it took; 0 where there was nothing
+     */
+    void moved(double seconds) {
+        cost = seconds > 0 ? Math.max(LEAST_COST, seconds) : 2 * cost;
+        waited = 0;
+    }
+
+    /** What makes the slowest host faster; empty where too little is to be won. */
+    List<Move> moves(List<Host> hosts) {
+        double[] seconds = seconds();
+        double[] load = load(hosts, seconds);
+        if (DoubleStream.of(load).max().orElse(0) <= (1 + WORTH) * DoubleStream.of(load).average().orElse(0)) {
+            return List.of();
+        }
+        Host[] after = owner.clone();
+        for (Move move = relief(hosts, seconds, load, after); move != null;
+                move = relief(hosts, seconds, load, after)) {
+            after[move.block] = move.to;
+            load[hosts.indexOf(move.from)] -= seconds[move.block] / move.from.speed;
+            load[hosts.indexOf(move.to)] += seconds[move.block] / move.to.speed;
+        }
+        return IntStream.range(0, owner.length).filter(b -> owner[b] != after[b])
+                .mapToObj(b -> new Move(b, owner[b], after[b])).toList();
+    }
+
+    /** The block of the slowest host that fits the fastest one best; null where giving it away does not help. */
+    private static Move relief(List<Host> hosts, double[] seconds, double[] load, Host[] owner) {
+        int slow = 0;
+        int fast = 0;
+        for (int h = 1; h < load.length; h++) {
+            slow = load[h] > load[slow] ? h : slow;
+            fast = load[h] < load[fast] ? h : fast;
+        }
+        Move best = null;
+        double least = (1 - RELIEF) * load[slow];
+        for (int b = 0; b < owner.length; b++) {
+            if (owner[b] == hosts.get(slow)) {
+                double slower = Math.max(load[slow] - seconds[b] / hosts.get(slow).speed,
+                        load[fast] + seconds[b] / hosts.get(fast).speed);
+                if (slower < least) {
+                    least = slower;
+                    best = new Move(b, hosts.get(slow), hosts.get(fast));
+                }
+            }
+        }
+        return best;
+    }
+}

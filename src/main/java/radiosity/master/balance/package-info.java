@@ -1,4 +1,0 @@
-/**
- * Which host owns which block, and when moving blocks pays (section 4.3 of the paper).
- */
-package radiosity.master.balance;
