@@ -96,8 +96,8 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
             }
             return new ObjectMapper(FACTORY).readTree(file, from + start, length - start);
         } catch (JsonProcessingException e) {
-            throw notes.error("JSON, byte " + Math.max(0, e.getLocation().getByteOffset()), "JSON",
-                    e.getOriginalMessage());
+            String place = e.getLocation() == null ? "JSON" : "JSON, byte " + e.getLocation().getByteOffset();
+            throw notes.error(place, "JSON", e.getOriginalMessage());
         } catch (SceneFormatException e) {
             throw e;
         } catch (IOException e) {

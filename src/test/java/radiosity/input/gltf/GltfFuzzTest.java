@@ -3,10 +3,12 @@ package radiosity.input.gltf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
@@ -57,6 +59,27 @@ class GltfFuzzTest {
         for (int i = 0; i < MUTANTS; i++) {
             read(Mutation.of(sound, random));
         }
+    }
+
+    /** A binary that Blender wrote: its header, its chunks and the JSON in it. */
+    @Test
+    void changedBinaries_endInASceneOrTheOneException() throws IOException, URISyntaxException {
+        byte[] sound = Files.readAllBytes(Path.of(GltfFuzzTest.class.getResource("/radiosity/input/room.glb").toURI()));
+        Random random = new Random(6);
+        for (int i = 0; i < MUTANTS; i++) {
+            read(Mutation.of(sound, random));
+        }
+        for (int length = 0; length < sound.length; length += 1 + length / 64) {
+            read(Arrays.copyOf(sound, length));
+        }
+    }
+
+    @Test
+    void jsonWithoutEnd_isOneLine() throws IOException {
+        read("[".repeat(1_000_000).getBytes(StandardCharsets.UTF_8));
+        read(("{\"asset\":" + "{\"a\":".repeat(100_000)).getBytes(StandardCharsets.UTF_8));
+        read(("{\"asset\":{\"version\":\"2.0\"},\"scenes\":[" + "{},".repeat(1_000_000) + "{}]}")
+                .getBytes(StandardCharsets.UTF_8));
     }
 
     private void read(byte[] bytes) throws IOException {
