@@ -19,7 +19,8 @@ final class Channels {
 
     private static boolean isGrey(Scene scene) {
         return scene.surfaces().stream().allMatch(s -> s.exitance().isGrey() && s.reflectance().isGrey()
-                && s.maps().isEmpty()) && scene.lights().stream().allMatch(l -> l.power().isGrey());
+                && s.maps().isEmpty()) && scene.vertexColours().length == 0
+                && scene.lights().stream().allMatch(l -> l.power().isGrey());
     }
 
     int layers() {
