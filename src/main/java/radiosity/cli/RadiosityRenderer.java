@@ -107,8 +107,9 @@ public final class RadiosityRenderer {
     }
 
     private Scene scene() throws IOException {
-        return SurfaceMaps.read(SceneReader.read(options.input(), options.scene.lightWave(), warnings::print),
-                options.scene.srgb, warnings::accept);
+        Scene scene = SceneReader.read(options.input(), options.scene.lightWave(), warnings::print);
+        files.check(scene);
+        return SurfaceMaps.read(scene, options.scene.srgb, warnings::accept);
     }
 
     /** To the end, or until it is stopped. */

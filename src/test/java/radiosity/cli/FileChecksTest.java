@@ -1,18 +1,22 @@
 package radiosity.cli;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.cli.options.ExitCode;
 import radiosity.cli.options.Failure;
 import radiosity.cli.render.FileChecks;
+import radiosity.testkit.ProgramRun;
 
 /** Files are looked at before any work, and nothing that exists is lost by a wrong command line. */
 class FileChecksTest {
@@ -129,6 +133,46 @@ class FileChecksTest {
         checks.input(input);
         fails(ExitCode.COMMAND_LINE, "got the same file as " + input,
                 () -> checks.reserve(input, "the journal of b.scene"));
+    }
+
+    @Test
+    void outputInPlaceOfAnImageOfTheScene_isExitCode2() throws IOException {
+        Path image = written("floor.png", "image");
+        checks.output(directory.resolve("b.scene"));
+        checks.reserve(directory.resolve("b.scene.journal"), "the journal of b.scene");
+        checks.reserveSnapshots(directory.resolve("b.scene"));
+        assertDoesNotThrow(() -> checks.partOfScene(directory.resolve("other.png")));
+        fails(ExitCode.COMMAND_LINE, "got a snapshot (-sn) of " + directory.resolve("b.scene"),
+                () -> checks.partOfScene(directory.resolve("b.scene-10.jpg")));
+        checks.output(image);
+        fails(ExitCode.COMMAND_LINE, "floor.png: expected an output that is no input, got the same file as " + image,
+                () -> checks.partOfScene(image));
+        assertEquals("image", Files.readString(image));
+    }
+
+    @Test
+    void renderOverAnImageOfItsScene_isOneLineAndExitCode2() throws IOException {
+        BufferedImage painted = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        Path image = directory.resolve("floor.png");
+        ImageIO.write(painted, "png", image.toFile());
+        byte[] before = Files.readAllBytes(image);
+        written("room.mtl", "newmtl floor\nKd .5 .5 .5\nKe 1 1 1\nmap_Kd floor.png\n");
+        Path scene = written("room.obj", "mtllib room.mtl\nv 0 0 0\nv 1 0 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                + "usemtl floor\nf 1/1 3/3 2/2\n");
+        ProgramRun run = ProgramRun.of("-q", "-it", 1, "--picture", image, scene, directory.resolve("out.scene"));
+        assertEquals(ExitCode.COMMAND_LINE, run.exitCode(), run.err());
+        assertEquals(image + ": expected an output that is no input, got the same file as " + image,
+                run.err().strip());
+        assertArrayEquals(before, Files.readAllBytes(image));
+    }
+
+    @Test
+    void outputInPlaceOfAnObject_isExitCode2() throws IOException {
+        for (String name : new String[] {"room.obj", "ROOM.MTL"}) {
+            Path object = written(name, "v 0 0 0");
+            fails(ExitCode.COMMAND_LINE, "expected a file to overwrite, got an object or its materials",
+                    () -> checks.output(object));
+        }
     }
 
     @Test

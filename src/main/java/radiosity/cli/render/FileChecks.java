@@ -25,6 +25,9 @@ import radiosity.rmi.HostKey;
  */
 public final class FileChecks {
 
+    /** Of formats that do not tell by their first bytes. */
+    private static final Pattern OBJECTS = Pattern.compile("(?i).*\\.(obj|mtl)");
+
     private final List<Path> inputs = new ArrayList<>();
     private final List<Path> outputs = new ArrayList<>();
     /** Files that the program writes besides, each with what it is. */
@@ -43,6 +46,14 @@ public final class FileChecks {
             throw Failure.file(file, "expected a readable file, got " + ErrorReport.reason(e), e);
         }
         inputs.add(file);
+    }
+
+    /** Fails where a file that the scene is made of, like an image, would be overwritten by what is known by now. */
+    public void partOfScene(Path file) {
+        inputs.add(file);
+        outputs.forEach(this::refuseInputs);
+        reserved.keySet().forEach(this::refuseInputs);
+        refuseSnapshots(file);
     }
 
     /**
@@ -79,7 +90,7 @@ public final class FileChecks {
             }
         });
         refuseSnapshots(file);
-        refuseLightWave(file);
+        refuseModels(file);
         tryPlace(file);
         outputs.add(file);
     }
@@ -105,10 +116,13 @@ public final class FileChecks {
         }
     }
 
-    /** What is overwritten by a slip of the hand: an object of the scene, or another scene. */
-    private static void refuseLightWave(Path file) {
+    /** What is overwritten by a slip of the hand: an object of the scene, its materials, or another scene. */
+    private static void refuseModels(Path file) {
         if (!Files.exists(file)) {
             return;
+        }
+        if (OBJECTS.matcher(String.valueOf(file.getFileName())).matches()) {
+            throw Failure.commandLine(file.toString(), "expected a file to overwrite, got an object or its materials");
         }
         try (InputStream in = Files.newInputStream(file)) {
             String magic = new String(in.readNBytes(4), StandardCharsets.ISO_8859_1);

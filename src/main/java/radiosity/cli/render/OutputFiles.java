@@ -17,6 +17,9 @@ import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.Snapshot;
 import radiosity.output.points.Points;
 import radiosity.scene.Camera;
+import radiosity.scene.ImageMap;
+import radiosity.scene.ImageSource;
+import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.RadiositySettings;
 import radiosity.solution.Certificate;
@@ -27,6 +30,7 @@ public final class OutputFiles {
 
     private final RendererOptions options;
     private final List<String> arguments;
+    private final FileChecks checks = new FileChecks();
     /** The same for all pictures of a render; null before the first. */
     private Camera camera;
 
@@ -48,7 +52,6 @@ public final class OutputFiles {
 
     /** Fails where something cannot be read or written, before any work. */
     public void check() throws IOException {
-        FileChecks checks = new FileChecks();
         checks.input(options.input());
         if (options.file.points != null) {
             checks.input(options.file.points.in());
@@ -72,6 +75,13 @@ public final class OutputFiles {
         if (options.file.report != null) {
             checks.output(options.file.report);
         }
+    }
+
+    /** Fails where an output would overwrite an image of the scene, before any work. */
+    public void check(Scene scene) {
+        scene.surfaces().stream().flatMap(surface -> surface.textures().stream()).map(ImageMap::image)
+                .filter(image -> image.content().isEmpty()).map(ImageSource::name).distinct().map(Path::of)
+                .forEach(checks::partOfScene);
     }
 
     /** The scene file: the old one stays until the new one is whole, and one without textures until they are. */
