@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import radiosity.cli.options.CommandRun;
+import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
 import radiosity.cli.options.TimeLimit;
 import radiosity.cli.render.ConsoleSession;
@@ -206,6 +207,11 @@ public final class RadiosityRenderer {
         }
         files.saveRest(result.solution(), summary, failures);
         failures.check();
+        Optional<String> shortfall = summary.shortfall();
+        if (options.calculation.isAccuracyAsked() && shortfall.isPresent()) {
+            throw Failure.notAccurate(shortfall.get());
+        }
+        shortfall.ifPresent(System.out::println);
         if (options.statistics) {
             result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
         }

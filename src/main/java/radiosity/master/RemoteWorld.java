@@ -236,12 +236,12 @@ public final class RemoteWorld extends World {
         if (order.changes() && log.isCheckpointDue()) {
             blocks();
         }
-        if (order.kind() == Order.Kind.GATHER) {
+        if (order.gathersTotals()) {
             totals.tell(hosts.present());
         }
         byte[] bytes = order.encodeShort();
         if (order.changes() || order.isAnswered()) {
-            log.add(order, order.kind() == Order.Kind.GATHER ? null : bytes);
+            log.add(order, order.gathersTotals() ? null : bytes);
         }
         return bytes;
     }

@@ -31,7 +31,7 @@ final class SharedTotals {
 
     /** Hosts that were told this order have counted it themselves. */
     void count(Order order) {
-        if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
+        if (mesh.predicts() && order.marks()) {
             totals.add(order.shots());
         }
     }

@@ -180,6 +180,17 @@ public final class ElementLight {
         return radiosity(node, k, channel) - shot(node, k, channel) + nodes.reflectance(node, channel) * bulge;
     }
 
+    /**
+     * What is to be shot for all that was ever shot to be what leaves the corners, and no less than nothing: a vertex
+     * that has received less than nothing, as later shots took back along other rays, radiates nothing.
+     */
+    public void unshotOfPositive(int node, double[] values, int at) {
+        unshot(node, values, at);
+        for (int i = 0; i < 3 * channels; i++) {
+            values[at + i] = Math.max(values[at + i], -shot[3 * channels * tree.place(node) + i]);
+        }
+    }
+
     /** What is to be shot at all corners: no corner reflects less than nothing. See {@link PatchTree.Quantity}. */
     public void unshot(int node, double[] values, int at) {
         for (int c = 0; c < channels; c++) {

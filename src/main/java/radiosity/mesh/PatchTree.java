@@ -193,6 +193,18 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         }
     }
 
+    /** The least radiosity of one channel at any corner of an element, W/m². */
+    public double least(int channel) {
+        int channels = channels();
+        double least = Double.POSITIVE_INFINITY;
+        for (int node = 0; node < child.length; node++) {
+            for (int k = 0; k < 3 && child[node] < 0; k++) {
+                least = Math.min(least, radiosity[channels * (3 * node + k) + channel]);
+            }
+        }
+        return least;
+    }
+
     /** Mean radiosity below a node, per channel; added to {@code mean}. */
     public void addMean(int node, double share, double[] mean) {
         for (int k = 0; k < 4 && child[node] >= 0; k++) {

@@ -110,6 +110,9 @@ public final class RadiosityNodes {
 
     private int divide(int node, int depth, int with) {
         NodePath.weights(tree.path(node), weights);
+        if (isPoint(node)) {
+            giveCorners(node, depth, with);
+        }
         int[] mid = new int[3];
         for (int k = 0; k < 3; k++) {
             int p = (k + 1) % 3;
@@ -128,6 +131,15 @@ public final class RadiosityNodes {
             tree.setCorner(first + 3, k, mid[k]);
         }
         return first;
+    }
+
+    /** Gives a node that received at its middle only a vertex at each corner; the one in its middle rests. */
+    private void giveCorners(int node, int depth, int with) {
+        int middle = corner(node, 0);
+        for (int k = 0; k < 3; k++) {
+            tree.setCorner(node, k, points.cornerInsteadOf(middle, face(node), weights, 3 * k, depth, with));
+        }
+        points.bury(middle);
     }
 
     /*---- What is there ----*/
@@ -236,7 +248,7 @@ public final class RadiosityNodes {
         return tree.child(node) < 0;
     }
 
-    /** Whether all corners of a node are one vertex, in its middle; it is not to be split. */
+    /** Whether all corners of a node are one vertex, in its middle; once it is split it has three. */
     public boolean isPoint(int node) {
         return corner(node, 0) == corner(node, 1);
     }
@@ -281,46 +293,29 @@ public final class RadiosityNodes {
         return points.madeBy(with);
     }
 
-    /** Whether the irradiance that a vertex has is negative in some channel by more than a negligible one, W/m². */
-    public boolean isNegative(int vertex, double negligible) {
-        return points.isNegative(vertex, negligible);
+    /** Sets aside what all vertices have received: they have received nothing then, and gather anew. */
+    public void setAside() {
+        points.setAside();
     }
 
-    /**
-     * Discards what vertices with a negative irradiance have received: it is 0 afterwards. No other vertices count as
-     * discarded from now on.
-     *
-     * @param negligible irradiance by which a vertex may be below 0, W/m²
-     */
-    public void discardNegative(double negligible) {
-        for (int v = 0; v < points.count(); v++) {
-            boolean isNegative = points.isNegative(v, negligible);
-            points.setDiscarded(v, isNegative);
-            if (isNegative) {
-                Arrays.fill(points.irradiance(), channels * v, channels * (v + 1), 0);
-            }
-        }
+    /** All vertices have gathered anew: they get the mean of that and of what is set aside, unless this is negative. */
+    public void averageAside() {
+        points.averageAside();
     }
 
-    /** No vertices count as discarded from now on. */
-    public void keepAll() {
-        for (int v = 0; v < points.count(); v++) {
-            points.setDiscarded(v, false);
-        }
+    /** Whether vertices gather anew, and what they had received before is set aside. */
+    public boolean isSetAside() {
+        return points.isSetAside();
     }
 
-    /** The vertices at which {@link #discardNegative} has discarded what they had received, the last time. */
-    public int[] discarded() {
-        return IntStream.range(0, points.count()).filter(points::isDiscarded).toArray();
+    /** Irradiance of a vertex that is shown: what was set aside, else what it has received, W/m². */
+    public double shown(int vertex, int channel) {
+        return points.shown(vertex, channel);
     }
 
-    public boolean isDiscarded(int vertex) {
-        return points.isDiscarded(vertex);
-    }
-
-    /** For whoever restores what was saved. */
-    public void setDiscarded(int vertex, boolean isDiscarded) {
-        points.setDiscarded(vertex, isDiscarded);
+    /** For whoever restores what was saved: the irradiance of a vertex that is set aside, W/m². */
+    public void setAside(int vertex, int channel, double irradiance) {
+        points.setAside(vertex, channel, irradiance);
     }
 
     public boolean isBuried(int vertex) {

@@ -30,10 +30,10 @@ final class ReceivingPoints {
     private int[] made = new int[64];
     /** 1 per vertex: inside another object; its elements do without it. */
     private boolean[] buried = new boolean[64];
-    /** 1 per vertex: gathers anew, as what it had received was discarded. */
-    private boolean[] discarded = new boolean[64];
     /** channels per vertex: H in W/m². */
     private double[] irradiance;
+    /** channels per vertex: H in W/m² that is set aside while all vertices gather anew; else null. */
+    private double[] aside;
     /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
     private LongIndex index = new LongIndex(256);
 
@@ -103,6 +103,28 @@ final class ReceivingPoints {
         return middle;
     }
 
+    /**
+     * The vertex at a corner of a face that received at its middle only; a new one has received what the middle has.
+     *
+     * @param w weights of the face's corners, 3 from {@code wAt}, in units of 2^-30; not modified
+     */
+    int cornerInsteadOf(int middle, int f, int[] w, int wAt, int depth, int with) {
+        float[] at = new float[3];
+        for (int a = 0; a < 3; a++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++) {
+                sum += (double) w[wAt + k] / NodePath.ONE * patcher.faces().corner(f, k, a);
+            }
+            at[a] = (float) sum;
+        }
+        int known = count;
+        int v = vertex(f, w, wAt, depth, at, 0, with, with);
+        if (v == known) {
+            System.arraycopy(irradiance, channels * middle, irradiance, channels * v, channels);
+        }
+        return v;
+    }
+
     /** Gives back what room there is, and forgets by what vertices could be shared. */
     void trim() {
         makeRoom(count);
@@ -122,8 +144,8 @@ final class ReceivingPoints {
         key = Arrays.copyOf(key, room);
         made = Arrays.copyOf(made, room);
         buried = Arrays.copyOf(buried, room);
-        discarded = Arrays.copyOf(discarded, room);
         irradiance = Arrays.copyOf(irradiance, channels * room);
+        aside = aside == null ? null : Arrays.copyOf(aside, channels * room);
     }
 
     int count() {
@@ -162,25 +184,42 @@ final class ReceivingPoints {
         buried[v] = true;
     }
 
-    /** Whether an irradiance of a point is below 0 by more than a negligible one, W/m², at least 0. */
-    boolean isNegative(int v, double negligible) {
-        for (int c = 0; c < channels; c++) {
-            if (irradiance[channels * v + c] < -negligible) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    boolean isDiscarded(int v) {
-        return discarded[v];
-    }
-
-    void setDiscarded(int v, boolean isDiscarded) {
-        discarded[v] = isDiscarded;
-    }
-
     double[] irradiance() {
         return irradiance;
+    }
+
+    /** Sets aside what all vertices have received: they have received nothing then. */
+    void setAside() {
+        aside = irradiance;
+        irradiance = new double[aside.length];
+    }
+
+    /** All vertices have gathered anew: they get the mean of that and of what is set aside, unless this is negative. */
+    void averageAside() {
+        for (int v = 0; v < count; v++) {
+            boolean isNegative = false;
+            for (int c = 0; c < channels; c++) {
+                isNegative |= aside[channels * v + c] < 0;
+            }
+            for (int i = channels * v; i < channels * (v + 1) && !isNegative; i++) {
+                irradiance[i] = 0.5 * (irradiance[i] + aside[i]);
+            }
+        }
+        aside = null;
+    }
+
+    boolean isSetAside() {
+        return aside != null;
+    }
+
+    /** What is shown of a vertex: what was set aside, else what it has received, W/m². */
+    double shown(int v, int channel) {
+        return (aside == null ? irradiance : aside)[channels * v + channel];
+    }
+
+    /** For whoever restores what was saved. */
+    void setAside(int v, int channel, double value) {
+        aside = aside == null ? new double[irradiance.length] : aside;
+        aside[channels * v + channel] = value;
     }
 }

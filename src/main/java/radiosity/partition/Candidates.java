@@ -23,8 +23,6 @@ final class Candidates {
     private final double squaredSize;
     private final RadiosityNodes nodes;
     private final int[][] shooters;
-    /** Irradiance by which a vertex may be below 0, W/m². */
-    private final double negligible;
     private final ParallelFor crew;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
@@ -37,7 +35,6 @@ final class Candidates {
     Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, ParallelFor crew) {
         this.mesh = mesh;
         faces = mesh.faces;
-        negligible = mesh.negligibleIrradiance();
         squaredSize = faces.size() * faces.size();
         this.nodes = nodes;
         this.shooters = shooters;
@@ -110,22 +107,7 @@ final class Candidates {
             total += measure(node, layer, sums);
         }
         sums.elements++;
-        sums.negative += hasNegative(node) ? 1 : 0;
         return total;
-    }
-
-    /** Whether an element's radiosity is negative at a corner: never where it reflects nothing. */
-    private boolean hasNegative(int element) {
-        double reflectance = 0;
-        for (int c = 0; c < faces.channels(); c++) {
-            reflectance = Math.max(reflectance, nodes.reflectance(element, c));
-        }
-        for (int k = 0; k < 3 && reflectance > 0; k++) {
-            if (nodes.isNegative(nodes.corner(element, k), negligible)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** The same of one layer of an element. */

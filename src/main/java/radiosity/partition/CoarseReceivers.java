@@ -60,7 +60,7 @@ final class CoarseReceivers {
     private byte[] row(int v, ShooterHierarchy[] all, FormFactorCalculator calculator) {
         RowRecorder seen = new RowRecorder();
         for (int i = 0; i < all.length && !nodes.isBuried(v); i++) {
-            receivers.gather(calculator, all[i], nodes, v, seen);
+            receivers.gather(calculator, all[i], nodes, v, 0, seen);
         }
         return Wire.bytes(out -> {
             out.writeLong(nodes.vertexKey(v));

@@ -13,6 +13,7 @@ import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.Order;
 import radiosity.setup.InitialMesh;
+import radiosity.util.Hash;
 import radiosity.util.ParallelFor;
 
 /** How the vertices of a mesh receive what an order lets shoot. */
@@ -67,7 +68,7 @@ final class Gatherer {
         return made;
     }
 
-    /** Even light of closed rooms, at the beginning of a round. */
+    /** Even light of closed rooms, at the beginning of a round, and what was lost of the light before. */
     void receiveAmbient(Order order, RadiosityNodes nodes, int[] vertices) {
         UniformRadiosity ambient = ambient(order);
         double[] back = order.givenBack();
@@ -77,32 +78,39 @@ final class Gatherer {
         int channels = faces.channels();
         for (int v : vertices) {
             for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
-                nodes.light().irradiance()[channels * v + c] += ambient.at(nodes.vertexFace(v), c)
-                        + (back.length == 0 ? 0 : back[c]);
+                double before = nodes.light().irradiance()[channels * v + c];
+                nodes.light().irradiance()[channels * v + c] = before * (1 + (back.length == 0 ? 0 : back[c]))
+                        + ambient.at(nodes.vertexFace(v), c);
             }
         }
     }
 
-    /** What some neighbouring vertices receive of one shooter is added to their irradiance. */
-    void gather(FormFactorCalculator[] calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int[] run) {
+    /**
+     * What some neighbouring vertices receive of one shooter is added to their irradiance.
+     *
+     * @param turn 0, or a number that is another whenever rays are to go other ways
+     */
+    void gather(FormFactorCalculator[] calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int[] run,
+            int turn) {
         int channels = faces.channels();
         double[] irradiance = nodes.light().irradiance();
         GatherSink.Irradiance sum = new GatherSink.Irradiance(channels);
         for (int v : run) {
             if (!nodes.isBuried(v)) {
                 System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
-                gather(calculator[mesh.patcher.slack(nodes.vertexFace(v))], shooter, nodes, v, sum);
+                gather(calculator[mesh.patcher.slack(nodes.vertexFace(v))], shooter, nodes, v, turn, sum);
                 System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
             }
         }
     }
 
     /** What one vertex receives of one shooter. */
-    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v,
+    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v, int turn,
             GatherSink sum) {
         float[] x = nodes.receivers();
         int f = nodes.vertexPlane(v);
         calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
-                faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2), nodes.vertexKey(v), shooter, sum);
+                faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2),
+                turn == 0 ? nodes.vertexKey(v) : Hash.mix(nodes.vertexKey(v), turn), shooter, sum);
     }
 }

@@ -156,11 +156,14 @@ final class MeshRefinement {
         return seen > 1 ? (high - low) / 2 : high / 2;
     }
 
-    /** An original triangle has no parent: a quarter of the difference between its corners. */
+    /**
+     * An original triangle has no parent: a quarter of the difference between its corners. Where light was looked at in
+     * the middle only, it may be dark at a corner.
+     */
     private double ofFace(int node) {
         double largest = 0;
         for (int c = 0; c < nodes.channels(); c++) {
-            double low = Double.POSITIVE_INFINITY;
+            double low = nodes.isPoint(node) ? 0 : Double.POSITIVE_INFINITY;
             double high = 0;
             for (int k = 0; k < 3; k++) {
                 low = Math.min(low, nodes.light().irradiance(node, k, c));

@@ -11,6 +11,7 @@ import radiosity.formfactor.LightSources;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.AdaptiveMeshing;
 import radiosity.mesh.Block;
+import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.Answer;
@@ -83,6 +84,7 @@ public final class PartitionImpl implements Partition {
     public byte[] round(Order order) {
         return switch (order.kind()) {
             case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
+            case UNSHOT -> Wire.bytes(out -> Wire.write(all(nodes.light()::unshotOfPositive), channels, out));
             case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
             case ROWS -> rows(order);
             default -> Wire.bytes(answer(order)::write);
@@ -97,8 +99,10 @@ public final class PartitionImpl implements Partition {
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
-            case DISCARD -> discard();
-            case GATHER -> gather(order);
+            case GATHER, REGATHER -> gather(order);
+            case RENEW -> renew(order);
+            case AVERAGE -> nodes.averageAside();
+            case BALANCE -> receivers.receiveAmbient(order, nodes, IntStream.range(0, nodes.vertices()).toArray());
             case REST -> gatherRest();
             default -> { }
         }
@@ -135,30 +139,27 @@ public final class PartitionImpl implements Partition {
         gather(work(order), ghosts.taken(points(order)));
     }
 
-    /**
-     * Where is gathered, here or by others: in a round that gathers only, at the points that the round before has made
-     * or where it has discarded what they had.
-     */
+    /** Where is gathered, here or by others: by {@link Order.Kind#GATHER} at the points that the round before made. */
     private int[] points(Order order) {
-        return order.kind() != Order.Kind.GATHER ? IntStream.range(0, nodes.vertices()).toArray()
-                : IntStream.concat(IntStream.of(nodes.verticesMade(order.number() - 1)),
-                        IntStream.of(nodes.discarded()))
-                .toArray();
+        return order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
+                : IntStream.range(0, nodes.vertices()).toArray();
     }
 
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
-        nodes.keepAll();
         new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number(), crew);
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(IntStream.range(known, nodes.vertices()).toArray());
     }
 
-    private void discard() {
-        nodes.discardNegative(mesh.negligibleIrradiance());
-        light(nodes.discarded());
+    private void renew(Order order) {
+        order.shots().forEach(shot -> shot.markShot(nodes, parts));
+        if (!order.begun()) {
+            nodes.setAside();
+            light(IntStream.range(0, nodes.vertices()).toArray());
+        }
     }
 
     /** What has no geometry shoots first. */
@@ -174,9 +175,13 @@ public final class PartitionImpl implements Partition {
 
     @Override
     public List<Shot> totals() {
-        Shot[] totals = new Shot[shooters.length];
-        crew.run(totals.length, i -> totals[i] = Shot.total(nodes, shooters[i]));
-        return List.of(totals);
+        return all(nodes.light()::shot);
+    }
+
+    private List<Shot> all(PatchTree.Quantity quantity) {
+        Shot[] shots = new Shot[shooters.length];
+        crew.run(shots.length, i -> shots[i] = Shot.of(nodes, shooters[i], 0, quantity));
+        return List.of(shots);
     }
 
     private List<Shot> trees() {
@@ -209,7 +214,9 @@ public final class PartitionImpl implements Partition {
     }
 
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
-    private void gather(Work work, int[] vertices) {
+    private void gather(Work work, int[] points) {
+        int[] vertices = IntStream.of(points).filter(v -> !nodes.isBuried(v)).toArray();
+        int turn = work.order.kind() == Order.Kind.REGATHER ? work.order.number() : 0;
         if (vertices.length == 0) {
             return;
         }
@@ -219,7 +226,7 @@ public final class PartitionImpl implements Partition {
             int[] run = Arrays.copyOfRange(vertices, from, to);
             long begin = BlockCosts.now();
             for (ShooterHierarchy shooter : work.shooters) {
-                receivers.gather(work.calculators, shooter, nodes, run);
+                receivers.gather(work.calculators, shooter, nodes, run, turn);
             }
             costs.add(run, BlockCosts.now() - begin);
         });

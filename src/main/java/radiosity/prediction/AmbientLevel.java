@@ -2,6 +2,7 @@ package radiosity.prediction;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToDoubleBiFunction;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
@@ -23,6 +24,8 @@ public final class AmbientLevel {
     private final double[] flux;
     private final double[] area;
     private final double[] lowest;
+    /** channels per room: least radiosity at any corner, W/m². */
+    private final double[] least;
 
     private AmbientLevel(InitialMesh mesh) {
         this.mesh = mesh;
@@ -31,10 +34,24 @@ public final class AmbientLevel {
         area = new double[flux.length];
         lowest = new double[flux.length];
         Arrays.fill(lowest, Double.POSITIVE_INFINITY);
+        least = new double[channels * mesh.rooms.count()];
+        Arrays.fill(least, Double.POSITIVE_INFINITY);
     }
 
     /** @return channels per closed room, W/m²; empty where there is none, or not all of the scene shoots */
     public static double[] of(InitialMesh mesh, List<Shot> shots) {
+        return of(mesh, shots, AmbientLevel::level);
+    }
+
+    /**
+     * The largest level of which nothing in a room shoots less at any corner: what differs from it is not negative
+     * anywhere, and so nothing receives less than the level, however it is sampled.
+     */
+    public static double[] lowest(InitialMesh mesh, List<Shot> shots) {
+        return of(mesh, shots, (light, i) -> Math.max(0, light.least[i % light.least.length]));
+    }
+
+    private static double[] of(InitialMesh mesh, List<Shot> shots, ToDoubleBiFunction<AmbientLevel, Integer> levels) {
         if (mesh.rooms.count() == 0) {
             return new double[0];
         }
@@ -46,7 +63,7 @@ public final class AmbientLevel {
         AmbientLevel light = new AmbientLevel(mesh);
         shots.forEach(shot -> shot.trees().forEach(light::add));
         double[] level = new double[light.flux.length / 2];
-        Arrays.setAll(level, i -> light.level(light.area[i] > 0 ? i : level.length + i));
+        Arrays.setAll(level, i -> levels.applyAsDouble(light, light.area[i] > 0 ? i : level.length + i));
         return level;
     }
 
@@ -68,6 +85,7 @@ public final class AmbientLevel {
             flux[i] += sum[c];
             area[i] += its;
             lowest[i] = Math.min(lowest[i], sum[c] / its);
+            least[channels * room + c] = Math.min(least[channels * room + c], tree.least(c));
         }
     }
 

@@ -26,8 +26,6 @@ public final class Answer {
     /** One per channel, W: signed. */
     public final ExactSum[] unshot;
     public int elements;
-    /** Elements that reflect, with a vertex whose irradiance is negative. */
-    public int negative;
 
     /** @param scale flux that is emitted, W */
     public Answer(Faces faces, double scale) {
@@ -36,6 +34,15 @@ public final class Answer {
         received = sums(channels, scale);
         absorbed = sums(channels, scale);
         unshot = sums(channels, scale);
+    }
+
+    /** The same sums, without candidates. */
+    private Answer(Answer other) {
+        unshotFlux = other.unshotFlux.clone();
+        received = other.received;
+        absorbed = other.absorbed;
+        unshot = other.unshot;
+        elements = other.elements;
     }
 
     private static ExactSum[] sums(int count, double scale) {
@@ -69,6 +76,15 @@ public final class Answer {
         return rest;
     }
 
+    /** The sums of this answer, with the unshot flux of another. */
+    public Answer withUnshotFlux(Answer other) {
+        Answer answer = new Answer(this);
+        for (int i = 0; i < unshotFlux.length; i++) {
+            answer.unshotFlux[i] = other.unshotFlux[i];
+        }
+        return answer;
+    }
+
     public void addSums(Answer other) {
         for (int q = 0; q < sums().size(); q++) {
             for (int i = 0; i < sums().get(q).length; i++) {
@@ -76,7 +92,6 @@ public final class Answer {
             }
         }
         elements += other.elements;
-        negative += other.negative;
     }
 
     public void write(DataOutput out) throws IOException {
@@ -87,7 +102,6 @@ public final class Answer {
             }
         }
         out.writeInt(elements);
-        out.writeInt(negative);
     }
 
     private static void write(DataOutput out, ExactSum sum) throws IOException {
@@ -103,6 +117,5 @@ public final class Answer {
             }
         }
         elements = in.readInt();
-        negative = in.readInt();
     }
 }

@@ -10,12 +10,12 @@ import radiosity.mesh.RadiosityNodes;
 /**
  * A block as bytes. For each subtree, nodes in preorder: for an inner one the number under which it was split; for an
  * element -1, then what it has shot at its corners, and for each corner whose vertex was not met before a byte of flags
- * (buried, discarded) and what it has received.
+ * (buried, set aside), what it has received, and where it gathers anew what was set aside.
  */
 public final class BlockState {
 
     private static final int BURIED = 1;
-    private static final int DISCARDED = 2;
+    private static final int SET_ASIDE = 2;
 
     private BlockState() { }
 
@@ -45,9 +45,12 @@ public final class BlockState {
             int v = nodes.corner(node, k);
             if (!met.get(v)) {
                 met.set(v);
-                out.writeByte((nodes.isBuried(v) ? BURIED : 0) | (nodes.isDiscarded(v) ? DISCARDED : 0));
+                out.writeByte((nodes.isBuried(v) ? BURIED : 0) | (nodes.isSetAside() ? SET_ASIDE : 0));
                 for (int c = 0; c < channels; c++) {
                     out.writeDouble(nodes.light().irradiance()[channels * v + c]);
+                }
+                for (int c = 0; c < channels && nodes.isSetAside(); c++) {
+                    out.writeDouble(nodes.shown(v, c));
                 }
             }
         }
@@ -86,9 +89,11 @@ public final class BlockState {
                 if ((flags & BURIED) != 0) {
                     nodes.bury(v);
                 }
-                nodes.setDiscarded(v, (flags & DISCARDED) != 0);
                 for (int c = 0; c < channels; c++) {
                     nodes.light().irradiance()[channels * v + c] = in.readDouble();
+                }
+                for (int c = 0; c < channels && (flags & SET_ASIDE) != 0; c++) {
+                    nodes.setAside(v, c, in.readDouble());
                 }
             }
         }

@@ -19,7 +19,7 @@ import radiosity.worker.ShotHistory;
  * @param weight    what a W/m² counts for in that, see {@link radiosity.mesh.Weights}
  * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
  * @param ambient   channels per closed room, see {@link radiosity.mesh.UniformRadiosity}; empty: none. W/m²
- * @param givenBack one per channel, or empty: even irradiance that all receive, W/m²
+ * @param givenBack one per channel, or empty: part of what each vertex has received that it receives besides
  * @param begun     whether a part of the round is done: the ambient light has been received
  * @param most      how many candidates for the next round to name; -1: nobody reads the answer; {@link #GIVE}:
  *                  gather only where other hosts need it, and say what has arrived there
@@ -39,15 +39,20 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         SHOOT,
         /** Subdivide where interpolation errs; new vertices are dark. */
         SPLIT,
-        /** Discard what points with a negative irradiance have received; they are dark. */
-        DISCARD,
-        /**
-         * Gather at the vertices that the round before has made, or where it has discarded what they had: nobody is
-         * marked.
-         */
+        /** Gather at the vertices that the round before has made: nobody is marked. */
         GATHER,
+        /** Mark who shoots, and set aside what all vertices have received: they are dark until they have gathered. */
+        RENEW,
+        /** Gather at all vertices what was ever shot, along other rays than before: nobody is marked. */
+        REGATHER,
+        /** Average what was gathered anew with what was set aside, where that is not negative. */
+        AVERAGE,
+        /** Give all vertices back what rays have lost, see {@link Order#givenBack}. */
+        BALANCE,
         /** Say what was ever shot. */
         TOTALS,
+        /** Say what is unshot, to the last digit; no corner is to have shot less than nothing. */
+        UNSHOT,
         /** Say how all trees are divided. */
         TREES,
         /** Say who could shoot, on the patches of the coarse mesh: their means. */
@@ -100,12 +105,23 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
 
     /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
     public boolean changes() {
-        return kind == Kind.SHOOT || kind == Kind.SPLIT || kind == Kind.DISCARD || kind == Kind.GATHER;
+        return gathers() || kind == Kind.SPLIT || kind == Kind.RENEW || kind == Kind.AVERAGE
+                || kind == Kind.BALANCE;
     }
 
     /** Whether points gather. */
     public boolean gathers() {
-        return kind == Kind.SHOOT || kind == Kind.GATHER;
+        return kind == Kind.SHOOT || gathersTotals();
+    }
+
+    /** Whether points gather all that was ever shot: hosts know it, and are not sent it. */
+    public boolean gathersTotals() {
+        return kind == Kind.GATHER || kind == Kind.REGATHER;
+    }
+
+    /** Whether what is shot counts as shot from now on. */
+    public boolean marks() {
+        return kind == Kind.SHOOT || kind == Kind.RENEW;
     }
 
     /** The same, naming other numbers of candidates. */
@@ -142,7 +158,7 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
 
     /** For who has {@link ShotHistory}: what was shot is left out where it is all that was ever shot. */
     public byte[] encodeShort() {
-        return Wire.bytes(out -> write(out, kind != Kind.GATHER));
+        return Wire.bytes(out -> write(out, !gathersTotals()));
     }
 
     private void write(DataOutputStream out, boolean whole) throws IOException {
@@ -173,7 +189,8 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         Kind kind = kind(in.readByte());
         int number = in.readInt();
         boolean more = in.readBoolean();
-        List<Shot> shots = kind == Kind.GATHER ? Wire.trees(in) : Wire.shots(in);
+        boolean totals = kind == Kind.GATHER || kind == Kind.REGATHER;
+        List<Shot> shots = totals ? Wire.trees(in) : Wire.shots(in);
         double tolerance = in.readDouble();
         double[] weight = doubles(in);
         double meshError = in.readDouble();

@@ -28,11 +28,6 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
     /** What the smallest takes when written. */
     static final int LEAST_BYTES = 12;
 
-    /** What some nodes have ever shot. */
-    public static Shot total(RadiosityNodes nodes, int[] tops) {
-        return of(nodes, tops, 0, nodes.light()::shot);
-    }
-
     public static Shot of(RadiosityNodes nodes, int[] tops, double flux, PatchTree.Quantity quantity) {
         List<PatchTree> trees = new ArrayList<>(tops.length);
         for (int top : tops) {

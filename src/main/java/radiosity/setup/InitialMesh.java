@@ -39,8 +39,6 @@ public final class InitialMesh {
     private static final int FINE_BLOCKS = 1024;
     /** What shoots together. */
     private static final int CLUSTERS = 128;
-    /** Of the mean exitance. */
-    private static final double NEGLIGIBLE = 1e-7;
     /** Reflectance above which the rounding of floats would show. */
     private static final double WHITE = 0.98;
     /** Sample points per shooter where no number is given, likewise. */
@@ -161,14 +159,6 @@ public final class InitialMesh {
         return patcher.patchArea() * faces.size() * faces.size();
     }
 
-    /**
-     * Irradiance that is as good as none, W/m²: a small part of the mean exitance, and so of the mean radiosity. Rays
-     * find light with errors that are far larger.
-     */
-    public double negligibleIrradiance() {
-        return NEGLIGIBLE * fluxScale() / (faces.colours() * faces.area() * faces.size() * faces.size());
-    }
-
     /** About as much flux as there is, W: what sums of flux are counted in. */
     public double fluxScale() {
         double sum = 0;
@@ -195,7 +185,7 @@ public final class InitialMesh {
 
     /** In per cent, and as the two numbers that follow from that. */
     private String accuracy() {
-        return String.format(Locale.ROOT, " --accuracy %.6g%% (tolerance %s, mesh error %s)",
+        return String.format(Locale.ROOT, " --accuracy %.6g%% (first tolerance %s, first mesh error %s)",
                 100 * Accuracy.of(settings.tolerance()), tolerance(), meshError());
     }
 

@@ -4,7 +4,6 @@ import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.Answer;
@@ -22,6 +21,8 @@ final class Flux {
     private final double squared;
     /** One per channel: flux that left shooters, lights among them, W. */
     private final double[] shot;
+    /** One per channel: flux of shooters that are marked, of which nothing has arrived yet, W. */
+    private final double[] underWay;
     /** One per channel: flux of surfaces and lights, W. A light emits what arrives of it. */
     private final double[] emitted;
     private final InitialMesh mesh;
@@ -31,6 +32,7 @@ final class Flux {
         faces = mesh.faces;
         squared = faces.size() * faces.size();
         shot = new double[faces.channels()];
+        underWay = new double[faces.channels()];
         emitted = mesh.emitted.clone();
     }
 
@@ -46,6 +48,22 @@ final class Flux {
         double[] flux = patch.flux(faces);
         for (int c = 0; c < shot.length; c++) {
             shot[c] += flux[c] * squared;
+        }
+    }
+
+    /** Counts what is marked as shot, but gathered later. */
+    void mark(Shot patch) {
+        double[] flux = patch.flux(faces);
+        for (int c = 0; c < shot.length; c++) {
+            underWay[c] += flux[c] * squared;
+        }
+    }
+
+    /** What was marked has been gathered. */
+    void countMarked() {
+        for (int c = 0; c < shot.length; c++) {
+            shot[c] += underWay[c];
+            underWay[c] = 0;
         }
     }
 
@@ -77,15 +95,15 @@ final class Flux {
     }
 
     /**
-     * What was shot and not received, or received twice: where all must be, as even light it is given back, so that
-     * flux is conserved. W/m², one per channel.
+     * What was shot and not received, or received twice, relative to what was received, one per channel: where all must
+     * be received, each vertex is given that share of its own light back, so that flux is conserved and no light
+     * becomes negative.
      */
     double[] missing(Answer answer) {
-        double area = IntStream.range(0, faces.count()).filter(f -> !mesh.rooms.isHidden(f)).mapToDouble(faces::area)
-                .sum();
-        double[] missing = shot.clone();
+        double[] missing = new double[shot.length];
         for (int c = 0; c < missing.length; c++) {
-            missing[c] = (missing[c] - answer.received[c].value()) / (area * squared);
+            double received = answer.received[c].value();
+            missing[c] = received > 0 ? (shot[c] - received) / received : 0;
         }
         return missing;
     }
@@ -126,6 +144,7 @@ final class Flux {
     void write(DataOutput out) throws IOException {
         for (int c = 0; c < shot.length; c++) {
             out.writeDouble(shot[c]);
+            out.writeDouble(underWay[c]);
             out.writeDouble(emitted[c]);
         }
     }
@@ -133,6 +152,7 @@ final class Flux {
     void read(DataInput in) throws IOException {
         for (int c = 0; c < shot.length; c++) {
             shot[c] = in.readDouble();
+            underWay[c] = in.readDouble();
             emitted[c] = in.readDouble();
         }
     }

@@ -29,8 +29,8 @@ final class Merger {
     private int elements;
 
     /**
-     * @param dark the round whose new or discarded vertices have not gathered yet: they take what stands beside them; 0
-     *             where there is none
+     * @param dark the round whose new vertices have not gathered yet: they take what stands beside them; 0 where there
+     *             is none
      */
     Merger(InitialMesh mesh, List<byte[]> states, int dark) {
         this.mesh = mesh;
@@ -79,10 +79,10 @@ final class Merger {
             irradiance = Arrays.copyOf(irradiance, channels * room);
         }
         nodes.position(node, k, position, 3 * v);
-        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark && !nodes.isDiscarded(from))) {
+        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {
             copies[v]++;
             for (int c = 0; c < channels; c++) {
-                irradiance[channels * v + c] += nodes.light().irradiance()[channels * from + c];
+                irradiance[channels * v + c] += nodes.shown(from, c);
             }
         }
         return v;

@@ -5,11 +5,8 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
-import java.util.stream.Collectors;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
@@ -32,9 +29,6 @@ final class Prediction implements Planner {
     /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
     private static final double SETTLED = 0.05;
     private static final int MOST_SPLITS = 12;
-    private static final int MOST_DISCARDS = 12;
-    /** For the unshot flux before the last shots: whatever is left, there are no more. */
-    private static final double ENDED = Double.NEGATIVE_INFINITY;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.02;
 
@@ -50,7 +44,7 @@ final class Prediction implements Planner {
     }
 
     /** What the last round was. */
-    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, DISCARD, REGATHER }
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE }
 
     private final World world;
     private final double wanted;
@@ -64,10 +58,12 @@ final class Prediction implements Planner {
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
     private int splits;
-    private int discards;
     private int elements;
     private boolean refined;
-    /** Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. */
+    /**
+     * Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. It is
+     * 0 then.
+     */
     private double left = Double.POSITIVE_INFINITY;
 
     /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
@@ -97,64 +93,58 @@ final class Prediction implements Planner {
 
     @Override
     public Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        boolean look = !refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent <= SETTLED;
-        if (look) {
+        switch (stage) {
+            case RENEW -> {
+                return regather();
+            }
+            case SPLIT -> {
+                refined = last.elements == elements || splits == MOST_SPLITS;
+                if (last.elements > elements) {
+                    return gather();
+                }
+            }
+            case REGATHER -> {
+                return average();
+            }
+            case AVERAGE -> {
+                if (world.mesh.conserves()) {
+                    return balance();
+                }
+            }
+            default -> { }
+        }
+        if (!refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent <= SETTLED) {
             return split(last);
         }
-        boolean fine = stage == Stage.SPLIT ? last.elements == elements || splits == MOST_SPLITS : refined;
-        if (stage == Stage.SPLIT && last.elements > elements) {
-            refined = fine;
-            return gather(true);
+        if (coarse != null && !coarse.isMade()) {
+            return rows();
         }
-        if (stage == Stage.DISCARD) {
-            Order order = gather(false);
-            stage = Stage.REGATHER;
-            return order;
+        List<Shot> shots = coarse == null ? unforeseen(last) : foreseen(last, goOn);
+        if (shots.isEmpty()) {
+            return null;
         }
-        if (stage == Stage.REGATHER && last.negative > 0 && left != ENDED) {
-            List<Shot> shots = ofNegativeTotals();
-            if (!shots.isEmpty()) {
-                stage = Stage.SHOOT;
-                return order(Order.Kind.SHOOT, shots, new double[0]);
-            }
+        boolean isOver = unsent <= wanted || unsent >= left;
+        if (refined && stage == Stage.SHOOT && isOver) {
+            return renew(unsent);
         }
-        boolean isOver = unsent <= wanted || unsent >= left; // else what is shot next may mend it
-        if (stage == Stage.SHOOT && fine && isOver && last.negative > 0) {
-            return discard(unsent);
-        }
-        boolean isLast = left == ENDED ? last.negative == 0 || discards >= MOST_DISCARDS : stage == Stage.SHOOT;
-        Order order = fine && isLast && unsent >= left ? null : shoot(last, unsent, goOn);
-        if (order != null && order.kind() == Order.Kind.SHOOT) {
-            // only now: whoever goes on later asks for rows first, and is then asked whether that is all
-            refined = fine;
-        }
-        return order;
+        return shoot(shots, unsent);
     }
 
     /**
      * What later shots take back goes along other rays than what came before, and where little arrives more may be
-     * taken back than had come: such a point gathers anew all that was ever shot, along the same rays.
+     * taken back than had come. So in the end all vertices gather anew, at once, what surfaces radiate then: no part of
+     * that is negative. It is averaged with what they had, unless that was negative, as its rays are others.
      */
-    private Order discard(double unsent) {
-        stage = Stage.DISCARD;
-        discards++;
-        if (unsent >= left || discards >= MOST_DISCARDS) {
-            left = ENDED;
-        }
-        return order(Order.Kind.DISCARD, List.of(), new double[0]);
+    private Order renew(double unsent) throws IOException {
+        stage = Stage.RENEW;
+        left = unsent <= wanted ? unsent : 0;
+        return order(Order.Kind.RENEW, world.unshot(), new double[0]);
     }
 
-    /**
-     * What shooters have to shoot that have shot less than nothing, as they had received less than nothing then: as
-     * long as they have, points that see little else receive less than nothing when they gather anew.
-     */
-    private List<Shot> ofNegativeTotals() throws IOException {
-        double negligible = world.mesh.negligibleIrradiance();
-        Set<Shot.Place> negative = world.totals().stream().filter(shot -> shot.trees().stream()
-                .anyMatch(tree -> DoubleStream.of(tree.radiosity()).anyMatch(b -> b < -negligible)))
-                .map(Shot::place).collect(Collectors.toSet());
-        return world.joined(world.answer(ALL).candidates).stream().filter(shot -> negative.contains(shot.place()))
-                .map(world.mesh.rounding::of).toList();
+    private Order regather() throws IOException {
+        stage = Stage.REGATHER;
+        List<Shot> totals = world.totals();
+        return order(Order.Kind.REGATHER, totals, AmbientLevel.lowest(world.mesh, totals));
     }
 
     private Order split(Answer last) {
@@ -164,24 +154,24 @@ final class Prediction implements Planner {
         return order(Order.Kind.SPLIT, List.of(), new double[0]);
     }
 
-    /**
-     * @param evenly whether what surfaces of a closed room have in common comes without rays; else nothing is
-     * subtracted
-     */
-    private Order gather(boolean evenly) throws IOException {
-        stage = Stage.GATHER;
-        List<Shot> totals = world.totals();
-        return order(Order.Kind.GATHER, totals, evenly ? AmbientLevel.of(world.mesh, totals) : new double[0]);
+    private Order average() {
+        stage = Stage.AVERAGE;
+        return order(Order.Kind.AVERAGE, List.of(), new double[0]);
     }
 
-    private Order shoot(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        if (coarse != null && !coarse.isMade()) {
-            return rows();
-        }
-        List<Shot> shots = coarse == null ? unforeseen(last) : foreseen(last, goOn);
-        if (shots.isEmpty()) {
-            return null;
-        }
+    /** Nobody shoots: vertices are given back what rays have lost. */
+    private Order balance() {
+        stage = Stage.BALANCE;
+        return order(Order.Kind.BALANCE, List.of(), new double[0]);
+    }
+
+    private Order gather() throws IOException {
+        stage = Stage.GATHER;
+        List<Shot> totals = world.totals();
+        return order(Order.Kind.GATHER, totals, AmbientLevel.of(world.mesh, totals));
+    }
+
+    private Order shoot(List<Shot> shots, double unsent) {
         stage = Stage.SHOOT;
         left = unsent;
         return order(Order.Kind.SHOOT, shots, AmbientLevel.of(world.mesh, shots));
@@ -290,21 +280,16 @@ final class Prediction implements Planner {
         return 0;
     }
 
-    /**
-     * Points that were discarded are dark until they have gathered: a calculation must not end there. Where all flux
-     * must be received, what they gather differs from what was discarded, and the next shots give the difference back.
-     */
+    /** Until all vertices have gathered anew, what they have may be negative. */
     @Override
     public boolean isEnough(Answer last, double unsent, double wanted) {
-        boolean isWhole = stage != Stage.DISCARD && !(stage == Stage.REGATHER && world.mesh.conserves());
-        return refined && isWhole && unsent <= wanted && last.negative == 0;
+        return stage == (world.mesh.conserves() ? Stage.BALANCE : Stage.AVERAGE) && left <= wanted;
     }
 
     @Override
     public void write(DataOutput out) throws IOException {
         out.writeByte(stage.ordinal());
         out.writeInt(splits);
-        out.writeInt(discards);
         out.writeInt(elements);
         out.writeBoolean(refined);
         out.writeDouble(left);
@@ -317,7 +302,6 @@ final class Prediction implements Planner {
     public void read(DataInput in) throws IOException {
         stage = Stage.values()[in.readByte()];
         splits = in.readInt();
-        discards = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();
         left = in.readDouble();

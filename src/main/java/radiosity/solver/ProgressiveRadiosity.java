@@ -199,7 +199,8 @@ public final class ProgressiveRadiosity {
         }
         Order next = agenda.round();
         next = next.changes() ? next.numbered(tally.nextRound()) : next;
-        agenda.begin(next.kind() == Order.Kind.SHOOT ? next.givingBack(missing()) : next, planner.looksAhead());
+        agenda.begin(next.kind() == Order.Kind.SHOOT || next.kind() == Order.Kind.BALANCE
+                ? next.givingBack(missing()) : next, planner.looksAhead());
     }
 
     private void carryOut(Order now) throws IOException {
@@ -225,7 +226,7 @@ public final class ProgressiveRadiosity {
         pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
     }
 
-    /** To be given back, where all flux must be received: W/m², one per channel. Empty elsewhere. */
+    /** To be given back, where all flux must be received: see {@link Flux#missing}. Empty elsewhere. */
     private double[] missing() {
         return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(last.afterRound()) : new double[0];
     }
@@ -286,7 +287,7 @@ public final class ProgressiveRadiosity {
         know();
         Answer now = last.newest();
         return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements, threads)
-                .certificate(Flux.sum(now.unshotFlux))).filter(certificate -> certificate.points() > 0);
+                .certificate(Flux.sum(tally.shown(now).unshotFlux))).filter(certificate -> certificate.points() > 0);
     }
 
     /**

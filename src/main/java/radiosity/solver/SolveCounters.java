@@ -14,10 +14,12 @@ final class SolveCounters {
     private final InitialMesh mesh;
     private int shots;
     private int rounds;
-    /** The round whose new or discarded vertices have not gathered yet; 0 where there is none. */
+    /** The round that has made vertices, or renewed all, that have not gathered yet; 0 where there is none. */
     private int dark;
-    /** The answer before they were made: until they have gathered, it is what the light that is shown comes to. */
+    /** The answer before that round: until they have gathered, it is what the light that is shown comes to. */
     private Answer beforeDark;
+    /** The answer before all vertices were renewed, as long as nobody has shot since; else null. */
+    private Answer beforeRenewal;
     final Flux flux;
 
     SolveCounters(InitialMesh mesh) {
@@ -44,14 +46,23 @@ final class SolveCounters {
      * @param after  the last answer by now
      */
     void count(Order done, Answer before, Answer after) {
-        if (done.kind() == Order.Kind.SHOOT) {
-            shots += done.shots().size();
-            done.shots().forEach(flux::count);
+        switch (done.kind()) {
+            case SHOOT -> {
+                shots += done.shots().size();
+                done.shots().forEach(flux::count);
+                beforeRenewal = null;
+            }
+            case RENEW -> done.shots().forEach(flux::mark);
+            case AVERAGE -> {
+                beforeRenewal = beforeDark;
+                flux.countMarked();
+            }
+            default -> { }
         }
-        if (done.kind() == Order.Kind.SPLIT && after.elements > before.elements || done.kind() == Order.Kind.DISCARD) {
+        if (done.kind() == Order.Kind.SPLIT && after.elements > before.elements || done.kind() == Order.Kind.RENEW) {
+            beforeDark = dark == done.number() ? beforeDark : before;
             dark = done.number();
-            beforeDark = before;
-        } else if (done.kind() != Order.Kind.ROWS && !done.more()) {
+        } else if (done.kind() != Order.Kind.ROWS && done.kind() != Order.Kind.REGATHER && !done.more()) {
             dark = 0;
         }
     }
@@ -65,14 +76,17 @@ final class SolveCounters {
         return rounds;
     }
 
-    /** The round whose new or discarded vertices have not gathered yet; 0 where there is none. */
+    /** The round that has made vertices, or renewed all, that have not gathered yet; 0 where there is none. */
     int dark() {
         return dark;
     }
 
-    /** What the light that is shown comes to. */
+    /**
+     * What the light that is shown comes to. What vertices have gathered anew differs from what was shot by the noise
+     * of rays, which is nothing that is still to be sent: unsent is what had not been shot before.
+     */
     Answer shown(Answer last) {
-        return dark == 0 ? last : beforeDark;
+        return dark != 0 ? beforeDark : beforeRenewal != null ? last.withUnshotFlux(beforeRenewal) : last;
     }
 
     Progress progress(Answer last) {
@@ -86,6 +100,10 @@ final class SolveCounters {
         if (dark != 0) {
             beforeDark.write(out);
         }
+        out.writeBoolean(beforeRenewal != null);
+        if (beforeRenewal != null) {
+            beforeRenewal.write(out);
+        }
         flux.write(out);
     }
 
@@ -96,6 +114,10 @@ final class SolveCounters {
         if (dark != 0) {
             beforeDark = new Answer(mesh.faces, mesh.fluxScale());
             beforeDark.read(in);
+        }
+        if (in.readBoolean()) {
+            beforeRenewal = new Answer(mesh.faces, mesh.fluxScale());
+            beforeRenewal.read(in);
         }
         flux.read(in);
     }

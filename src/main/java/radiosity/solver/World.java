@@ -151,6 +151,15 @@ public abstract class World implements AutoCloseable {
         return joined(totals);
     }
 
+    /** What all shooters have not shot yet, to the last digit; see {@link Order.Kind#UNSHOT}. */
+    public final List<Shot> unshot() throws IOException {
+        List<Shot> unshot = new ArrayList<>();
+        for (byte[] bytes : round(Order.plain(Order.Kind.UNSHOT, 0))) {
+            unshot.addAll(Wire.shots(Wire.input(bytes)));
+        }
+        return joined(unshot);
+    }
+
     /** Those of blocks as those of what shoots together; sorted. */
     public final List<Shot> joined(List<Shot> shots) {
         return mesh.shootsClusters() ? mesh.clusters.join(shots, crew) : shots.stream().sorted().toList();

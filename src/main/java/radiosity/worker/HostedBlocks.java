@@ -112,15 +112,15 @@ final class HostedBlocks {
         if (in.available() > 0 && partition.takeGhosts(in)) {
             owed.clear();
         }
+        if (mesh.predicts() && order.marks()) {
+            totals.add(order.shots());
+        }
         byte[] answer = order.gathers() ? gather(order) : answer(order);
         given = order.most() == Order.GIVE ? partition.ghosts().give() : new byte[0];
         return answer;
     }
 
     private byte[] gather(Order order) {
-        if (mesh.predicts() && order.kind() == Order.Kind.SHOOT) {
-            totals.add(order.shots());
-        }
         Order whole = whole(order);
         if (partition.ghosts().isTaking()) {
             owed.add(whole);
@@ -137,7 +137,7 @@ final class HostedBlocks {
 
     /** With what was shot, where the order says by whom only. */
     private Order whole(Order order) {
-        return order.kind() == Order.Kind.GATHER ? order.shooting(totals.of(order.shots())) : order;
+        return order.gathersTotals() ? order.shooting(totals.of(order.shots())) : order;
     }
 
     /** For other hosts: what this one has gathered for them up to the last order. */

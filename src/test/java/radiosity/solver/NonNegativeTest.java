@@ -140,7 +140,7 @@ class NonNegativeTest {
             }
             return true;
         });
-        assertTrue(states.size() > 2, "stops while discarded points gather: " + states.size());
+        assertTrue(states.size() > 2, "stops while renewed points gather: " + states.size());
         for (int i = 0; i < states.size(); i += 1 + states.size() / 3) {
             ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(scene, settings(.1), 1, 2), STOP);
             rest.resume(states.get(i));

@@ -102,6 +102,11 @@ public final class CalculationOptions {
                 papers ? Schedule.PAPER : defaults.schedule());
     }
 
+    /** Whether nothing but the accuracy that is asked for ends the calculation. */
+    public boolean isAccuracyAsked() {
+        return accuracy != null && iterations == null && unsent == null && time == null;
+    }
+
     public StopRule stopRule() {
         return new StopRule(iterations == null ? Integer.MAX_VALUE : iterations,
                 unsent != null ? unsent : StopRule.DEFAULT_UNSENT);

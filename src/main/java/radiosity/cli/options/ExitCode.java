@@ -14,5 +14,8 @@ public final class ExitCode {
     /** None of the hosts could be used. */
     static final int NO_WORKER = 4;
 
+    /** The work is done, but not as exactly as {@code --accuracy} asked for. */
+    static final int NOT_ACCURATE = 5;
+
     private ExitCode() { }
 }

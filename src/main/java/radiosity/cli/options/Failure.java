@@ -25,6 +25,11 @@ public final class Failure extends RuntimeException {
         return new Failure(ExitCode.FILE, where + ": " + what, cause);
     }
 
+    /** All is done and saved, but the accuracy that was asked for was not reached. */
+    public static Failure notAccurate(String line) {
+        return new Failure(ExitCode.NOT_ACCURATE, line, null);
+    }
+
     /** For a reason that is neither the command line's nor a file's. */
     public static Failure failed(String line, Throwable cause) {
         return new Failure(ExitCode.FAILED, line, cause);

@@ -20,8 +20,8 @@ import radiosity.cli.RadiosityRenderer;
             "Press any key to stop after the current iteration and save.",
             "",
             "Exit codes: 0 done, also when stopped by a key; 1 failed; 2 wrong command line; 3 a file cannot be read"
-                + " or written; 4 no host could be used; 130, 143 saved after Ctrl-C, SIGTERM, or left"
-                + " to the journal after 10 s."})
+                + " or written; 4 no host could be used; 5 less exact than --accuracy asked for; 130, 143 saved after"
+                + " Ctrl-C, SIGTERM, or left to the journal after 10 s."})
 public final class RendererOptions {
 
     @Parameters(arity = "0..*", paramLabel = "<files>", hidden = true)

@@ -2,11 +2,15 @@ package radiosity.cli.render;
 
 import java.io.PrintStream;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import radiosity.cli.terminal.ProgressText;
+import radiosity.settings.Accuracy;
+import radiosity.settings.Schedule;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
@@ -16,6 +20,8 @@ public final class Summary {
 
     /** From here on the estimates of errors are mostly about what is unsent. */
     private static final double MUCH_UNSENT = 0.01;
+    /** Surfaces that are named where an error is larger than was asked for. */
+    private static final int WORST = 3;
 
     private final RenderResult result;
     private final Progress progress;
@@ -62,6 +68,31 @@ public final class Summary {
                 ProgressText.perCent(c.expected()), parts, c.points(), missing);
         out.printf(Locale.ROOT, "form factors add up to %.4f on average, %.4f at most; two ways they differ by %s%n",
                 c.factors(), c.mostFactors(), ProgressText.perCent(c.reciprocity()));
+    }
+
+    /**
+     * What is said where the radiosity is less exact than was asked for, and on which surfaces most of the error is;
+     * nothing where it is exact enough, or its error is not known.
+     */
+    public Optional<String> shortfall() {
+        double asked = Accuracy.of(result.settings().tolerance());
+        return result.certificate().filter(c -> result.settings().schedule() == Schedule.PREDICT
+                && c.expected() > asked).map(c -> String.format(Locale.ROOT,
+                "accuracy: expected an error of %s, reached %s%s", ProgressText.perCent(asked),
+                ProgressText.perCent(c.expected()), worst(c)));
+    }
+
+    private static String worst(Certificate certificate) {
+        double all = certificate.surfaces().stream().mapToDouble(Summary::square).sum();
+        return all == 0 ? "" : certificate.surfaces().stream()
+                .sorted(Comparator.comparingDouble(Summary::square).reversed()).limit(WORST)
+                .map(s -> String.format(Locale.ROOT, "%.0f %% of it on %s", 100 * square(s) / all, s.surface()))
+                .collect(Collectors.joining(", ", "; ", ""));
+    }
+
+    /** Square of what a surface is off by, summed over its points, (W/m²)². */
+    private static double square(Certificate.SurfaceError s) {
+        return s.points() * s.radiosity() * s.radiosity() * (s.sampling() * s.sampling() + s.meshing() * s.meshing());
     }
 
     /** Of JSON's types. */

@@ -1,0 +1,47 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import radiosity.cli.render.RenderResult;
+import radiosity.cli.render.Summary;
+import radiosity.settings.Accuracy;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.StopRule;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.RoomScenes;
+
+/** Where less accuracy is reached than was asked for, the summary says so. */
+class SummaryTest {
+
+    /** A room with blocks on a mesh that is never refined, however exact it is to be. */
+    private static Optional<String> shortfall(double asked) throws IOException {
+        RadiositySettings defaults = RadiositySettings.defaults();
+        RadiositySettings settings = new RadiositySettings(0, 0, defaults.meshing(), defaults.schedule(),
+                Accuracy.tolerance(asked), 1);
+        try (LocalWorld world = new LocalWorld(RoomScenes.withBlocks(RoomScenes.grey("wall", 0, .5),
+                RoomScenes.grey("lamp", 1, .5)), settings, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world,
+                    new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT));
+            radiosity.run(progress -> true);
+            RenderResult result = new RenderResult(radiosity.solution(), settings, radiosity.progress(),
+                    world.patchArea(), radiosity.certificate(2), Optional.empty(), false, false);
+            return new Summary(result, Optional.empty(), 1).shortfall();
+        }
+    }
+
+    @Test
+    void lessThanWasAskedFor_isSaidWithTheSurface() throws IOException {
+        String line = shortfall(.01).orElseThrow();
+        assertTrue(line.matches("accuracy: expected an error of 1\\.0 %, reached \\S+ %; 100 % of it on wall"), line);
+    }
+
+    @Test
+    void whatWasAskedFor_isNotMentioned() throws IOException {
+        assertEquals(Optional.empty(), shortfall(.5));
+    }
+}
