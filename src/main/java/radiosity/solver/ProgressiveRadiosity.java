@@ -144,7 +144,7 @@ public final class ProgressiveRadiosity {
 
     /** Whether more is unshot than the stop rule asks for, but only as {@linkplain StopRule#ROUNDING rounding}. */
     public boolean isOnlyRoundingLeft() {
-        double left = tally.flux.unsent(last.newest());
+        double left = tally.flux.unsent(tally.shown(last.newest()));
         return left > stop.unsent() && left <= tally.flux.rounding();
     }
 
