@@ -44,6 +44,29 @@ public final class GaussSeidel {
      * @return H, channels per row; null where it was not to go on
      */
     double[] solve(double[] direct, BooleanSupplier goOn) {
+        double largest = 0;
+        for (double d : direct) {
+            largest = Math.max(largest, Math.abs(d));
+        }
+        if (largest == 0 || !Double.isFinite(largest)) {
+            return ofUnit(direct, goOn);
+        }
+        // powers of two change no digit, and squares of faint light would be lost
+        int up = -Math.getExponent(largest);
+        double[] h = ofUnit(scaled(direct, up), goOn);
+        return h == null ? null : scaled(h, -up);
+    }
+
+    private static double[] scaled(double[] values, int up) {
+        double[] scaled = new double[values.length];
+        for (int i = 0; i < scaled.length; i++) {
+            scaled[i] = Math.scalb(values[i], up);
+        }
+        return scaled;
+    }
+
+    /** @param direct D, about 1 or less */
+    private double[] ofUnit(double[] direct, BooleanSupplier goOn) {
         double[] h = new double[direct.length];
         double[][] steps = new double[MEMORY][];
         double[][] changes = new double[MEMORY][];

@@ -16,6 +16,8 @@ public record Rounding(boolean exact, boolean together) {
 
     /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
     private static final double LEAST = 1e-30;
+    /** Digits that a double has more than a float. */
+    private static final int SPARE = 29;
     /** Likewise for what is counted in units. */
     private static final double LEAST_UNITS = 1e-290;
 
@@ -33,8 +35,14 @@ public record Rounding(boolean exact, boolean together) {
                 values.apply(tree))).toList(), shot.flux());
     }
 
+    /** To the 24 digits of a float, half to even, also where a float has not the range: all scales are alike. */
     private static double toFloat(double x) {
-        return isNear(Math.abs(x), LEAST) ? (float) x : x;
+        if (isNear(Math.abs(x), LEAST)) {
+            return (float) x;
+        }
+        long bits = Double.doubleToRawLongBits(x);
+        long even = bits >> SPARE & 1;
+        return Double.longBitsToDouble(bits + (1L << SPARE - 1) - 1 + even & -1L << SPARE);
     }
 
     /** Whether neither a size nor its inverse is below the least. */

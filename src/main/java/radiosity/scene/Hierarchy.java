@@ -13,6 +13,9 @@ import java.util.List;
  */
 public record Hierarchy(List<SceneNode> nodes, int[] nodeOf) {
 
+    /** Nodes up to which they are written: each takes some 10 KB of memory meanwhile, and nobody looks at so many. */
+    private static final int MOST_WRITTEN = 10_000;
+
     /** Triangles that belong to no object. */
     public static final Hierarchy NONE = new Hierarchy(List.of(), new int[0]);
 
@@ -37,6 +40,11 @@ public record Hierarchy(List<SceneNode> nodes, int[] nodeOf) {
     public static Hierarchy unnamed(int[] nodeOf) {
         int count = Arrays.stream(nodeOf).max().orElse(-1) + 1;
         return new Hierarchy(Collections.nCopies(count, new SceneNode("", -1, "", Affine.IDENTITY)), nodeOf);
+    }
+
+    /** What of it is written to a file: nothing where there are more than 10,000 nodes. */
+    public Hierarchy written() {
+        return nodes.size() <= MOST_WRITTEN ? this : NONE;
     }
 
     /** The node of a triangle, or -1 where it belongs to none. */

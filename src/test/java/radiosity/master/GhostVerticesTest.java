@@ -114,8 +114,9 @@ class GhostVerticesTest {
     private static Link counting(TestLink link, AtomicLong told) {
         boolean[] isShooting = {false};
         return replying(link, (order, reply) -> {
-            isShooting[0] = order.kind() == Order.Kind.SHOOT || order.kind() == Order.Kind.REST && isShooting[0];
-            if (isShooting[0]) {
+            isShooting[0] = order.gathers() ? order.kind() == Order.Kind.SHOOT : isShooting[0];
+            // hosts may be asked before they gather at the rest of their points
+            if (isShooting[0] && (order.gathers() || order.kind() == Order.Kind.REST)) {
                 told.addAndGet(reply.work().stream().mapToLong(BlockWork::told).sum());
             }
             return reply;

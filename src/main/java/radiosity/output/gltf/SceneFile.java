@@ -94,7 +94,7 @@ public final class SceneFile implements Closeable {
         Aabb box = Aabb.of(closed.positions());
         Vec3 origin = origin(box);
         SceneDocument document = new SceneDocument(closed.scene().name(), program(), origin,
-                closed.scene().hierarchy());
+                closed.scene().hierarchy().written());
         for (Mesh mesh : Mesh.of(closed, origin)) {
             document.mesh(mesh, toneMapping);
         }

@@ -146,7 +146,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
     /** Some elements by the nodes that they belong to, each list in the order of the one given. */
     private static SortedMap<Integer, int[]> byNode(Solution solution, int[] elements) {
         SortedMap<Integer, int[]> parts = new TreeMap<>();
-        Hierarchy hierarchy = solution.scene().hierarchy();
+        Hierarchy hierarchy = solution.scene().hierarchy().written();
         int[] nodes = Arrays.stream(elements).map(e -> hierarchy.of(solution.faceOf()[e] >> 1)).toArray();
         SortedMap<Integer, Integer> counts = new TreeMap<>();
         for (int node : nodes) {
