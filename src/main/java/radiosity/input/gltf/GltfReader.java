@@ -15,7 +15,7 @@ import radiosity.input.assembly.Placing;
 import radiosity.input.assembly.SceneDraft;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
-import radiosity.input.file.InputFile;
+import radiosity.input.file.OpenedFile;
 import radiosity.input.file.ReadOptions;
 import radiosity.scene.Affine;
 import radiosity.scene.Light;
@@ -67,11 +67,8 @@ public final class GltfReader {
      * @throws IOException          if a file cannot be read
      */
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
-        String name = String.valueOf(file.getFileName());
-        byte[] bytes = InputFile.read(file, name, options.maxBytes());
-        Diagnostics notes = new Diagnostics(name, warnings, options.strict());
-        FileSearch search = new FileSearch(file, options.content(), options.map(), start -> false, notes);
-        return read(bytes, name, search, options, notes);
+        OpenedFile opened = OpenedFile.of(file, options, warnings);
+        return read(opened.bytes(), opened.name(), opened.search(), options, opened.notes());
     }
 
     /**
