@@ -5,17 +5,19 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import radiosity.input.SceneReader;
-import radiosity.input.file.ReadOptions;
 import radiosity.master.RemoteWorld;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.rmi.HostAddress;
 import radiosity.rmi.HostKey;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
+import radiosity.settings.ReadOptions;
+import radiosity.settings.ReadOptions;
 import radiosity.settings.StopRule;
+import radiosity.solution.RoundListener;
+import radiosity.solution.SavedState;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
-import radiosity.solver.RoundListener;
 import radiosity.solver.World;
 
 /**
@@ -40,6 +42,7 @@ public final class Radiosity {
     private int threads = Runtime.getRuntime().availableProcessors();
     private List<HostAddress> hosts = List.of();
     private HostKey key;
+    private SavedState state = SavedState.NONE;
     private Consumer<String> notices = line -> { };
 
     private Radiosity(Scene scene) {
@@ -137,15 +140,38 @@ public final class Radiosity {
     /**
      * Lets other machines calculate, on which {@code PartitionServer} runs.
      *
-     * @param addresses at least one
-     * @param secret    the key that all hosts know, or null where they run without one
+     * @param addresses at least one {@code host} or {@code host:port}
      * @param lines     gets one line for each thing that the user should know about hosts
      * @return this calculation
+     * @throws IllegalArgumentException for an address that is neither
      */
-    public Radiosity hosts(List<HostAddress> addresses, HostKey secret, Consumer<String> lines) {
-        hosts = List.copyOf(addresses);
-        key = secret;
+    public Radiosity hosts(List<String> addresses, Consumer<String> lines) {
+        hosts = addresses.stream().map(HostAddress::parse).toList();
         notices = lines;
+        return this;
+    }
+
+    /**
+     * Lets only hosts calculate that know the same key, and nobody else read along.
+     *
+     * @param file as {@code scripts/make-key} makes it
+     * @return this calculation
+     * @throws IOException where the file cannot be read or holds no key
+     */
+    public Radiosity key(Path file) throws IOException {
+        key = HostKey.read(file);
+        return this;
+    }
+
+    /**
+     * Goes on from where an earlier calculation of the same scene with the same settings stopped, to the same bits as
+     * without the stop.
+     *
+     * @param earlier {@link radiosity.solution.Solution#state} of the earlier result
+     * @return this calculation
+     */
+    public Radiosity resume(SavedState earlier) {
+        state = earlier;
         return this;
     }
 
@@ -153,13 +179,17 @@ public final class Radiosity {
      * Calculates until the stop rule holds or the listener asks to stop.
      *
      * @param listener asked after every step whether to go on
-     * @throws IOException                          where the hosts cannot be used
-     * @throws radiosity.util.NoNumberException where light is so strong that it overflows
+     * @throws IOException         where the hosts cannot be used; a {@link radiosity.scene.SceneFormatException} where
+     *                             the state to go on from is of another scene or of other settings
+     * @throws ArithmeticException where light is so strong that it overflows
      */
     public RadiosityResult run(RoundListener listener) throws IOException {
         try (World world = hosts.isEmpty() ? new LocalWorld(scene, settings, threads)
                 : new RemoteWorld(scene, settings, hosts, key, threads, notices)) {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stop);
+            if (!state.isEmpty()) {
+                radiosity.resume(state);
+            }
             radiosity.run(listener);
             return new RadiosityResult(radiosity.solution(), radiosity.certificate(threads), radiosity.progress());
         }

@@ -5,12 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.HostileCase;
 import radiosity.input.lightwave.HostileFilesTest;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** A program of its own that reads scenes, to see what a virtual machine needs for it. */
 public final class ReadAll {

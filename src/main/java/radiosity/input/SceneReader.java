@@ -8,12 +8,12 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.gltf.GltfReader;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.input.obj.ObjReader;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** Reads a scene of any format that is read: LightWave, glTF or OBJ. */
 public final class SceneReader {

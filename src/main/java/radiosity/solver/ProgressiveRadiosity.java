@@ -17,6 +17,7 @@ import radiosity.settings.StopRule;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
+import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
+import radiosity.settings.ReadOptions;
 import radiosity.solution.Solution;
 import radiosity.testkit.SharedData;
 import radiosity.testkit.Solve;

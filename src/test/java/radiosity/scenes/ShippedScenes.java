@@ -6,10 +6,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 
 /** Reads the scenes of the folder {@code scenes}. */
 final class ShippedScenes {

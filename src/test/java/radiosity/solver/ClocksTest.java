@@ -23,6 +23,7 @@ import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
+import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 import radiosity.testkit.ColouredRoom;

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
-import radiosity.input.file.ReadOptions;
+import radiosity.settings.ReadOptions;
 
 /** How to read the scene. */
 public final class SceneOptions {

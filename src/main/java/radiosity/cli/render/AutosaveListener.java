@@ -11,9 +11,9 @@ import radiosity.cli.options.RendererOptions;
 import radiosity.cli.terminal.ProgressDisplay;
 import radiosity.settings.RadiositySettings;
 import radiosity.solution.Progress;
+import radiosity.solution.RoundListener;
 import radiosity.solution.Solution;
 import radiosity.solver.ProgressiveRadiosity;
-import radiosity.solver.RoundListener;
 
 /**
  * What happens after every round: progress, journal, files of {@code -si} and {@code -sn}, and whether to go on.

@@ -6,8 +6,8 @@ import java.util.function.Supplier;
 import radiosity.cli.terminal.ProgressDisplay;
 import radiosity.solution.HostStatistics;
 import radiosity.solution.Progress;
+import radiosity.solution.RoundListener;
 import radiosity.solution.WorldStatistics;
-import radiosity.solver.RoundListener;
 
 /** While hosts calculate: now and then a line for each ({@code --statistics}). */
 public final class HostLines implements RoundListener {

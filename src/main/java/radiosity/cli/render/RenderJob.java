@@ -15,9 +15,9 @@ import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
+import radiosity.solution.RoundListener;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
-import radiosity.solver.RoundListener;
 import radiosity.solver.World;
 
 /** The middle of figure 7 of the paper: a world is set up, light is distributed, and the result merged. */

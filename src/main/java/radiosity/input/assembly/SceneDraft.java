@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import radiosity.input.file.Diagnostics;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Camera;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.Light;
@@ -12,6 +11,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 
 /** A scene while it is read: nodes of its hierarchy, and meshes that stand there. */
 public final class SceneDraft {

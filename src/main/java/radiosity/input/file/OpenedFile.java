@@ -3,6 +3,7 @@ package radiosity.input.file;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import radiosity.settings.ReadOptions;
 
 /**
  * A scene's file as its reader finds it.

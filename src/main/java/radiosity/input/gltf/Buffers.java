@@ -13,8 +13,8 @@ import java.util.Optional;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.InputFile;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** The bytes of a glTF file: in the file itself, in data URIs, and in files beside it. */
 final class Buffers {

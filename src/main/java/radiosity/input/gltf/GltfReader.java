@@ -16,12 +16,12 @@ import radiosity.input.assembly.SceneDraft;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.OpenedFile;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Affine;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
+import radiosity.settings.ReadOptions;
 
 /** Reads a glTF 2.0 file or binary: what there is to see in the scene that it shows first, at rest. */
 public final class GltfReader {

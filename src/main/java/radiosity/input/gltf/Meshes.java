@@ -12,8 +12,8 @@ import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** The meshes of a glTF file as triangles, each read once for all nodes where it stands unchanged. */
 final class Meshes {

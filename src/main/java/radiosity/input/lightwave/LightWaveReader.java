@@ -3,11 +3,11 @@ package radiosity.input.lightwave;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lwo.ObjectFile;
 import radiosity.input.lightwave.lws.SceneParser;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** Reads a LightWave scene, or an object alone, into triangles, surfaces, lights and a camera. */
 public final class LightWaveReader {

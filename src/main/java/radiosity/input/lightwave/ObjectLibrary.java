@@ -10,13 +10,13 @@ import java.util.Optional;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.InputFile;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.lwo.Layer;
 import radiosity.input.lightwave.lwo.ObjectFile;
 import radiosity.input.lightwave.lwo.ObjectModel;
 import radiosity.input.lightwave.lws.SceneItem;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** The objects of a scene: each file is read once, each of its layers cut into triangles once. */
 final class ObjectLibrary {

@@ -19,7 +19,6 @@ import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.lwo.ObjectFile;
 import radiosity.input.lightwave.lwo.ObjectModel;
@@ -37,6 +36,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 
 /** Brings together what a scene is made of: placed objects, their surfaces, lights and the camera. */
 public final class SceneAssembly {

@@ -7,14 +7,14 @@ import java.util.Optional;
 import java.util.Set;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lwo.ObjectModel;
 import radiosity.input.lightwave.lwo.SurfaceValues;
 import radiosity.input.lightwave.lwo.TextureBlock;
+import radiosity.scene.ImageMap;
 import radiosity.scene.ImageMap.Target;
 import radiosity.scene.ImageSource;
-import radiosity.scene.ImageMap;
 import radiosity.scene.Rgb;
+import radiosity.settings.ReadOptions;
 
 /**
  * Finds the images of an object's surfaces and says what they vary.

@@ -6,11 +6,11 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import radiosity.input.file.Diagnostics;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lwo.SurfaceValues;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 
 /**
  * The surfaces of a scene, each under a name of its own: equal ones of one name are one, others carry their object's.

@@ -12,12 +12,12 @@ import java.util.Set;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.InputFile;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.ImageMap;
 import radiosity.scene.ImageSource;
 import radiosity.scene.Rgb;
 import radiosity.scene.Srgb;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 
 /** The materials of an OBJ file: its libraries are found and read, and surfaces made of what they say. */
 final class Materials {

@@ -15,15 +15,15 @@ import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.FloatList;
-import radiosity.input.file.OpenedFile;
 import radiosity.input.file.IntList;
-import radiosity.input.file.ReadOptions;
+import radiosity.input.file.OpenedFile;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.polygon.Triangulation;
 import radiosity.scene.Affine;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 
 /** Reads a Wavefront OBJ file and the material libraries that it names. */
 public final class ObjReader {

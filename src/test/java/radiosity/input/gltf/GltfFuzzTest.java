@@ -20,8 +20,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 import radiosity.testkit.Mutation;
 
 /** Mutants of sound files end in a scene or in the one exception; nothing else is thrown and nothing hangs. */

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Camera;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
@@ -27,6 +26,7 @@ import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 
 /** What the reader makes of small files whose content is known number by number. */
 class GltfReaderTest {

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.IntList;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.lightwave.SceneAssembly.Reading;
 import radiosity.input.lightwave.lwo.Layer;
@@ -31,6 +30,7 @@ import radiosity.scene.Affine;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 import radiosity.testkit.NeedsReference;
 
 /**

@@ -20,8 +20,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileIndex;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** Objects are found where they lie now, and nothing is found that lies elsewhere. */
 class FileSearchTest {

@@ -12,13 +12,13 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.input.file.ReadOptions;
-import radiosity.input.file.ReadOptions.Emission;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
+import radiosity.settings.ReadOptions.Emission;
 
 /** One Cornell box nine ways. */
 class FixturesTest {

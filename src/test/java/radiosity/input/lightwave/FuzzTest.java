@@ -19,8 +19,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 import radiosity.testkit.Mutation;
 
 /** Mutants of sound files end in a scene or in the one exception; nothing else is thrown and nothing hangs. */

@@ -18,8 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.SceneFormatException;
+import radiosity.settings.ReadOptions;
 
 /** Every kind of broken and hostile input ends in what is sound of it, or in one clear line. */
 @Tag("slow")

@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import radiosity.input.file.ReadOptions;
-import radiosity.input.file.ReadOptions.Lights;
 import radiosity.scene.Camera;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
+import radiosity.settings.ReadOptions.Lights;
 
 /** Lights and cameras as scenes describe them. */
 class LightsTest {

@@ -10,11 +10,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.lws.Turn;
 import radiosity.scene.Affine;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 
 /** W = W(parent) T(position) R(pivot rotation) Ry(h) Rx(p) Rz(b) S T(-pivot), in all the ways files write it. */
 class PlacementTest {

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 
 /** Writes and reads small scenes, for tests. */
 final class Scenes {

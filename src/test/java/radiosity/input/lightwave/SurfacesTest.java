@@ -21,12 +21,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.input.file.ReadOptions;
-import radiosity.input.file.ReadOptions.Emission;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
+import radiosity.settings.ReadOptions.Emission;
 
 /** What surfaces of every format come to. */
 class SurfacesTest {

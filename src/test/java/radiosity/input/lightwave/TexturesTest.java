@@ -21,10 +21,10 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.settings.ReadOptions;
 
 /** Images on surfaces: which, what they vary, and where on them each corner lies. */
 class TexturesTest {

@@ -8,9 +8,9 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 
 /** What was written to LightWave files comes back as it was before: right-handed, the same side visible. */
 class TruthGeometryTest {

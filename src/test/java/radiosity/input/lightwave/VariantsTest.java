@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 
 /** One scene in several formats is one scene. */
 class VariantsTest {

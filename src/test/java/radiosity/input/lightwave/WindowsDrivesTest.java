@@ -19,8 +19,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.input.file.Diagnostics;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.Scene;
+import radiosity.settings.ReadOptions;
 
 /** A scene on one drive of Windows, its objects on another one and on a share: in memory, on every system. */
 class WindowsDrivesTest {

@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.input.file.ReadOptions;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -20,6 +19,7 @@ import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 
 class ObjReaderTest {
 

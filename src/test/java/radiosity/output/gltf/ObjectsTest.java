@@ -21,7 +21,6 @@ import java.util.stream.IntStream;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Test;
 import radiosity.input.SceneReader;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Affine;
@@ -30,6 +29,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
+import radiosity.settings.ReadOptions;
 import radiosity.testkit.EvenLight;
 
 /** The objects of the input, their names, hierarchy and instances, are nodes of the scene file. */

@@ -18,13 +18,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import radiosity.input.file.ReadOptions;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.output.image.ToneMapping;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
+import radiosity.settings.ReadOptions;
 import radiosity.solution.Solution;
 import radiosity.testkit.EvenLight;
 

@@ -1,4 +1,4 @@
-package radiosity.input.file;
+package radiosity.settings;
 
 import java.nio.file.Path;
 import java.util.List;

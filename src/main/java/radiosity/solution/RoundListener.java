@@ -1,6 +1,4 @@
-package radiosity.solver;
-
-import radiosity.solution.Progress;
+package radiosity.solution;
 
 /** Told after every round; may ask to stop. */
 @FunctionalInterface
