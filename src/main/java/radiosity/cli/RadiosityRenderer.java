@@ -129,8 +129,9 @@ public final class RadiosityRenderer {
         }
         Failures failures = new Failures();
         boolean saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
-        finish(result, Optional.empty(), saved, failures);
+        Summary summary = write(result, Optional.empty(), saved, failures);
         journal.delete();
+        finish(result, summary);
     }
 
     /** As exactly as can be done in a time. */
@@ -146,7 +147,7 @@ public final class RadiosityRenderer {
             result = timed.run();
             told = timed.told();
         }
-        finish(result, Optional.of(told), true, new Failures());
+        finish(result, write(result, Optional.of(told), true, new Failures()));
     }
 
     private ConsoleSession conversation(ProgressEstimate course) {
@@ -182,6 +183,7 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
+        checks.objects();
         checks.emission();
         checks.layers(settings.layers());
         if (options.textures != null) {
@@ -196,25 +198,30 @@ public final class RadiosityRenderer {
     }
 
     /**
-     * What the user gets beside the scene file.
+     * What the user gets beside the scene file; fails where a file could not be written.
      *
      * @param saved whether the scene file was saved
      */
-    private void finish(RenderResult result, Optional<String> inTime, boolean saved, Failures failures) {
+    private Summary write(RenderResult result, Optional<String> inTime, boolean saved, Failures failures) {
         Summary summary = new Summary(result, inTime, ProcessTime.seconds());
         if (saved) {
             summary.print(System.out);
         }
         files.saveRest(result.solution(), summary, failures);
         failures.check();
+        return summary;
+    }
+
+    /** After all is written: says where it is less exact than was asked for; fails where the user named an accuracy. */
+    private void finish(RenderResult result, Summary summary) {
+        if (options.statistics) {
+            result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
+        }
         Optional<String> shortfall = summary.shortfall();
         if (options.calculation.isAccuracyAsked() && shortfall.isPresent()) {
             throw Failure.notAccurate(shortfall.get());
         }
         shortfall.ifPresent(System.out::println);
-        if (options.statistics) {
-            result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
-        }
     }
 
     private ProgressDisplay display(ProgressEstimate course) {

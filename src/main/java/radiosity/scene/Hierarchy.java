@@ -14,7 +14,7 @@ import java.util.List;
 public record Hierarchy(List<SceneNode> nodes, int[] nodeOf) {
 
     /** Nodes up to which they are written: each takes some 10 KB of memory meanwhile, and nobody looks at so many. */
-    private static final int MOST_WRITTEN = 10_000;
+    public static final int MOST_WRITTEN = 10_000;
 
     /** Triangles that belong to no object. */
     public static final Hierarchy NONE = new Hierarchy(List.of(), new int[0]);

@@ -204,6 +204,22 @@ class RenderTest {
                 .startsWith("#?RADIANCE"));
     }
 
+    /** One ray of the paper's is too few for any accuracy. All is saved, and nothing is left to go on from. */
+    @Test
+    void accuracyThatIsNotReached_isExitCode5AndTheRenderIsDone() throws IOException {
+        Path report = directory.resolve("report.json");
+        Path journal = Files.writeString(directory.resolve("box.scene.journal"), "what another render left behind");
+        ProgramRun run = ProgramRun.of("-q", "--accuracy", "20%", "-pa", 100_000, "--form-factors", "plain", "-nr", 1,
+                "--report", report, BOX, output);
+        assertEquals(5, run.exitCode(), run.err());
+        assertTrue(run.err().matches("warning: .*; it is replaced\\R"
+                + "accuracy: expected an error of 20 %, reached \\S+ %; .*\\R"), run.err());
+        assertTrue(run.out().contains("radiosity +- "), run.out());
+        assertTrue(SavedCalculation.read(output).shots() > 0);
+        assertTrue(new ObjectMapper().readTree(report.toFile()).get("certificate").get("expected").doubleValue() > .2);
+        assertFalse(Files.exists(journal), "the next render would find it");
+    }
+
     @Test
     void points_getTheLightThatIsThere() throws IOException {
         Path in = Files.writeString(directory.resolve("in.csv"), "278,0,-280,0,1,0\n");

@@ -5,15 +5,21 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.cli.options.ExitCode;
 import radiosity.cli.options.Failure;
 import radiosity.cli.render.SceneChecks;
+import radiosity.scene.Affine;
 import radiosity.scene.Camera;
+import radiosity.scene.Hierarchy;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
@@ -107,6 +113,18 @@ class SceneChecksTest {
         assertEquals("lamp.lws: expected surfaces that emit at most 1.701e+34 W/m2, got 1.000e+35 of lamp",
                 failure.getMessage());
         assertEquals(ExitCode.FILE, failure.exitCode());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"10000, 0", "10001, 1"})
+    void objectsThatTheSceneFileDoesNotKeep_areWarnedOf(int objects, int count) {
+        SceneNode node = new SceneNode("chair", -1, "chair.lwo", Affine.IDENTITY);
+        Scene scene = new Scene("hall.lws", new double[9], new int[3], new int[1],
+                List.of(new Surface("s", Rgb.BLACK, Rgb.BLACK, false)), List.of(), Optional.empty(), new float[0],
+                new float[0], new Hierarchy(Collections.nCopies(objects, node), new int[1]));
+        new SceneChecks(scene, warnings::add).objects();
+        assertEquals(Collections.nCopies(count, "hall.lws: expected at most 10,000 objects, whose names and hierarchy"
+                + " the scene file keeps, got 10,001: it will have surfaces only"), warnings);
     }
 
     @Test

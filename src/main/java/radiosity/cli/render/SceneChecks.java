@@ -7,6 +7,7 @@ import radiosity.cli.options.PictureSize;
 import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.Snapshot;
 import radiosity.output.lightmap.TextureBake;
+import radiosity.scene.Hierarchy;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.settings.RadiositySettings;
@@ -34,6 +35,16 @@ public final class SceneChecks {
     public void light() {
         if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
             warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
+        }
+    }
+
+    /** Warns where the scene file will not name the objects. */
+    public void objects() {
+        Hierarchy objects = scene.hierarchy();
+        if (objects.written() != objects) {
+            warnings.accept(String.format(Locale.ROOT, "%s: expected at most %,d objects, whose names and hierarchy the"
+                    + " scene file keeps, got %,d: it will have surfaces only", scene.name(), Hierarchy.MOST_WRITTEN,
+                    objects.nodes().size()));
         }
     }
 
