@@ -48,7 +48,7 @@ class ArchitectureTest {
             "java\\.rmi.*|sun\\.rmi.*", Set.of("rmi", "worker", "master", "partition", "cli"),
             "org\\.jogamp.*|com\\.jogamp.*|javax\\.vecmath.*", Set.of("viewer"),
             "java\\.awt.*|javax\\.(imageio|swing).*", Set.of("output.image", "output.lightmap", "viewer"),
-            "picocli.*|org\\.jline.*|me\\.tongfei.*", Set.of("cli"),
+            "picocli.*|org\\.jline.*", Set.of("cli"),
             "de\\.javagl.*", Set.of("output.gltf", "viewer"));
 
     /** Methods of Math whose results are fixed to the last bit; all others may differ between processors and JDKs. */

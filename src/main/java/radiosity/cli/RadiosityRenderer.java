@@ -47,6 +47,8 @@ public final class RadiosityRenderer {
 
     private final RendererOptions options;
     private final OutputFiles files;
+    private final ProgressEstimate course;
+    private final ConsoleSession user;
     private final Warnings warnings;
     private final StopRequest stop;
     private final PrintStream err = System.err;
@@ -55,7 +57,11 @@ public final class RadiosityRenderer {
         this.options = options;
         this.stop = stop;
         files = new OutputFiles(options, arguments);
-        warnings = new Warnings(err, options.scene.strict);
+        course = options.calculation.time == null
+                ? new StopRuleCourse(RenderJob.stopRule(options), System::nanoTime)
+                : new TimeCourse(options.calculation.time.seconds(), ProcessTime::seconds);
+        user = new ConsoleSession(err, display(), stop);
+        warnings = new Warnings(user::message, options.scene.strict);
     }
 
     public static void main(String[] arguments) {
@@ -78,7 +84,7 @@ public final class RadiosityRenderer {
         try (SaveBeforeExit ending = new SaveBeforeExit(stop, patience)) {
             return CommandRun.of(options, options.common, () -> {
                 if (options.file.info != null) {
-                    printInfo(options.file.info);
+                    printInfo(options.described());
                 } else {
                     options.check();
                     new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
@@ -95,30 +101,32 @@ public final class RadiosityRenderer {
     /** Figure 7 of the paper, from top to bottom; {@link RenderJob} is the middle. */
     private void render(SaveBeforeExit ending) throws IOException {
         files.check();
-        if (options.calculation.time != null) {
-            Scene scene = scene();
-            calculate(scene, checked(scene, null), options.calculation.time, ending);
+        if (course instanceof TimeCourse timed) {
+            calculate(timed, options.calculation.time, ending);
             return;
         }
         try (JournalClaim claim = JournalClaim.of(Journal.of(options.output()))) {
-            Scene scene = scene();
-            SavedCalculation saved = saved();
-            calculate(scene, checked(scene, saved), saved, claim, ending);
+            calculate(claim, ending);
         }
     }
 
     private Scene scene() throws IOException {
+        user.phase("reading " + options.input().getFileName());
         Scene scene = SceneReader.read(options.input(), options.scene.lightWave(), warnings::print);
         files.check(scene);
         return SurfaceMaps.read(scene, options.scene.srgb, warnings::accept);
     }
 
     /** To the end, or until it is stopped. */
-    private void calculate(Scene scene, RadiositySettings settings, SavedCalculation before, JournalClaim claim,
-                           SaveBeforeExit ending) throws IOException {
+    private void calculate(JournalClaim claim, SaveBeforeExit ending) throws IOException {
         Journal journal;
         RenderResult result;
-        try (ConsoleSession user = conversation(new StopRuleCourse(RenderJob.stopRule(options), System::nanoTime))) {
+        boolean saved;
+        Failures failures = new Failures();
+        try (user) {
+            SavedCalculation before = saved();
+            Scene scene = scene();
+            RadiositySettings settings = checked(scene, before);
             journal = new Journal(claim, settings, user::message, System::nanoTime);
             result = new RenderJob(options, scene, files, warnings, user).run(settings, radiosity -> {
                 if (!journal.resume(radiosity) && before != null) {
@@ -126,22 +134,22 @@ public final class RadiosityRenderer {
                 }
                 ending.begin(Optional.of(claim.journal()));
             }, Optional.of(journal), () -> !stop.made());
+            user.phase("writing " + options.output().getFileName());
+            saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
         }
-        Failures failures = new Failures();
-        boolean saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
         Summary summary = write(result, Optional.empty(), saved, failures);
         journal.delete();
         finish(result, summary);
     }
 
     /** As exactly as can be done in a time. */
-    private void calculate(Scene scene, RadiositySettings settings, TimeLimit limit, SaveBeforeExit ending)
-            throws IOException {
-        ending.begin(Optional.empty());
-        TimeCourse course = new TimeCourse(limit.seconds(), ProcessTime::seconds);
+    private void calculate(TimeCourse course, TimeLimit limit, SaveBeforeExit ending) throws IOException {
         RenderResult result;
         String told;
-        try (ConsoleSession user = conversation(course)) {
+        try (user) {
+            Scene scene = scene();
+            RadiositySettings settings = checked(scene, null);
+            ending.begin(Optional.empty());
             TimedCalculation timed = new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
                     settings, limit, course, user, stop, files);
             result = timed.run();
@@ -150,17 +158,13 @@ public final class RadiosityRenderer {
         finish(result, write(result, Optional.of(told), true, new Failures()));
     }
 
-    private ConsoleSession conversation(ProgressEstimate course) {
-        return new ConsoleSession(err, () -> display(course), stop);
-    }
-
     /** What {@code -tf} names, or null. */
     private SavedCalculation saved() throws IOException {
         if (options.file.resume == null) {
             return null;
         }
         SavedCalculation saved = SavedCalculation.read(options.file.resume.file());
-        saved.checkShots(options.file.resume.shots());
+        options.file.resume.shots().ifPresent(saved::checkShots);
         return saved;
     }
 
@@ -224,12 +228,12 @@ public final class RadiosityRenderer {
         shortfall.ifPresent(System.out::println);
     }
 
-    private ProgressDisplay display(ProgressEstimate course) {
+    private ProgressDisplay display() {
         if (options.quiet) {
             return new NoProgress(err);
         }
         ProgressText text = new ProgressText(course);
-        return TerminalStreams.seen() ? new ProgressBarDisplay(err, TerminalStreams.width(), text)
+        return TerminalStreams.seen() ? new ProgressBarDisplay(err, TerminalStreams::width, text, System::nanoTime)
                 : new ProgressLines(err, text, System::nanoTime);
     }
 }

@@ -24,7 +24,7 @@ public final class ViewSceneFile {
 
     private ViewSceneFile(ViewOptions options) {
         this.options = options;
-        warnings = new Warnings(System.err, options.scene.strict);
+        warnings = new Warnings(System.err::println, options.scene.strict);
     }
 
     public static void main(String[] arguments) {
@@ -71,11 +71,11 @@ public final class ViewSceneFile {
     /** Until the process is ended, as by Ctrl-C. */
     private void serve() throws IOException {
         try (WebPage page = new WebPage(options.file(), options.window.curve, options.window.exposure,
-                options.window.port)) {
+                options.window.port())) {
             System.out.println(page.address());
             Thread.sleep(Long.MAX_VALUE);
         } catch (BindException e) {
-            throw Failure.failed("--port: expected a free port, got " + options.window.port + ", which is in use", e);
+            throw Failure.failed("--port: expected a free port, got " + options.window.port() + ", which is in use", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

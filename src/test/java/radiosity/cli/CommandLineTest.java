@@ -68,6 +68,8 @@ class CommandLineTest {
             -se NaN a b            | -se: expected a number from 0 to 1, got NaN
             -se                    | -se: expected a number from 0 to 1, got nothing
             --accuracy 0 a b       | --accuracy: expected per cent above 0 and up to 100, like 2%, got 0
+            --accuracy 1 a b       | --accuracy: expected per cent above 0 and up to 100, like 2%, got 1; 1% or 0.01?
+            --accuracy .5 a b      | --accuracy: expected per cent above 0 and up to 100, like 2%, got .5; .5% or 0.005?
             --accuracy -1% a b     | --accuracy: expected per cent above 0 and up to 100, like 2%, got -1%
             --accuracy 101% a b    | --accuracy: expected per cent above 0 and up to 100, like 2%, got 101%
             --accuracy NaN a b     | --accuracy: expected per cent above 0 and up to 100, like 2%, got NaN
@@ -91,19 +93,22 @@ class CommandLineTest {
             -sn                    | -sn: expected a whole number of at least 1, got nothing
             -t 0 a b               | -t: expected a whole number of at least 1, got 0
             -t                     | -t: expected a whole number of at least 1, got nothing
-            -tf                    | -tf: expected a scene file and its number of iterations, got nothing
-            -tf f                  | -tf: expected a scene file and its number of iterations, got nothing
-            -tf f x a b            | -tf: expected a whole number of at least 0, got x
+            -tf                    | -tf: expected a scene file, got nothing
+            -tf f a                | files: expected a scene to read and a scene file to write, got a
+            -tf f x a b            | files: expected a scene to read and a scene file to write, got x a b
+            -tf f 1.5 a b          | -tf: expected a whole number of at least 0, got 1.5
             -tf f -1 a b           | -tf: expected a whole number of at least 0, got -1
             -tf f 1 -tf f 1 a b    | -tf: expected once, got twice
             -ut 0 a b              | -ut: expected a number above 0, got 0
             -ut                    | -ut: expected a number above 0, got nothing
-            -h                     | -h: expected the number of hosts and their names, got nothing
+            -h                     | -h: expected the number of hosts and their names, as in -h 3 andreas daniel igge (see --help), got nothing
             -h 0 a b               | -h: expected a whole number of at least 1, got 0
             -h -1 a b              | -h: expected a whole number of at least 1, got -1
             -h andreas a b         | -h: expected a whole number of at least 1, got andreas
-            -h 3 a b               | -h: expected 3 hosts, got 2
-            -h 2 a -q b c          | -h: expected 2 hosts, got 1
+            -h 3 a b               | -h: expected the names of 3 hosts, got 2
+            -h 3 a b x.lws o.scene | -h: expected the names of 3 hosts, got 2 before x.lws
+            -h 2 a b c             | files: expected a scene to read and a scene file to write, got c; hosts are a, b
+            -h 2 a -q b c          | -h: expected the names of 2 hosts, got 1 before -q
             -h 1 a -h 1 b c d      | -h: expected once, got twice
             -q -q a b              | -q: expected once, got twice
             -q=3 a b               | -q: expected no value, got 3
@@ -119,6 +124,7 @@ class CommandLineTest {
             --map x a b            | --map: expected <prefix=dir>, got x
             --content              | --content: expected <dir>, got nothing
             --size 640 a b         | --size: expected a size such as 640x480, each at most 16384, got 640
+            --size 64x48 a b       | --size: expected with --picture or -sn, got it without
             --size 0x480 a b       | --size: expected a size such as 640x480, each at most 16384, got 0x480
             --size 640x480x3 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x480x3
             --size 640x99999 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x99999
@@ -127,12 +133,21 @@ class CommandLineTest {
             --tone-mapping x a b   | --tone-mapping: expected linear, reinhard or filmic, got x
             --picture x.bmp a b    | --picture: expected a name that ends in .png, .jpg or .hdr, got x.bmp
             --picture              | --picture: expected <file>, got nothing
-            --points x             | --points: expected a file to read and one to write, got nothing
+            --points x             | --points: expected a table of points to read and one to write, got nothing
+            --points x a.lws b     | --points: expected a table of points to read and one to write, got x a.lws
+            --points x -q a b      | --points: expected a table of points to read and one to write, got x -q
+            --report a.lws b       | --report: expected a file to write, such as a.json, got a.lws
             -x a b                 | -x: expected an option that --help lists, got an unknown one
-            -paq a b               | -paq: expected an option that --help lists, got an unknown one
-            --patch 3 a b          | --patch: expected an option that --help lists, got an unknown one
+            --acuracy 2% a b       | --acuracy: expected an option that --help lists, got an unknown one; did you mean --accuracy?
+            -accuracy 2% a b       | -accuracy: expected an option that --help lists, got an unknown one; did you mean --accuracy?
+            --pciture=x a b        | --pciture=x: expected an option that --help lists, got an unknown one; did you mean --picture?
+            -paq a b               | -paq: expected an option that --help lists, got an unknown one; did you mean -pa?
+            --patch 3 a b          | --patch: expected an option that --help lists, got an unknown one; did you mean --patch-area?
             -q                     | files: expected a scene to read and a scene file to write, got none
             a                      | files: expected a scene to read and a scene file to write, got a
+            a out.png              | out.png: expected a scene file to write, such as a.scene, got the name of a picture; --picture out.png writes one besides
+            a.scene b.lws          | b.lws: expected a scene file to write, such as a.scene, got the name of another kind of file; the scene to read comes first
+            a b.gltf               | b.gltf: expected a scene file to write, such as a.scene, got the name of another kind of file; the scene to read comes first
             a b c                  | files: expected a scene to read and a scene file to write, got a b c
             """)
     void wrongCommandLine_isToldInOneLine(String commandLine, String expected) {
@@ -240,10 +255,10 @@ class CommandLineTest {
 
     @Test
     void repeatableOptions_keepTheirOrder() {
-        RendererOptions options = parse("--picture 1.png --picture 2.JPG --content c --content d --map D:/x=e a b");
+        RendererOptions options = parse("--picture 1.png --picture 2.JPG --content src --content docs --map D:/x=scripts a b");
         assertEquals(List.of(Path.of("1.png"), Path.of("2.JPG")), options.picture.pictures);
-        assertEquals(List.of(Path.of("c"), Path.of("d")), options.scene.content);
-        assertEquals(Path.of("e"), options.scene.map.get("D:/x"));
+        assertEquals(List.of(Path.of("src"), Path.of("docs")), options.scene.content);
+        assertEquals(Path.of("scripts"), options.scene.map.get("D:/x"));
     }
 
     @Test

@@ -19,6 +19,9 @@ class HostLinesTest {
     private final List<String> lines = new ArrayList<>();
     private final ProgressDisplay display = new ProgressDisplay() {
         @Override
+        public void phase(String name) { }
+
+        @Override
         public void show(Progress progress) { }
 
         @Override

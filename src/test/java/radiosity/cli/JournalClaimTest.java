@@ -59,7 +59,7 @@ class JournalClaimTest {
     void secondRenderToOneOutput_isRefusedWhileTheFirstOneLives() throws Exception {
         Program program = new Program(directory);
         Process first = program.start(RENDER);
-        Program.readUntil(first, "unsent");
+        Program.readUntil(first, "distributing");
         await(Journal.of(scene));
         Process second = program.start(RENDER);
         assertEquals("foobar.scene.journal: expected a journal that no other render is using, got that of process "
@@ -71,7 +71,7 @@ class JournalClaimTest {
         Process third = program.start(RENDER);
         String begin = Program.readUntil(third, "cut off");
         assertTrue(begin.contains("foobar.scene.journal: going on after "), begin);
-        Program.readUntil(third, "unsent");
+        Program.readUntil(third, "distributing");
         new ProcessBuilder("kill", "-TERM", Long.toString(third.pid())).start().waitFor();
         Program.rest(third);
         assertEquals(143, third.waitFor());

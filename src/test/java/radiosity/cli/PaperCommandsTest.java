@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -141,7 +142,7 @@ class PaperCommandsTest {
     void tf_goesOnFromASceneFile() {
         FileOptions.Resume resume = parse("-tf f 200 -it 400 foobar.lws foobar.scene").file.resume;
         assertEquals(Path.of("f"), resume.file());
-        assertEquals(200, resume.shots());
+        assertEquals(OptionalInt.of(200), resume.shots());
     }
 
     @Test

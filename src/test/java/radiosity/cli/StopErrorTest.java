@@ -11,7 +11,7 @@ import radiosity.cli.options.ExitCode;
 import radiosity.testkit.Program;
 import radiosity.testkit.ProgramRun;
 
-/** {@code -se}: the program says where less cannot be left unsent than is. */
+/** {@code -se}: the program says where less cannot be left than is. */
 class StopErrorTest {
 
     @TempDir
@@ -25,7 +25,7 @@ class StopErrorTest {
                 program.file("foobar.lws"),
                 program.file("foobar.scene"));
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
-        assertEquals(expected, run.out().contains("-se: what is unsent is only rounding; no calculation leaves less"),
+        assertEquals(expected, run.out().contains("-se: what is not yet distributed is only rounding; no calculation leaves less"),
                 run.out());
     }
 }

@@ -29,10 +29,10 @@ class StopRuleCourseTest {
     }
 
     @Test
-    void halfTheWay_takesAsLongAgain() {
+    void halfTheLight_takesAsLongAgain_andALittleForTheRest() {
         course.done(unsent(1));
         clock.set(10 * SECOND);
-        assertEquals(10, course.left(unsent(0.1)), 1e-3);
+        assertEquals(10 * (1 / (.95 / 2) - 1), course.left(unsent(0.1)), 1e-3);
         assertTrue(course.left(unsent(0.5)) > 10);
     }
 }

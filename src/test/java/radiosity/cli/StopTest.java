@@ -32,7 +32,7 @@ import radiosity.testkit.ProgramRun;
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no signals and no pseudo terminals")
 class StopTest {
 
-    private static final String WORD = "unsent";
+    private static final String WORD = "distributing";
     private static final String LONG_RENDER = "--schedule paper -pa 300 foobar.lws foobar.scene";
 
     @TempDir
@@ -86,7 +86,7 @@ class StopTest {
         Process render = program.start(onTerminal("x", Program.command(LONG_RENDER)));
         String shown = Program.rest(render);
         assertEquals(ExitCode.DONE, render.waitFor(), shown);
-        assertTrue(shown.contains("% [") && shown.contains(" shot"), shown);
+        assertTrue(shown.contains("distributing light [") && shown.contains("] 0 %"), shown);
         goesOn(1);
     }
 

@@ -37,7 +37,7 @@ class SummaryTest {
     @Test
     void lessThanWasAskedFor_isSaidWithTheSurface() throws IOException {
         String line = shortfall(.01).orElseThrow();
-        assertTrue(line.matches("accuracy: expected an error of 1\\.0 %, reached \\S+ %; 100 % of it on wall"), line);
+        assertTrue(line.matches("accuracy not reached: expected an error of 1\\.0 %, got \\S+ %; 100 % of it is on wall"), line);
     }
 
     @Test

@@ -162,7 +162,7 @@ class WholeOutputsTest {
     /** A read-only one is mounted over it while the render is held up; saving may take as long as it likes. */
     @Test
     void diskThatMayNotBeWrittenAnyMore_keepsEveryOldFile() throws Exception {
-        String script = mounted() + "\"$@\" >printed 2>&1 & until grep -q unsent printed; do sleep .05; done;"
+        String script = mounted() + "\"$@\" >printed 2>&1 & until grep -q distributing printed; do sleep .05; done;"
                 + " kill -STOP $!; mount -t tmpfs -o ro none full; kill -TERM $!; kill -CONT $!; wait $!; code=$?;"
                 + " umount full; cp -a full/. outputs; exit $code";
         assertEquals(143, inNamespace(script, RendererWithPatience.command(RendererWithPatience.ENDLESS,

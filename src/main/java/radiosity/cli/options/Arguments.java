@@ -2,6 +2,7 @@ package radiosity.cli.options;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Stack;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -42,6 +43,11 @@ final class Arguments {
         } catch (InvalidPathException e) {
             throw wrong(option, "expected a path, got " + text + " (" + e.getReason() + ")");
         }
+    }
+
+    /** Whether a text is a name of a scene, by its ending. */
+    static boolean isModel(String text) {
+        return text.toLowerCase(Locale.ROOT).matches(".*\\.(lws|lwo|gltf|glb|obj|mtl|scene)");
     }
 
     static Failure wrong(ArgSpec option, String what) {

@@ -30,12 +30,13 @@ public final class CalculationOptions {
     Integer iterations;
 
     @Option(names = {"-se", "--stop-error"}, paramLabel = "<n>", converter = Values.Part.class,
-            description = "Stop when n [0:1] of the total flux is unsent. Default: " + StopRule.DEFAULT_UNSENT + ".")
+            description = "Stop when n [0:1] of the emitted light is not yet distributed. Default: "
+                    + StopRule.DEFAULT_UNSENT + ".")
     Double unsent;
 
     @Option(names = "--schedule", paramLabel = "<order>", converter = ScheduleParser.class,
-            description = "Which patches shoot when: paper (most unsent flux first) or predict; for small scenes also"
-                    + " shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
+            description = "Which patches shoot when: paper (most undistributed light first) or predict; for small"
+                    + " scenes also shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
     Schedule schedule;
 
     @Option(names = "--accuracy", paramLabel = "<n>%", converter = Values.PerCent.class,

@@ -1,5 +1,8 @@
 package radiosity.cli.options;
 
+import java.util.Comparator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.ArgSpec;
@@ -11,6 +14,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Reads a command line; whatever is wrong with it becomes one line. */
 public final class CommandLineParser {
+
+    private static final int MOST_SIMILAR = 2;
 
     private final CommandLine commandLine;
 
@@ -40,11 +45,42 @@ public final class CommandLineParser {
             return own;
         }
         if (e instanceof UnmatchedArgumentException unmatched) {
-            return Failure.commandLine(unmatched.getUnmatched().get(0),
-                    "expected an option that --help lists, got an unknown one");
+            return unknown(unmatched.getUnmatched().get(0), unmatched.getCommandLine());
         }
         ArgSpec option = option(e);
         return Failure.commandLine(Arguments.name(option), what(e, option));
+    }
+
+    private static Failure unknown(String text, CommandLine commandLine) {
+        if (!text.startsWith("-")) {
+            return Failure.commandLine(text, "expected options that --help lists and no file, got one");
+        }
+        String written = text.replaceFirst("=.*", "");
+        String similar = commandLine.getCommandSpec().options().stream().flatMap(option -> Stream.of(option.names()))
+                .filter(name -> isSimilar(name, written)).sorted(Comparator.comparingInt(name -> edits(name, written)))
+                .limit(MOST_SIMILAR).collect(Collectors.joining(" or "));
+        return Failure.commandLine(text, "expected an option that --help lists, got an unknown one"
+                + (similar.isEmpty() ? "" : "; did you mean " + similar + "?"));
+    }
+
+    private static boolean isSimilar(String name, String written) {
+        return edits(name, written) <= written.length() / 3
+                || name.startsWith("--") && written.length() > 4 && name.contains(written.replaceFirst("^-+", ""));
+    }
+
+    /** Letters to insert, to delete, to replace or to swap with their neighbours that make one text the other. */
+    private static int edits(String a, String b) {
+        int[][] edits = new int[a.length() + 1][b.length() + 1];
+        for (int i = 0; i <= a.length(); i++) {
+            for (int j = 0; j <= b.length(); j++) {
+                edits[i][j] = i == 0 || j == 0 ? i + j : Math.min(Math.min(edits[i - 1][j], edits[i][j - 1]) + 1,
+                        edits[i - 1][j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1));
+                if (i > 1 && j > 1 && a.charAt(i - 1) == b.charAt(j - 2) && a.charAt(i - 2) == b.charAt(j - 1)) {
+                    edits[i][j] = Math.min(edits[i][j], edits[i - 2][j - 2] + 1);
+                }
+            }
+        }
+        return edits[a.length()][b.length()];
     }
 
     private static ArgSpec option(ParameterException e) {

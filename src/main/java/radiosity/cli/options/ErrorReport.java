@@ -51,7 +51,8 @@ public final class ErrorReport {
         if (error instanceof java.nio.file.FileSystemException problem) {
             return problem.getFile() + ": expected to be read and written, got " + reason(problem);
         }
-        return "expected no error, got " + error.toString().replaceAll("\\s*\\R\\s*", " ") + " (--debug prints where)";
+        return "internal error: " + error.toString().replaceAll("\\s*\\R\\s*", " ")
+                + "; please report it with the output of --debug";
     }
 
     /** Section C.7 of the paper. */

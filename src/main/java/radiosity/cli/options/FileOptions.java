@@ -1,6 +1,8 @@
 package radiosity.cli.options;
 
 import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
 import java.util.Stack;
 import picocli.CommandLine.IParameterConsumer;
 import picocli.CommandLine.Model.ArgSpec;
@@ -18,10 +20,10 @@ public final class FileOptions {
             description = "Save the scene file at every n:th iteration.")
     public Integer saveInterval;
 
-    @Option(names = {"-tf", "--from"}, paramLabel = "<f> <n>", arity = "2", hideParamSyntax = true,
+    @Option(names = {"-tf", "--from"}, paramLabel = "<f> [<n>]", arity = "1..2", hideParamSyntax = true,
             parameterConsumer = ResumeConsumer.class,
             description = "Go on from the radiosity values of scene file f, counting iterations from n: the number"
-                    + " that the file was saved with.")
+                    + " that the file was saved with, which is taken where n is not given.")
     public Resume resume;
 
     @Option(names = "--points", paramLabel = "<in.csv> <out.csv>", arity = "2", hideParamSyntax = true,
@@ -39,9 +41,9 @@ public final class FileOptions {
      * From where to go on ({@code -tf}).
      *
      * @param file  a scene file
-     * @param shots with how many shots it was saved
+     * @param shots with how many shots it was saved, where the user says so
      */
-    public record Resume(Path file, int shots) { }
+    public record Resume(Path file, OptionalInt shots) { }
 
     /**
      * Points at which the solution is wanted ({@code --points}).
@@ -56,20 +58,30 @@ public final class FileOptions {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
-            String file = Arguments.next(arguments, option, "a scene file and its number of iterations");
-            String shots = Arguments.next(arguments, option, "a scene file and its number of iterations");
-            option.setValue(new Resume(Arguments.path(file, option),
-                    Arguments.convert(new Values.Count(), shots, option)));
+            String file = Arguments.next(arguments, option, "a scene file");
+            boolean given = !arguments.isEmpty() && arguments.peek().matches("[-+]?\\d+(\\.\\d*)?");
+            OptionalInt shots = given
+                    ? OptionalInt.of(Arguments.convert(new Values.Count(), arguments.pop(), option))
+                    : OptionalInt.empty();
+            option.setValue(new Resume(Arguments.path(file, option), shots));
         }
     }
 
     /** Takes {@code in.csv out.csv}. */
     static final class PointsConsumer implements IParameterConsumer {
+
+        private static final String TWO = "a table of points to read and one to write";
+
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
-            String in = Arguments.next(arguments, option, "a file to read and one to write");
-            String out = Arguments.next(arguments, option, "a file to read and one to write");
+            String in = Arguments.next(arguments, option, TWO);
+            String out = Arguments.next(arguments, option, TWO);
+            for (String file : List.of(in, out)) {
+                if (file.startsWith("-") || Arguments.isModel(file)) {
+                    throw Arguments.wrong(option, "expected " + TWO + ", got " + in + " " + out);
+                }
+            }
             option.setValue(new PointFiles(Arguments.path(in, option), Arguments.path(out, option)));
         }
     }

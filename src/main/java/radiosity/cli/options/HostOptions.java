@@ -27,13 +27,15 @@ public final class HostOptions {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
-            String expected = "the number of hosts and their names";
+            String expected = "the number of hosts and their names, as in -h 3 andreas daniel igge (see --help)";
             int count = Arguments.convert(new Values.AtLeastOne(),
                     Arguments.next(arguments, option, expected), option);
             List<HostAddress> hosts = new ArrayList<>();
             while (hosts.size() < count) {
-                if (arguments.isEmpty() || arguments.peek().startsWith("-")) {
-                    throw Arguments.wrong(option, "expected " + count + " hosts, got " + hosts.size());
+                if (arguments.isEmpty() || arguments.peek().startsWith("-") || Arguments.isModel(arguments.peek())) {
+                    throw Arguments.wrong(option, "expected the names of " + count
+                            + (count == 1 ? " host, got " : " hosts, got ")
+                             + hosts.size() + (arguments.isEmpty() ? "" : " before " + arguments.peek()));
                 }
                 add(hosts, arguments.pop(), option);
             }

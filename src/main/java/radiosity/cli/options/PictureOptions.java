@@ -73,6 +73,9 @@ public final class PictureOptions {
 
     /** Fails where a picture's name says no kind of picture. */
     void check() {
+        if (size != null && !isWanted()) {
+            throw Failure.commandLine("--size", "expected with --picture or -sn, got it without");
+        }
         for (Path picture : pictures) {
             if (!picture.toString().toLowerCase(Locale.ROOT).matches(".*\\.(png|jpg|jpeg|hdr)")) {
                 throw Failure.commandLine("--picture", "expected a name that ends in .png, .jpg or .hdr, got "

@@ -1,15 +1,21 @@
 package radiosity.cli.options;
 
+import static java.util.stream.Collectors.joining;
+
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 import radiosity.cli.RadiosityRenderer;
+import radiosity.rmi.HostAddress;
 
 /** The command line of {@link RadiosityRenderer} (appendix C.1 of the paper). */
 @Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
@@ -46,7 +52,7 @@ public final class RendererOptions {
             description = "Use textures with n samples per world coordinate.")
     public Double textures;
 
-    @Option(names = {"-q", "--quiet"}, description = "Quiet mode: no iteration numbers and per cent left.")
+    @Option(names = {"-q", "--quiet"}, description = "Quiet mode: no progress; warnings and the summary remain.")
     public boolean quiet;
 
     @Option(names = "--statistics", description = "With -h: print what is calculated where, a line per host now and "
@@ -56,13 +62,25 @@ public final class RendererOptions {
     @Mixin(name = CommonOptions.GROUP)
     public final CommonOptions common = new CommonOptions();
 
+    /** Of files that are pictures, tables, or scenes to be read: a scene file is none of them. */
+    private static final Pattern PICTURE = Pattern.compile("(?i).*\\.(png|jpe?g|hdr|exr|gif|bmp|tiff?|webp)");
+    private static final Pattern MODEL = Pattern.compile("(?i).*\\.(lws|lwo|gltf|glb|obj)");
+    private static final Pattern OTHER = Pattern.compile("(?i).*\\.(lws|lwo|obj|mtl|gltf|fbx|csv|txt|json|key)");
+
+    @Spec
+    CommandSpec command;
+
     /** Fails where the command line asks for what cannot be meant, or is not there. */
     public void check() {
+        scene.check();
         if (host.key != null && host.hosts == null) {
             throw Failure.commandLine("-key", "expected with -h, got it without");
         }
         if (statistics && host.hosts == null) {
             throw Failure.commandLine("--statistics", "expected with -h, got it without");
+        }
+        if (file.report != null && MODEL.matcher(file.report.toString()).matches()) {
+            throw Failure.commandLine("--report", "expected a file to write, such as a.json, got " + file.report);
         }
         if (calculation.time != null) {
             checkTime();
@@ -70,10 +88,37 @@ public final class RendererOptions {
         picture.check();
         if (files.size() != 2 || files.stream().anyMatch(file -> file.toString().isEmpty())) {
             String got = files.stream().map(file -> file.toString().isEmpty() ? "\"\"" : file.toString())
-                    .collect(Collectors.joining(" "));
+                    .collect(joining(" "));
             throw Failure.commandLine("files", "expected a scene to read and a scene file to write, got "
-                    + (got.isEmpty() ? "none" : got));
+                    + (got.isEmpty() ? "none" : got) + (host.hosts == null || files.size() == 2 ? ""
+                    : "; hosts are " + host.hosts.stream().map(HostAddress::toString).collect(joining(", "))));
         }
+        checkOutput(output().toString());
+    }
+
+    private static void checkOutput(String name) {
+        if (PICTURE.matcher(name).matches()) {
+            throw Failure.commandLine(name, "expected a scene file to write, such as a.scene, got the name of a"
+                    + " picture; --picture " + name + " writes one besides");
+        }
+        if (OTHER.matcher(name).matches()) {
+            throw Failure.commandLine(name, "expected a scene file to write, such as a.scene, got the name of another"
+                    + " kind of file; the scene to read comes first");
+        }
+    }
+
+    /** The scene file that {@code --info} describes; fails where something is asked for besides. */
+    public Path described() {
+        for (OptionSpec other : command.commandLine().getParseResult().matchedOptions()) {
+            if (!other.longestName().equals("--info") && !other.longestName().equals("--debug")) {
+                throw Failure.commandLine("--info", "expected alone, got " + other.shortestName() + ", too");
+            }
+        }
+        if (!files.isEmpty()) {
+            throw Failure.commandLine("--info", "expected one scene file and nothing else, got " + files.get(0)
+                    + ", too");
+        }
+        return file.info;
     }
 
     /** A time limit chooses the accuracy, and for that it calculates several times. */

@@ -1,5 +1,6 @@
 package radiosity.cli.options;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -50,6 +51,19 @@ public final class SceneOptions {
     static final class LightsParser extends Values.Choice<ReadOptions.Lights> {
         LightsParser() {
             super(ReadOptions.Lights.class);
+        }
+    }
+
+    /** Fails where a directory is none. */
+    void check() {
+        content.forEach(directory -> check("--content", directory));
+        map.forEach((prefix, directory) -> check("--map " + prefix, directory));
+    }
+
+    private static void check(String option, Path directory) {
+        if (!Files.isDirectory(directory)) {
+            throw Failure.file(option, "expected a directory, got " + directory
+                    + (Files.exists(directory) ? ", a file" : ", which is not there"), null);
         }
     }
 

@@ -22,11 +22,16 @@ public final class Values {
         /** The value, or null where the text is none. */
         public abstract T parse(String text);
 
+        /** What may be meant by a text that is no value, to stand behind the message; empty: not known. */
+        String instead(String text) {
+            return "";
+        }
+
         @Override
         public final T convert(String text) {
             T value = parse(text);
             if (value == null) {
-                throw new TypeConversionException("expected " + expected() + ", got " + shown(text));
+                throw new TypeConversionException("expected " + expected() + ", got " + shown(text) + instead(text));
             }
             return value;
         }
@@ -159,8 +164,11 @@ public final class Values {
         }
     }
 
-    /** {@code 2%} or {@code 0.02}, above 0 and at most 100 %; as a part of 1. */
+    /** {@code 2%} or {@code 0.02}, above 0 and at most 100 %; as a part of 1, below 0.1 where there is no sign. */
     public static final class PerCent extends Value<Double> {
+
+        private static final double DOUBTFUL = 0.1;
+
         @Override
         String expected() {
             return "per cent above 0 and up to 100, like 2%";
@@ -170,7 +178,15 @@ public final class Values {
         public Double parse(String text) {
             boolean hundredths = text.endsWith("%");
             double value = decimal(hundredths ? text.substring(0, text.length() - 1) : text) / (hundredths ? 100 : 1);
-            return value > 0 && value <= 1 ? value : null;
+            return value > 0 && value <= 1 && (hundredths || value < DOUBTFUL) ? value : null;
+        }
+
+        /** A number without a sign that may be either. */
+        @Override
+        String instead(String text) {
+            double value = decimal(text);
+            return value >= DOUBTFUL && value <= 100
+                    ? "; " + text + "% or " + new BigDecimal(text).movePointLeft(2).toPlainString() + "?" : "";
         }
     }
 

@@ -7,7 +7,10 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 import radiosity.cli.ViewSceneFile;
 import radiosity.output.image.ToneMapping;
 import radiosity.viewer.ViewSettings;
@@ -20,13 +23,18 @@ import radiosity.viewer.ViewSettings;
         footer = {"", "Exit codes: 0 closed; 1 no display; 2 wrong command line; 3 a file cannot be read or written."})
 public final class ViewOptions {
 
+    private static final String READING = "How to read the scene (-lw)";
+
+    @Spec
+    CommandSpec command;
+
     @Parameters(arity = "0..*", paramLabel = "<file>", hidden = true)
     List<Path> files = List.of();
 
     @Mixin(name = "What to show, and where")
     public final WindowOptions window = new WindowOptions();
 
-    @Mixin(name = "How to read the scene (-lw)")
+    @Mixin(name = READING)
     public final SceneOptions scene = new SceneOptions();
 
     @Mixin(name = CommonOptions.GROUP)
@@ -40,8 +48,19 @@ public final class ViewOptions {
                     + " file, got "
                     + (got.isEmpty() ? "none" : got));
         }
-        if (window.web && (window.lightWave || window.wireframe || window.textures || window.screenshot != null)) {
-            throw Failure.commandLine("--web", "expected without -lw, -wf, -ut and --screenshot, got one of them");
+        if (window.port != null && !window.web) {
+            throw Failure.commandLine("--port", "expected with --web, got it without");
+        }
+        for (OptionSpec option : command.mixins().get(READING).options()) {
+            if (!window.lightWave && command.commandLine().getParseResult().hasMatchedOption(option)) {
+                throw Failure.commandLine(option.longestName(), "expected with -lw, got it without");
+            }
+        }
+        scene.check();
+        if (window.web && (window.size != null || window.lightWave || window.wireframe || window.textures
+                || window.screenshot != null)) {
+            throw Failure.commandLine("--web",
+                    "expected without -lw, -wf, -ut, --size and --screenshot, got one of them");
         }
         if (window.textures && window.lightWave) {
             throw Failure.commandLine("-ut", "expected without -lw, got both");

@@ -9,6 +9,7 @@ import radiosity.output.image.ToneMapping;
 public final class WindowOptions {
 
     static final int USUAL_WIDTH = 800;
+    private static final int USUAL_PORT = 8080;
 
     @Option(names = {"-wf", "--wireframe"}, description = "Use wireframes.")
     boolean wireframe;
@@ -42,6 +43,11 @@ public final class WindowOptions {
     public boolean web;
 
     @Option(names = "--port", paramLabel = "<n>", converter = Values.AnyPort.class,
-            description = "Where to serve it, 0 for any free port. Default: 8080.")
-    public int port = 8080;
+            description = "Where to serve it, 0 for any free port. Default: " + USUAL_PORT + ".")
+    Integer port;
+
+    /** Where to serve the page. */
+    public int port() {
+        return port == null ? USUAL_PORT : port;
+    }
 }

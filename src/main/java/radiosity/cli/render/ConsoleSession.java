@@ -1,7 +1,6 @@
 package radiosity.cli.render;
 
 import java.io.PrintStream;
-import java.util.function.Supplier;
 import radiosity.cli.terminal.KeyListener;
 import radiosity.cli.terminal.NoProgress;
 import radiosity.cli.terminal.ProgressDisplay;
@@ -12,17 +11,14 @@ import radiosity.solution.Progress;
 public final class ConsoleSession implements ProgressDisplay {
 
     private final PrintStream err;
-    private final Supplier<ProgressDisplay> opening;
     private final KeyListener keys;
     private volatile ProgressDisplay display;
     private boolean begun;
 
-    /** @param opening of a display, when the first round begins */
-    public ConsoleSession(PrintStream err, Supplier<ProgressDisplay> opening, StopRequest stop) {
+    public ConsoleSession(PrintStream err, ProgressDisplay display, StopRequest stop) {
         this.err = err;
-        this.opening = opening;
+        this.display = display;
         keys = new KeyListener(stop::make);
-        display = new NoProgress(err);
         stop.tell(this::message);
     }
 
@@ -30,9 +26,13 @@ public final class ConsoleSession implements ProgressDisplay {
     void begin() {
         if (!begun) {
             begun = true;
-            display = opening.get();
             keys.listen();
         }
+    }
+
+    @Override
+    public void phase(String name) {
+        display.phase(name);
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
+import radiosity.cli.terminal.ProgressText;
 import radiosity.master.RemoteWorld;
 import radiosity.rmi.HostKey;
 import radiosity.scene.Scene;
@@ -53,6 +54,7 @@ public final class RenderJob {
     public RenderResult run(RadiositySettings settings, Beginning beginning, Optional<Journal> journal,
             BooleanSupplier goOn)
             throws IOException {
+        user.phase("setting up");
         try (World world = world(settings)) {
             check(world);
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule(options));
@@ -60,6 +62,7 @@ public final class RenderJob {
             user.begin();
             AutosaveListener rounds = new AutosaveListener(radiosity, settings, options, files, journal, user, goOn);
             radiosity.run(told(world, rounds));
+            user.phase("estimating the error");
             return new RenderResult(radiosity.solution(), settings, radiosity.progress(), world.patchArea(),
                     rounds.isCut() ? Optional.empty() : radiosity.certificate(options.calculation.threads),
                     world instanceof RemoteWorld remote ? Optional.of(remote.statistics()) : Optional.empty(),
@@ -130,9 +133,9 @@ public final class RenderJob {
     private void check(World world) {
         if (world.droppedTriangles() > 0 && !warned) {
             warned = true;
-            warnings.accept(scene.name() + ": expected triangles large enough to radiate, got "
-                    + world.droppedTriangles()
-                    + " that are not; they only block light");
+            warnings.accept(scene.name() + ": " + ProgressText.count(world.droppedTriangles(), "triangle")
+                    + (world.droppedTriangles() == 1 ? " is too small to be lit; it still casts shadows"
+                    : " are too small to be lit; they still cast shadows"));
         }
         SceneChecks.sizes(world.patches(), world.channels(), world.settings().layers() ? scene.lamps().size() : 0);
         Schedule schedule = world.settings().schedule();

@@ -129,6 +129,7 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
 
     /** As a user types it. */
     private static String typed(Object value) {
-        return value.equals(Double.POSITIVE_INFINITY) ? "none" : value.toString().toLowerCase(Locale.ROOT);
+        return value.equals(Double.POSITIVE_INFINITY) || value.equals(0.0) || value.equals(0) ? "none"
+                : value.toString().toLowerCase(Locale.ROOT);
     }
 }

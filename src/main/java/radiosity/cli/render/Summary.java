@@ -42,31 +42,33 @@ public final class Summary {
     }
 
     public void print(PrintStream out) {
-        out.printf(Locale.ROOT, "%,d elements of patches up to %.4g, %s in %s, %s unsent, %s%n",
-                progress.elements(), result.patchArea(), ProgressText.count(progress.shots(), "shot"),
+        out.printf(Locale.ROOT, "%s, initial patches <= %.4g units\u00b2, %s in %s, %s of the"
+                + " light not yet distributed, %s%n",
+                ProgressText.count(progress.elements(), "mesh element"), result.patchArea(),
+                ProgressText.count(progress.shots(), "shot"),
                 ProgressText.count(progress.rounds(), "round"),
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
-        out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + unshot %.6g + not received %.6g%n",
+        out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + not yet distributed %.6g + escaped or lost %.6g%n",
                 sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());
         if (progress.gathers()) {
-            out.println("stopped while new elements gathered what was shot before: they show, and these figures count,"
-                    + " the light of before they were made");
+            out.println("stopped while the mesh was being refined: new elements show, and these figures count, the"
+                    + " light of before they were made");
         }
         if (result.isRounding()) {
-            out.println("-se: what is unsent is only rounding; no calculation leaves less");
+            out.println("-se: what is not yet distributed is only rounding; no calculation leaves less");
         }
         result.certificate().ifPresent(c -> print(c, out));
         inTime.ifPresent(out::println);
     }
 
     private void print(Certificate c, PrintStream out) {
-        String missing = c.missingFlux() == null ? "without a bound on what is still missing"
-                : String.format(Locale.ROOT, "about %.4g W at most still missing", c.missingFlux());
-        String parts = progress.unsent() > MUCH_UNSENT ? "what is still unsent among it" : String.format(Locale.ROOT,
+        String missing = c.missingFlux() == null ? "no upper bound on missing flux"
+                : String.format(Locale.ROOT, "upper bound on missing flux: %.4g W", c.missingFlux());
+        String parts = progress.unsent() > MUCH_UNSENT ? "with what is not yet distributed" : String.format(Locale.ROOT,
                 "rays %s, mesh %s", ProgressText.perCent(c.sampling()), ProgressText.perCent(c.meshing()));
         out.printf(Locale.ROOT, "radiosity +- %s (%s), estimated at %d points; %s%n",
                 ProgressText.perCent(c.expected()), parts, c.points(), missing);
-        out.printf(Locale.ROOT, "form factors add up to %.4f on average, %.4f at most; two ways they differ by %s%n",
+        out.printf(Locale.ROOT, "mean form-factor sum %.4f, largest %.4f, reciprocity error %s%n",
                 c.factors(), c.mostFactors(), ProgressText.perCent(c.reciprocity()));
     }
 
@@ -78,7 +80,7 @@ public final class Summary {
         double asked = Accuracy.of(result.settings().tolerance());
         return result.certificate().filter(c -> result.settings().schedule() == Schedule.PREDICT
                 && c.expected() > asked).map(c -> String.format(Locale.ROOT,
-                "accuracy: expected an error of %s, reached %s%s", ProgressText.perCent(asked),
+                "accuracy not reached: expected an error of %s, got %s%s", ProgressText.perCent(asked),
                 ProgressText.perCent(c.expected()), worst(c)));
     }
 
@@ -86,7 +88,7 @@ public final class Summary {
         double all = certificate.surfaces().stream().mapToDouble(Summary::square).sum();
         return all == 0 ? "" : certificate.surfaces().stream()
                 .sorted(Comparator.comparingDouble(Summary::square).reversed()).limit(WORST)
-                .map(s -> String.format(Locale.ROOT, "%.0f %% of it on %s", 100 * square(s) / all, s.surface()))
+                .map(s -> String.format(Locale.ROOT, "%.0f %% of it is on %s", 100 * square(s) / all, s.surface()))
                 .collect(Collectors.joining(", ", "; ", ""));
     }
 

@@ -1,17 +1,16 @@
 package radiosity.cli.render;
 
-import java.io.PrintStream;
 import java.util.function.Consumer;
 import radiosity.cli.options.Failure;
 
 /** What the user should know before a render; with {@code --strict} it ends the program instead. */
 public final class Warnings implements Consumer<String> {
 
-    private final PrintStream err;
+    private final Consumer<String> user;
     private final boolean strict;
 
-    public Warnings(PrintStream err, boolean strict) {
-        this.err = err;
+    public Warnings(Consumer<String> user, boolean strict) {
+        this.user = user;
         this.strict = strict;
     }
 
@@ -25,6 +24,6 @@ public final class Warnings implements Consumer<String> {
 
     /** For a warning that has been found not to be an error. */
     public void print(String warning) {
-        err.println("warning: " + warning);
+        user.accept("warning: " + warning);
     }
 }

@@ -13,6 +13,9 @@ public final class NoProgress implements ProgressDisplay {
     }
 
     @Override
+    public void phase(String name) { }
+
+    @Override
     public void show(Progress progress) { }
 
     @Override

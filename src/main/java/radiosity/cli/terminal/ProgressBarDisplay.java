@@ -1,64 +1,72 @@
 package radiosity.cli.terminal;
 
 import java.io.PrintStream;
-import java.text.DecimalFormat;
-import java.time.temporal.ChronoUnit;
-import java.util.Optional;
-import me.tongfei.progressbar.ConsoleProgressBarConsumer;
-import me.tongfei.progressbar.DefaultProgressBarRenderer;
-import me.tongfei.progressbar.ProgressBar;
-import me.tongfei.progressbar.ProgressBarBuilder;
-import me.tongfei.progressbar.ProgressBarStyle;
-import me.tongfei.progressbar.ProgressState;
+import java.util.function.IntSupplier;
+import java.util.function.LongSupplier;
 import radiosity.solution.Progress;
 
-/** A bar on a terminal. */
+/** One line of a terminal, written again and again, and gone at the end. */
 public final class ProgressBarDisplay implements ProgressDisplay {
 
-    private static final int FULL = 1000;
+    private static final long NANOSECONDS_BETWEEN = 100_000_000L;
 
     private final PrintStream err;
-    private final int width;
+    private final IntSupplier width;
     private final ProgressText text;
-    private final ProgressBar bar;
+    private final LongSupplier clock;
+    private long drawn;
+    /** Characters that stand on the line. */
+    private int shown;
 
-    /** @param width of the terminal, characters */
-    public ProgressBarDisplay(PrintStream err, int width, ProgressText text) {
+    /**
+     * @param width of the terminal, characters; asked for anew whenever the line is written
+     * @param clock nanoseconds, as {@link System#nanoTime}
+     */
+    public ProgressBarDisplay(PrintStream err, IntSupplier width, ProgressText text, LongSupplier clock) {
         this.err = err;
         this.width = width;
         this.text = text;
-        bar = new ProgressBarBuilder().setTaskName("").setInitialMax(FULL).setUpdateIntervalMillis(200)
-                .continuousUpdate()
-                .setRenderer(new Renderer()).setConsumer(new ConsoleProgressBarConsumer(err, width)).build();
+        this.clock = clock;
     }
 
     @Override
-    public void show(Progress progress) {
-        bar.stepTo(Math.max(bar.getCurrent(), Math.round(FULL * text.done(progress))));
-        bar.setExtraMessage(text.of(progress));
+    public synchronized void phase(String name) {
+        text.phase(name);
+        draw();
     }
 
     @Override
-    public void message(String line) {
-        err.println("\r" + " ".repeat(width) + "\r" + line);
-    }
-
-    @Override
-    public void close() {
-        bar.close();
-    }
-
-    /** Per cent, bar and time gone; what is counted stands in the message behind them. */
-    private static final class Renderer extends DefaultProgressBarRenderer {
-
-        Renderer() {
-            super(ProgressBarStyle.ASCII, "", 1, false, new DecimalFormat("#"), ChronoUnit.SECONDS, false,
-                    state -> Optional.empty());
+    public synchronized void show(Progress progress) {
+        text.show(progress);
+        if (clock.getAsLong() - drawn >= NANOSECONDS_BETWEEN) {
+            draw();
         }
+    }
 
-        @Override
-        protected String ratio(ProgressState progress) {
-            return "";
-        }
+    private void draw() {
+        drawn = clock.getAsLong();
+        int fits = width.getAsInt() - 1;
+        String line = text.bar(fits);
+        err.print("\r" + line + " ".repeat(Math.max(0, Math.min(fits, shown) - line.length())));
+        err.flush();
+        shown = line.length();
+    }
+
+    @Override
+    public synchronized void message(String line) {
+        clear();
+        err.println(line);
+        draw();
+    }
+
+    private void clear() {
+        err.print("\r" + " ".repeat(Math.min(width.getAsInt() - 1, shown)) + "\r");
+        err.flush();
+        shown = 0;
+    }
+
+    @Override
+    public synchronized void close() {
+        clear();
     }
 }

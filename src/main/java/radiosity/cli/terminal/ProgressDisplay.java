@@ -5,6 +5,9 @@ import radiosity.solution.Progress;
 /** Where the user sees how far a calculation is. */
 public interface ProgressDisplay extends AutoCloseable {
 
+    /** @param name of what begins now and is no round, such as "reading a.lws" */
+    void phase(String name);
+
     /** After a round. */
     void show(Progress progress);
 

@@ -4,17 +4,21 @@ import java.io.PrintStream;
 import java.util.function.LongSupplier;
 import radiosity.solution.Progress;
 
-/** Plain lines, not more than one a second, where there is no terminal: for log files. */
+/** Plain lines where there is no terminal, for log files: one for each longer phase, and one a second at most. */
 public final class ProgressLines implements ProgressDisplay {
 
     private static final long SECOND = 1_000_000_000L;
+    /** Shorter phases get no line: a file that cannot be read is told by its error alone. */
+    private static final long SHORT_MILLISECONDS = 400;
 
     private final PrintStream err;
     private final ProgressText text;
     private final LongSupplier clock;
     private long printed;
-    private Progress shown;
-    private Progress latest;
+    /** Whether the latest progress has not been printed. */
+    private boolean isDue;
+    /** The phase that waits to be printed, or null. */
+    private Thread waiting;
 
     /** @param clock nanoseconds, as {@link System#nanoTime} */
     public ProgressLines(PrintStream err, ProgressText text, LongSupplier clock) {
@@ -25,17 +29,41 @@ public final class ProgressLines implements ProgressDisplay {
     }
 
     @Override
-    public void show(Progress progress) {
-        latest = progress;
+    public synchronized void phase(String name) {
+        close();
+        text.phase(name);
+        waiting = new Thread(this::printPhase, "progress");
+        waiting.setDaemon(true);
+        waiting.start();
+    }
+
+    private void printPhase() {
+        try {
+            Thread.sleep(SHORT_MILLISECONDS);
+        } catch (InterruptedException e) {
+            return;
+        }
+        synchronized (this) {
+            if (waiting == Thread.currentThread()) {
+                err.println(text.line());
+            }
+        }
+    }
+
+    @Override
+    public synchronized void show(Progress progress) {
+        waiting = null;
+        text.show(progress);
+        isDue = true;
         if (clock.getAsLong() - printed >= SECOND) {
+            printed = clock.getAsLong();
             print();
         }
     }
 
     private void print() {
-        printed = clock.getAsLong();
-        shown = latest;
-        err.println(text.of(latest));
+        err.println(text.line());
+        isDue = false;
     }
 
     @Override
@@ -45,8 +73,9 @@ public final class ProgressLines implements ProgressDisplay {
 
     /** The last line is always printed. */
     @Override
-    public void close() {
-        if (latest != shown) {
+    public synchronized void close() {
+        waiting = null;
+        if (isDue) {
             print();
         }
     }

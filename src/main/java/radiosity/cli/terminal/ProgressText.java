@@ -3,28 +3,72 @@ package radiosity.cli.terminal;
 import java.util.Locale;
 import radiosity.solution.Progress;
 
-/** How far a calculation is, in words, with the time it will still take. */
+/** How far a render is, in words: what is being done, the share that is done, and the time that it will still take. */
 public final class ProgressText {
 
     /** Below this, per cent, is rounding only. */
     private static final double LEAST = 1e-8;
+    private static final int LONGEST_BAR = 40;
+    private static final int SHORTEST_BAR = 8;
 
     private final ProgressEstimate course;
+    private String phase = "";
+    private Progress latest;
+    private double left;
+    /** Part of the way, in [0, 1]; it only grows. */
+    private double done;
 
     public ProgressText(ProgressEstimate course) {
         this.course = course;
     }
 
-    /** Part of the way, in [0, 1]. */
-    double done(Progress now) {
-        return course.done(now);
+    /** @param name of what begins now */
+    public void phase(String name) {
+        phase = name;
+        latest = null;
     }
 
-    public String of(Progress now) {
-        double left = course.left(now);
-        return course.label() + now.shots() + (now.shots() == 1 ? " shot, " : " shots, ") + perCent(now.unsent())
-                + " unsent, " + now.elements() + (now.gathers() ? " elements, the new ones gather" : " elements")
-                + (left > 0 ? ", " + time(left) + " left" : "");
+    /** After a round. */
+    public void show(Progress progress) {
+        latest = progress;
+        phase = progress.shots() == 0 ? "preparing" : progress.gathers() ? "refining the mesh" : "distributing light";
+        done = Math.max(done, Math.min(1, course.done(progress)));
+        left = course.left(progress);
+    }
+
+    /** A line for a log file. */
+    public String line() {
+        return course.label() + phase + (latest == null ? "" : ", " + share() + ": " + details() + time());
+    }
+
+    /**
+     * A line for a terminal, with a bar; what does not fit is left out: first the numbers of things, then the bar.
+     *
+     * @param width most characters that it may have
+     */
+    public String bar(int width) {
+        String head = course.label() + phase;
+        String tail = " " + share() + (latest == null ? "" : time());
+        int room = width - head.length() - tail.length() - " []".length();
+        int bar = Math.min(LONGEST_BAR, room);
+        String details = latest == null || room - bar < details().length() + 2 ? "" : ", " + details();
+        String full = bar < SHORTEST_BAR ? "" : " [" + "#".repeat((int) (done * bar))
+                + " ".repeat(bar - (int) (done * bar)) + "]";
+        String line = head + full + tail + details;
+        return line.substring(0, Math.min(width, line.length()));
+    }
+
+    private String share() {
+        return (int) (100 * done) + " %";
+    }
+
+    private String details() {
+        return count(latest.shots(), "shot") + ", " + perCent(latest.unsent()) + " not yet distributed, "
+                + count(latest.elements(), "mesh element");
+    }
+
+    private String time() {
+        return left > 0 ? ", " + time(left) + " left" : "";
     }
 
     /** So many of a thing. */

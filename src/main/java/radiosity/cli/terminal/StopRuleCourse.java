@@ -10,28 +10,32 @@ public final class StopRuleCourse implements ProgressEstimate {
     private static final double NANOSECONDS = 1e9;
     /** A smaller part that is done says nothing about the rest: a first shot may change almost nothing. */
     private static final double LEAST_DONE = 1e-4;
+    /** What the distribution of light is of the whole way; the estimate of the error and writing follow. */
+    private static final double DISTRIBUTION = .95;
+    /** Before, little is known, s. */
+    private static final double LEAST_SECONDS = 5;
 
     private final StopRule stop;
     private final LongSupplier clock;
-    private final long start;
     private Progress first;
+    private long start;
 
     /** @param clock nanoseconds, as {@link System#nanoTime} */
     public StopRuleCourse(StopRule stop, LongSupplier clock) {
         this.stop = stop;
         this.clock = clock;
-        start = clock.getAsLong();
     }
 
     @Override
     public double done(Progress now) {
         if (first == null) {
             first = now;
+            start = clock.getAsLong();
         }
         double shots = part(now.shots() - first.shots(), (double) stop.shots() - first.shots());
         double unsent = part(StrictMath.log(first.unsent() / now.unsent()),
                 StrictMath.log(first.unsent() / stop.unsent()));
-        return Math.max(shots, unsent);
+        return DISTRIBUTION * Math.max(shots, unsent);
     }
 
     private static double part(double gone, double whole) {
@@ -43,7 +47,7 @@ public final class StopRuleCourse implements ProgressEstimate {
     public double left(Progress now) {
         double done = done(now);
         double elapsed = (clock.getAsLong() - start) / NANOSECONDS;
-        return done >= LEAST_DONE ? elapsed * (1 - done) / done : 0;
+        return done >= LEAST_DONE && elapsed >= LEAST_SECONDS ? elapsed * (1 - done) / done : 0;
     }
 
     @Override

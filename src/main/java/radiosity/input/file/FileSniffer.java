@@ -24,6 +24,8 @@ public final class FileSniffer {
     static {
         BEGINNINGS.put("version https://git-lfs", "a Git LFS pointer: the file itself was not fetched");
         BEGINNINGS.put("\0\5\26\7", "an AppleDouble file (._name), which holds a Mac's file attributes only");
+        ENDINGS.put("obj", "an OBJ file");
+        ENDINGS.put("gltf", "a glTF file that is no binary");
         BEGINNINGS.put("Kaydara FBX", "an FBX file");
         BEGINNINGS.put("; FBX", "an FBX file");
         BEGINNINGS.put("BLENDER", "a Blender file");
@@ -136,6 +138,12 @@ public final class FileSniffer {
         }
         if (text.startsWith("FORM") && start.length < 12) {
             return "an IFF file of " + start.length + " bytes";
+        }
+        if (text.startsWith("LWSC")) {
+            return "a LightWave scene";
+        }
+        if (text.startsWith("FORM") && text.startsWith("LW", 8)) {
+            return "a LightWave object";
         }
         if (text.startsWith("FORM")) {
             return "an IFF file of type " + text.substring(8, 12);

@@ -12,6 +12,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import radiosity.gltf.JsonCursor;
+import radiosity.input.file.FileSniffer;
 import radiosity.scene.SceneFormatException;
 import radiosity.solution.SavedState;
 
@@ -51,7 +52,7 @@ final class GlbReader implements Closeable {
         }
         ByteBuffer header = read(0, 20);
         if (header.getInt(0) != GlbWriter.MAGIC) {
-            throw wrong("", "a scene file (glTF binary)", "something else");
+            throw wrong("", "a scene file that RadiosityRenderer wrote", FileSniffer.describe(start(), name));
         }
         if (header.getInt(4) != GlbWriter.VERSION) {
             throw wrong("byte 4", "glTF version 2", Integer.toUnsignedString(header.getInt(4)));
@@ -61,6 +62,10 @@ final class GlbReader implements Closeable {
             throw wrong("", length + " bytes as its header says", size + " bytes");
         }
         return header.position(12).slice().order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private byte[] start() throws IOException {
+        return read(0, (int) Math.min(FileSniffer.START, channel.size())).array();
     }
 
     /**

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -33,7 +34,25 @@ public final class SceneInfo {
     private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
             "ledger", "state", "channels", "lamps", "certificate");
 
+    /** What figures of a certificate are called, in the order in which they are listed. */
+    private static final Map<String, String> NAMES = new LinkedHashMap<>();
+
     private static final int MOST_NAMES = 20;
+    /** Other numbers are written with an exponent. */
+    private static final double LEAST_PLAIN = 1e-4;
+    private static final double MOST_PLAIN = 1e7;
+
+    static {
+        NAMES.put("expected", "error");
+        NAMES.put("sampling", "error of rays");
+        NAMES.put("meshing", "error of mesh");
+        NAMES.put("bias", "bias of rays");
+        NAMES.put("points", "at points");
+        NAMES.put("missingFlux", "missing flux <=");
+        NAMES.put("factors", "mean ff sum");
+        NAMES.put("mostFactors", "largest ff sum");
+        NAMES.put("reciprocity", "reciprocity err");
+    }
 
     private final SceneFile file;
     private final JsonCursor root;
@@ -48,7 +67,7 @@ public final class SceneInfo {
     public static List<String> lines(Path path) throws IOException {
         try (SceneFile file = SceneFile.open(path)) {
             SceneInfo info = new SceneInfo(file);
-            info.line("file", path + ", " + Files.size(path) + " bytes");
+            info.line("file", path + String.format(Locale.ROOT, ", %,d bytes", Files.size(path)));
             info.program();
             info.geometry();
             info.lamps();
@@ -61,15 +80,14 @@ public final class SceneInfo {
     }
 
     private void line(String name, String value) {
-        lines.add(String.format(Locale.ROOT, "%-12s %s", name, SceneFormatException.escape(value)));
+        lines.add(String.format(Locale.ROOT, "%-15s %s", name, SceneFormatException.escape(value)));
     }
 
     private void program() {
         Map<String, Object> extras = file.extras();
         line("format", String.valueOf(extras.get("formatVersion")));
         line("program", String.valueOf(extras.get("program")));
-        line("shots", value(extras.get("shots")) + " in " + value(extras.get("rounds"))
-                + " rounds; unshot flux added up without its sign: " + value(extras.get("unshotFlux")) + " W");
+        line("shots", value(extras.get("shots")) + " in " + value(extras.get("rounds")) + " rounds");
         line("state", extras.containsKey("state") ? "kept, the render can go on" : "none, the render cannot go on");
     }
 
@@ -96,7 +114,7 @@ public final class SceneInfo {
         line("objects", objects.isEmpty() ? "none named" : objects.size() + ": "
                 + names(objects.stream().map(SceneNode::name)));
         line("surfaces", surfaces.size() + ": " + names(surfaces.stream()));
-        line("elements", String.valueOf(elements));
+        line("triangles", elements + ": mesh elements, and what closes the cracks between them");
         line("vertices", String.valueOf(vertices));
         if (elements > 0) {
             line("box", text(vec(box.low).plus(file.origin())) + " to " + text(vec(box.high).plus(file.origin())));
@@ -145,13 +163,14 @@ public final class SceneInfo {
     private void ledger() throws IOException {
         EnergyLedger ledger = file.ledger();
         line("emitted", watts(ledger.emitted()));
-        line("shot", watts(ledger.shot()));
+        line("shot", watts(ledger.shot()) + ", reflected light among it");
         line("received", watts(ledger.received()));
         line("absorbed", watts(ledger.absorbed()));
-        line("unshot", watts(ledger.unshot()) + " signed: what was shot too much is subtracted");
+        line("not distributed", watts(ledger.unshot()) + " net, what was shot too much subtracted; "
+                + value(file.extras().get("unshotFlux")) + " W absolute, all channels together");
         double[] deficit = new double[ledger.shot().length];
         Arrays.setAll(deficit, ledger::deficit);
-        line("deficit", watts(deficit));
+        line("escaped or lost", watts(deficit));
     }
 
     private static String watts(double[] flux) {
@@ -164,7 +183,14 @@ public final class SceneInfo {
             Map<String, Object> whole = new TreeMap<>();
             certificate.forEach((key, value) -> whole.put(String.valueOf(key), value));
             whole.remove("surfaces");
-            line("certificate", value(whole));
+            NAMES.forEach((key, name) -> {
+                if (whole.containsKey(key)) {
+                    line(name, value(whole.remove(key)));
+                }
+            });
+            if (!whole.isEmpty()) {
+                line("certificate", value(whole));
+            }
         }
     }
 
@@ -180,12 +206,14 @@ public final class SceneInfo {
     }
 
     private static String text(Vec3 v) {
-        return (float) v.x() + "," + (float) v.y() + "," + (float) v.z();
+        return number((float) v.x()) + ", " + number((float) v.y()) + ", " + number((float) v.z());
     }
 
     private void rest() {
         new TreeMap<>(file.extras()).forEach((key, value) -> {
-            if (!SHOWN.contains(key)) {
+            if (key.equals("commandLine") && value instanceof Collection<?> words) {
+                line("command line", words.stream().map(String::valueOf).collect(Collectors.joining(" ")));
+            } else if (!SHOWN.contains(key)) {
                 line(key, value(value));
             }
         });
@@ -209,8 +237,12 @@ public final class SceneInfo {
     }
 
     private static String number(double value) {
-        return Double.isFinite(value) && value != 0
-                ? new BigDecimal(value).round(new MathContext(5)).stripTrailingZeros().toString().replace("E+", "E")
-                : String.valueOf(value == 0 ? 0 : value);
+        if (!Double.isFinite(value) || value == 0) {
+            return value == 0 ? "0" : String.valueOf(value);
+        }
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(5)).stripTrailingZeros();
+        double size = Math.abs(value);
+        return size >= LEAST_PLAIN && size < MOST_PLAIN ? rounded.toPlainString()
+                : rounded.toString().replace("E+", "E");
     }
 }

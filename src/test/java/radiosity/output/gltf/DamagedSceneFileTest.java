@@ -81,7 +81,8 @@ class DamagedSceneFileTest extends WrittenScene {
     @Test
     void foreignFiles_areRefusedInOneLine() throws IOException {
         Files.writeString(file, "LWSC\n1\nThis is a LightWave scene, not ours.\n");
-        assertEquals(file + ": expected a scene file (glTF binary), got something else", assertRefused());
+        assertEquals(file + ": expected a scene file that RadiosityRenderer wrote, got "
+                + "a LightWave scene", assertRefused());
         writeGlb("{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{}]}");
         assertEquals(file + ": expected a scene file of this program, got another glTF file", assertRefused());
         writeGlb("[1,2");

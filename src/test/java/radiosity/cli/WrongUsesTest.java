@@ -1,0 +1,122 @@
+package radiosity.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * What users do wrong with files and programs: one line each that names the option or the file and says what is
+ * expected instead, and nothing is written. Wrong values are in {@link CommandLineTest}.
+ */
+class WrongUsesTest {
+
+    private static final List<String> PROGRAMS = List.of("RadiosityRenderer", "ViewSceneFile", "PartitionServer");
+
+    @TempDir
+    static Path folder;
+
+    @BeforeAll
+    static void makeFiles() throws IOException {
+        Files.copy(Path.of("scenes/cornell-box.lws"), folder.resolve("a.lws"));
+        Files.copy(Path.of("scenes/cornell-box.lwo"), folder.resolve("cornell-box.lwo"));
+        ViewSceneFile.run("--version"); // loads what it needs before its errors are compared
+        assertEquals(0, RadiosityRenderer.run("-q", "-dr", folder + "/a.lws", folder + "/lit.scene"));
+        Files.writeString(folder.resolve("b.fbx"), "Kaydara FBX Binary  \0");
+        Files.writeString(folder.resolve("c.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Files.writeString(folder.resolve("poem.txt"), "A poem of more than twenty bytes");
+        Files.writeString(folder.resolve("points.csv"), "0,0,0,0,1,0\n");
+        Files.write(folder.resolve("empty.lws"), new byte[0]);
+    }
+
+    private static int run(List<String> words) {
+        String[] rest = words.subList(1, words.size()).toArray(String[]::new);
+        return switch (PROGRAMS.indexOf(words.get(0))) {
+            case 0 -> RadiosityRenderer.run(rest);
+            case 1 -> ViewSceneFile.run(rest);
+            default -> PartitionServer.run(rest);
+        };
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            RadiosityRenderer @/none.lws @/o.scene                 | 3 | @/none.lws: expected a readable file, got none
+            RadiosityRenderer @ @/o.scene                          | 3 | @: expected a file, got a directory
+            RadiosityRenderer @/a.lws @                            | 3 | @: expected a file that can be written, got a directory
+            RadiosityRenderer @/a.lws @/no/o.scene                 | 3 | @/no/o.scene: expected a directory that can be written, got none
+            RadiosityRenderer @/a.lws @/a.lws                      | 2 | @/a.lws: expected a scene file to write, such as a.scene, got the name of another kind of file; the scene to read comes first
+            RadiosityRenderer @/o.scene @/a.lws                    | 2 | @/a.lws: expected a scene file to write, such as a.scene, got the name of another kind of file; the scene to read comes first
+            RadiosityRenderer @/b.fbx @/o.scene                    | 3 | b.fbx: expected a scene, got an FBX file; LightWave, glTF and OBJ are read
+            RadiosityRenderer @/poem.txt @/o.scene                 | 3 | poem.txt: expected a scene, got a file that begins with "A poem of mo"; LightWave, glTF and OBJ are read
+            RadiosityRenderer @/empty.lws @/o.scene                | 3 | empty.lws: expected a LightWave scene or object, got an empty file
+            RadiosityRenderer @/lit.scene @/o.scene                | 3 | lit.scene: expected a scene without light, got a scene file of this program; give what it was made from
+            RadiosityRenderer --content @/no @/a.lws @/o.scene     | 3 | --content: expected a directory, got @/no, which is not there
+            RadiosityRenderer --content @/a.lws @/a.lws @/o.scene  | 3 | --content: expected a directory, got @/a.lws, a file
+            RadiosityRenderer --map C:=@/no @/a.lws @/o.scene      | 3 | --map C:: expected a directory, got @/no, which is not there
+            RadiosityRenderer --points @/points.csv @/a.lws @/o.scene | 2 | --points: expected a table of points to read and one to write, got @/points.csv @/a.lws
+            RadiosityRenderer --points @/no.csv @/o.csv @/a.lws @/o.scene | 3 | @/no.csv: expected a readable file, got none
+            RadiosityRenderer --picture @/a.lws @/o.scene          | 2 | --picture: expected a name that ends in .png, .jpg or .hdr, got @/a.lws
+            RadiosityRenderer --picture @/o.png --report @/o.png @/a.lws @/o.scene | 2 | @/o.png: expected a file of its own for each output, got one twice
+            RadiosityRenderer --report @/o.scene.journal @/a.lws @/o.scene | 2 | @/o.scene.journal: expected a file of its own for each output, got the journal of @/o.scene
+            RadiosityRenderer -tf @/a.lws @/a.lws @/o.scene        | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
+            RadiosityRenderer -tf @/lit.scene 7 @/a.lws @/o.scene  | 2 | -tf: expected 0, with which @/lit.scene was saved, got 7
+            RadiosityRenderer -tf @/lit.scene -pa 7 @/a.lws @/o.scene | 2 | -pa: expected none, with which @/lit.scene was made, got 7.0
+            RadiosityRenderer -key @/no @/a.lws @/o.scene          | 2 | -key: expected with -h, got it without
+            RadiosityRenderer --accuracy 1% -it 5 @/a.lws @/o.scene | 2 | -it: expected --schedule predict with --accuracy, got no --schedule
+            RadiosityRenderer --info                               | 2 | --info: expected <file>, got nothing
+            RadiosityRenderer --info @/a.lws                       | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
+            RadiosityRenderer --info @/lit.scene @/o.scene         | 2 | --info: expected one scene file and nothing else, got @/o.scene, too
+            RadiosityRenderer --info @/lit.scene -nr 5             | 2 | --info: expected alone, got -nr, too
+            ViewSceneFile                                          | 2 | file: expected one scene file, got none
+            ViewSceneFile @/lit.scene @/lit.scene                  | 2 | file: expected one scene file, got @/lit.scene @/lit.scene
+            ViewSceneFile @/a.lws                                  | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
+            ViewSceneFile @/cornell-box.lwo                        | 3 | @/cornell-box.lwo: expected a scene file that RadiosityRenderer wrote, got a LightWave object
+            ViewSceneFile @/b.fbx                                  | 3 | @/b.fbx: expected a scene file that RadiosityRenderer wrote, got an FBX file
+            ViewSceneFile @/c.obj                                  | 3 | @/c.obj: expected a scene file that RadiosityRenderer wrote, got an OBJ file
+            ViewSceneFile --web @/poem.txt                         | 3 | @/poem.txt: expected a scene file that RadiosityRenderer wrote, got a file that begins with "A poem of mo"
+            ViewSceneFile -lw @/b.fbx                              | 3 | b.fbx: expected a scene, got an FBX file; LightWave, glTF and OBJ are read
+            ViewSceneFile -ut @/lit.scene                          | 3 | @/lit.scene: expected textures (RadiosityRenderer -ut <n>), got none
+            ViewSceneFile --frame 3 @/lit.scene                    | 2 | --frame: expected with -lw, got it without
+            ViewSceneFile --port 8081 @/lit.scene                  | 2 | --port: expected with --web, got it without
+            ViewSceneFile --web --size 9x9 @/lit.scene             | 2 | --web: expected without -lw, -wf, -ut, --size and --screenshot, got one of them
+            ViewSceneFile --screenshot @/o.jpg @/lit.scene         | 2 | --screenshot: expected a name that ends in .png, got @/o.jpg
+            ViewSceneFile --sreenshot @/o.png @/lit.scene          | 2 | --sreenshot: expected an option that --help lists, got an unknown one; did you mean --screenshot?
+            PartitionServer @/a.lws                                | 2 | @/a.lws: expected options that --help lists and no file, got one
+            PartitionServer -port 99999                            | 2 | -port: expected a port from 1 to 65535, got 99999
+            PartitionServer -prot 1099                             | 2 | -prot: expected an option that --help lists, got an unknown one; did you mean -port?
+            PartitionServer -key @/no                              | 3 | @/no: expected a readable file, got none
+            """)
+    void wrongUse_isToldInOneLine(String commandLine, int exitCode, String expected) throws IOException {
+        List<Path> before = files();
+        PrintStream err = System.err;
+        ByteArrayOutputStream told = new ByteArrayOutputStream();
+        System.setErr(new PrintStream(told, true, StandardCharsets.UTF_8));
+        int returned;
+        try {
+            returned = run(List.of(commandLine.replace("@", folder.toString()).split(" +")));
+        } finally {
+            System.setErr(err);
+        }
+        assertEquals(expected.replace("@", folder.toString()), told.toString(StandardCharsets.UTF_8).strip());
+        assertEquals(exitCode, returned);
+        assertEquals(before, files());
+        assertFalse(told.toString(StandardCharsets.UTF_8).contains("\tat "));
+    }
+
+    private static List<Path> files() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.sorted().toList();
+        }
+    }
+}
