@@ -100,7 +100,7 @@ final class IdealHost {
 
     /** A round may be done in two parts, and a question follows it. */
     private static double seconds(Order order) {
-        boolean isPart = order.most() == Order.GIVE || order.kind() == Order.Kind.REST;
+        boolean isPart = order.givesGhosts() || order.kind() == Order.Kind.REST;
         return order.kind() == Order.Kind.ASK ? 0 : isPart ? SECONDS / 2 : SECONDS;
     }
 

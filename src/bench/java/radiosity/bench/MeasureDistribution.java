@@ -266,7 +266,7 @@ public final class MeasureDistribution {
             List<HostProcess> hosts = HostProcess.start(n, SERVER, "-Xmx2g");
             long begin = System.nanoTime();
             try (RemoteWorld world = world(hosts, settings)) {
-                Answer answer = world.answer(Order.plain(Order.Kind.ASK, 1));
+                Answer answer = world.answer(Order.asking(Order.Kind.ASK, 1));
                 double seconds = (System.nanoTime() - begin) * 1e-9;
                 List<String> memory = new ArrayList<>();
                 for (HostProcess host : hosts) {

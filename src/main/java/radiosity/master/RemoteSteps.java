@@ -45,9 +45,9 @@ final class RemoteSteps {
         return begin(order, order.shots().size(), bytes, told);
     }
 
-    /** The rest of an order that was begun where hosts need each other's values, see {@link Order#GIVE}. */
+    /** The rest of an order that was begun where hosts need each other's values. */
     Step beginRest(int shots, World.StepTimes told) {
-        Order rest = Order.plain(Order.Kind.REST, -1);
+        Order rest = Order.plain(Order.Kind.REST, Order.Question.NOTHING);
         return begin(rest, shots, rest.encode(), told);
     }
 
@@ -88,7 +88,7 @@ final class RemoteSteps {
     /** Waits for the first step that is under way; who is lost then has lost nothing that the log does not have. */
     void await(World.StepTimes told) {
         Step step = underWay.await(clock);
-        if (step.order().most() == Order.GIVE) {
+        if (step.order().givesGhosts()) {
             firstPart = step.seconds();
         } else if (!step.order().isAnswered()) {
             told.took(step.shots(), firstPart + step.seconds());

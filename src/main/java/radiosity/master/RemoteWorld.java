@@ -84,7 +84,7 @@ public final class RemoteWorld extends World {
     public List<byte[]> round(Order order) throws IOException {
         finish(NOBODY);
         admit();
-        return ask(order.isAnswered() ? order : order.naming(0));
+        return ask(order.isAnswered() ? order : order.asking(Order.Question.candidates(0)));
     }
 
     private List<byte[]> ask(Order order) throws IOException {
@@ -99,7 +99,7 @@ public final class RemoteWorld extends World {
         finish(NOBODY);
         admit();
         List<Step> parts = new ArrayList<>();
-        for (Order part : order.naming(0).parts(ROWS_AT_A_TIME)) {
+        for (Order part : order.asking(Order.Question.candidates(0)).parts(ROWS_AT_A_TIME)) {
             parts.add(steps.begin(part, prepare(part), NOBODY));
         }
         for (Step part : parts) {
@@ -121,12 +121,12 @@ public final class RemoteWorld extends World {
             return later -> sum(decode(answers(asked, later)), order.most());
         }
         boolean isExchanged = order.isAnswered() && halo.isShared(order);
-        Order silent = order.naming(isExchanged ? Order.GIVE : -1);
+        Order silent = order.asking(isExchanged ? Order.Question.GHOST_VALUES : Order.Question.NOTHING);
         Step first = steps.begin(silent, prepare(silent), told);
         if (isExchanged) {
             steps.beginRest(order.shots().size(), told);
         }
-        Question question = new Question(Order.plain(Order.Kind.ASK, order.most()).from(order.least()),
+        Question question = new Question(Order.plain(Order.Kind.ASK, order.question()),
                 isExchanged ? first : null);
         if (order.isAnswered()) {
             next = question;
@@ -194,8 +194,8 @@ public final class RemoteWorld extends World {
     private void exchange() throws IOException {
         finish(NOBODY);
         if (halo.isOwed()) {
-            halo.deliver(steps.tell(Order.plain(Order.Kind.ASK, Order.GIVE)));
-            steps.tell(Order.plain(Order.Kind.ASK, -1));
+            halo.deliver(steps.tell(Order.plain(Order.Kind.ASK, Order.Question.GHOST_VALUES)));
+            steps.tell(Order.plain(Order.Kind.ASK, Order.Question.NOTHING));
         }
     }
 
@@ -250,7 +250,7 @@ public final class RemoteWorld extends World {
     @Override
     public List<Shot> totals() throws IOException {
         List<Shot> trees = new ArrayList<>();
-        for (byte[] bytes : round(Order.plain(Order.Kind.TREES, 0))) {
+        for (byte[] bytes : round(Order.asking(Order.Kind.TREES, 0))) {
             trees.addAll(Wire.trees(Wire.input(bytes)));
         }
         return totals.of(joined(trees), crew);

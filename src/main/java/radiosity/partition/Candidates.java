@@ -43,16 +43,16 @@ final class Candidates {
     }
 
     /** What an order wants to know. */
-    Answer answer(Order order) {
+    Answer answer(Order.Kind kind, Order.Question.Candidates asked) {
         if (sums == null) {
             sums = measure();
             shots = new Shot[shooters.length];
         }
         Answer answer = new Answer(faces, mesh.fluxScale());
         answer.addSums(sums);
-        int[] named = largest(order.most(), order.least());
+        int[] named = largest(asked.most(), asked.flux());
         crew.run(named.length, i -> find(named[i]));
-        boolean means = order.kind() == Order.Kind.MEANS;
+        boolean means = kind == Order.Kind.MEANS;
         IntStream.of(named).mapToObj(p -> means ? shots[p].mean(mesh.coarse) : shots[p])
                 .forEach(answer.candidates::add);
         return answer;

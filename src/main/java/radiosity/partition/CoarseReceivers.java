@@ -46,7 +46,7 @@ final class CoarseReceivers {
     byte[] rows(Order order) {
         ShooterHierarchy[] all = receivers.shooters(order);
         FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]
-                : new RayCaster(mesh.bounds(), 1, order.tolerance(), 1);
+                : new RayCaster(mesh.bounds(), 1, order.rules().tolerance(), 1);
         byte[][] row = new byte[asked.length][];
         crew.run(row.length, i -> row[i] = row(asked[i], all, calculator));
         return Wire.bytes(out -> {

@@ -45,11 +45,11 @@ final class Gatherer {
     }
 
     UniformRadiosity ambient(Order order) {
-        return new UniformRadiosity(mesh.rooms, faces.channels(), order.ambient());
+        return new UniformRadiosity(mesh.rooms, faces.channels(), order.rules().ambient());
     }
 
     Weights weights(Order order) {
-        return new Weights(mesh.rooms, faces.channels(), order.weight());
+        return new Weights(mesh.rooms, faces.channels(), order.rules().weight());
     }
 
     ShooterHierarchy[] shooters(Order order) {
@@ -64,14 +64,14 @@ final class Gatherer {
     FormFactorCalculator[] calculators(Order order) {
         FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
         Arrays.setAll(made, slack -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(),
-                order.tolerance() * (1 << slack)));
+                order.rules().tolerance() * (1 << slack)));
         return made;
     }
 
     /** Even light of closed rooms, at the beginning of a round, and what was lost of the light before. */
     void receiveAmbient(Order order, RadiosityNodes nodes, int[] vertices) {
         UniformRadiosity ambient = ambient(order);
-        double[] back = order.givenBack();
+        double[] back = order.rules().givenBack();
         if (order.begun() || ambient.isDark() && back.length == 0) {
             return;
         }

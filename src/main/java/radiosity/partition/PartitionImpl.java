@@ -106,7 +106,8 @@ public final class PartitionImpl implements Partition {
             case REST -> gatherRest();
             default -> { }
         }
-        return order.isAnswered() ? candidates.answer(order) : new Answer(faces, mesh.fluxScale());
+        return order.question() instanceof Order.Question.Candidates asked ? candidates.answer(order.kind(), asked)
+                : new Answer(faces, mesh.fluxScale());
     }
 
     /** Mark what has shot, gather, subdivide. */
@@ -148,7 +149,7 @@ public final class PartitionImpl implements Partition {
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
-        new MeshRefinement(nodes, receivers.weights(order), order.meshError()).splitAll(order.number(), crew);
+        new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError()).splitAll(order.number(), crew);
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(IntStream.range(known, nodes.vertices()).toArray());
@@ -195,10 +196,10 @@ public final class PartitionImpl implements Partition {
         return new Work(order, receivers.shooters(order), receivers.calculators(order));
     }
 
-    /** Gathers where no other host does; by {@link Order#GIVE} only where others need it, and elsewhere later. */
+    /** Gathers where no other host does; first only where others need it, if the order asks for ghost values. */
     private void gather(Order order) {
         Work work = work(order);
-        if (order.most() == Order.GIVE && ghosts.isShared()) {
+        if (order.givesGhosts() && ghosts.isShared()) {
             gather(work, ghosts.given(points(order)));
             rest = work;
         } else {

@@ -4,6 +4,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import radiosity.prediction.CoarseSystem;
 import radiosity.worker.ShotHistory;
@@ -11,25 +12,76 @@ import radiosity.worker.ShotHistory;
 /**
  * What every partition does in a round, or in a part of one.
  *
- * @param kind      what it is
- * @param number    counts the rounds of a calculation from 1
- * @param more      whether the rest of the round follows
- * @param shots     who shoots, in the order in which it is applied
- * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
- * @param weight    what a W/m² counts for in that, see {@link radiosity.mesh.Weights}
- * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
- * @param ambient   channels per closed room, see {@link radiosity.mesh.UniformRadiosity}; empty: none. W/m²
- * @param givenBack one per channel, or empty: part of what each vertex has received that it receives besides
- * @param begun     whether a part of the round is done: the ambient light has been received
- * @param most      how many candidates for the next round to name; -1: nobody reads the answer; {@link #GIVE}:
- *                  gather only where other hosts need it, and say what has arrived there
- * @param least     unshot flux that a candidate has at least, W
+ * @param kind     what it is
+ * @param number   counts the rounds of a calculation from 1
+ * @param begun    whether a part of the round is done: the ambient light has been received
+ * @param more     whether the rest of the round follows
+ * @param shots    who shoots, in the order in which it is applied
+ * @param rules    how points gather and elements are divided
+ * @param question what partitions answer
  */
-public record Order(Kind kind, int number, boolean more, List<Shot> shots, double tolerance, double[] weight,
-             double meshError, double[] ambient, double[] givenBack, boolean begun, int most, double least) {
+public record Order(Kind kind, int number, boolean begun, boolean more, List<Shot> shots, Rules rules,
+                    Question question) {
 
-    public static final int GIVE = -2;
     private static final double[] NONE = {};
+    /** What stands for a question without candidates where their number is written. */
+    private static final int NOTHING = -1;
+    private static final int GHOST_VALUES = -2;
+
+    /**
+     * How points gather and elements are divided.
+     *
+     * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
+     * @param weight    what a W/m² counts for in that, see {@link radiosity.mesh.Weights}
+     * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
+     * @param ambient   channels per closed room, see {@link radiosity.mesh.UniformRadiosity}; empty: none. W/m²
+     * @param givenBack one per channel, or empty: part of what each vertex has received that it receives besides
+     */
+    public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
+
+        private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
+
+        /** Every shooter by its own form factors, all channels alike: the paper's schedule. */
+        public static Rules exact(int channels) {
+            double[] weight = new double[channels];
+            Arrays.fill(weight, 1);
+            return new Rules(Double.POSITIVE_INFINITY, weight, 0, NONE, NONE);
+        }
+
+        /** The same rules, and all receive this part of what they have besides. */
+        Rules givingBack(double[] part) {
+            return new Rules(tolerance, weight, meshError, ambient, part);
+        }
+    }
+
+    /** What partitions answer to an order. */
+    public sealed interface Question {
+
+        /** Nobody reads the answer. */
+        record Nothing() implements Question { }
+
+        /**
+         * Gather only where other hosts need it, and say what has arrived there; elsewhere points gather by {@link
+         * Kind#REST}.
+         */
+        record GhostValues() implements Question { }
+
+        /**
+         * Name candidates for the next round.
+         *
+         * @param most how many, at least 0
+         * @param flux unshot flux that a candidate has at least, W
+         */
+        record Candidates(int most, double flux) implements Question { }
+
+        Question NOTHING = new Nothing();
+        Question GHOST_VALUES = new GhostValues();
+
+        /** Name candidates, however little flux they have. */
+        static Question candidates(int most) {
+            return new Candidates(most, 0);
+        }
+    }
 
     /** The kinds of round. */
     public enum Kind {
@@ -47,7 +99,7 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         REGATHER,
         /** Average what was gathered anew with what was set aside, where that is not negative. */
         AVERAGE,
-        /** Give all vertices back what rays have lost, see {@link Order#givenBack}. */
+        /** Give all vertices back what rays have lost, see {@link Rules#givenBack}. */
         BALANCE,
         /** Say what was ever shot. */
         TOTALS,
@@ -59,39 +111,44 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         MEANS,
         /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
         ROWS,
-        /** Gather where an order with {@link #GIVE} has left it for later: at the points that no other host needs. */
+        /** Gather where an order for {@link Question.GhostValues} has not: where no other host needs it. */
         REST
     }
 
+    /** A round that is not begun yet; it gets its number when it is. */
+    public Order(Kind kind, List<Shot> shots, Rules rules, Question question) {
+        this(kind, 0, false, false, shots, rules, question);
+    }
+
     /** An order without shots. */
-    public static Order plain(Kind kind, int most) {
-        return new Order(kind, 0, false, List.of(), 0, new double[0], 0, NONE, NONE, false, most, 0);
+    public static Order plain(Kind kind, Question question) {
+        return new Order(kind, List.of(), Rules.UNUSED, question);
     }
 
-    /** An order without ambient light. */
-    public static Order of(Kind kind, List<Shot> shots, double tolerance, double[] weight, double meshError, int most) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, NONE, NONE, false, most, 0);
+    /** An order without shots that names candidates, or answers something else. */
+    public static Order asking(Kind kind, int most) {
+        return plain(kind, Question.candidates(most));
     }
 
-    public Order numbered(int round) {
-        return new Order(kind, round, more, shots, tolerance, weight, meshError, ambient, givenBack, begun,
-                most, least);
+    /** The same order as a round of its own. @param lost is given back: one per channel, or empty */
+    public Order numbered(int round, double[] lost) {
+        return new Order(kind, round, begun, more, shots, rules.givingBack(lost), question);
     }
 
     /** The first shots of this round; candidates are named when it ends. */
     public Order first(int size) {
         boolean all = size == shots.size();
-        return new Order(kind, number, !all, shots.subList(0, size), tolerance, weight, meshError, ambient, givenBack,
-                begun, all ? most : 0, least);
+        return new Order(kind, number, begun, !all, shots.subList(0, size), rules,
+                all || !(question instanceof Question.Candidates asked) ? question
+                        : new Question.Candidates(0, asked.flux));
     }
 
     /** What is left of this round without its first shots. */
     public Order after(int size) {
-        return new Order(kind, number, more, shots.subList(size, shots.size()), tolerance, weight, meshError, ambient,
-                givenBack, true, most, least);
+        return new Order(kind, number, true, more, shots.subList(size, shots.size()), rules, question);
     }
 
-    /** All of it, in parts of up to so many shots. */
+    /** All of it, in parts of up to this number of shots. */
     public List<Order> parts(int size) {
         List<Order> parts = new ArrayList<>();
         Order rest = this;
@@ -124,32 +181,29 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         return kind == Kind.SHOOT || kind == Kind.RENEW;
     }
 
-    /** The same, naming other numbers of candidates. */
-    public Order naming(int candidates) {
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack, begun,
-                candidates, least);
+    /** The same order with another question. */
+    public Order asking(Question other) {
+        return new Order(kind, number, begun, more, shots, rules, other);
     }
 
-    /** The same, and all receive this besides. */
-    public Order givingBack(double[] even) {
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, even, begun, most,
-                least);
-    }
-
-    public boolean isAnswered() {
-        return most >= 0;
-    }
-
-    /** The same with these shots. */
+    /** The same order with other shots. */
     public Order shooting(List<Shot> others) {
-        return new Order(kind, number, more, others, tolerance, weight, meshError, ambient, givenBack, begun, most,
-                least);
+        return new Order(kind, number, begun, more, others, rules, question);
     }
 
-    /** The same, naming candidates with so much unshot flux only, W. */
-    public Order from(double flux) {
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack, begun, most,
-                flux);
+    /** Whether the state of the elements is asked for. */
+    public boolean isAnswered() {
+        return question instanceof Question.Candidates;
+    }
+
+    /** Whether points gather only where other hosts need it. */
+    public boolean givesGhosts() {
+        return question instanceof Question.GhostValues;
+    }
+
+    /** How many candidates to name. */
+    public int most() {
+        return question instanceof Question.Candidates asked ? asked.most : 0;
     }
 
     public byte[] encode() {
@@ -171,14 +225,14 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         } else {
             Wire.writeTrees(shots, channels, out);
         }
-        out.writeDouble(tolerance);
-        write(weight, out);
-        out.writeDouble(meshError);
-        write(ambient, out);
-        write(givenBack, out);
+        out.writeDouble(rules.tolerance);
+        write(rules.weight, out);
+        out.writeDouble(rules.meshError);
+        write(rules.ambient, out);
+        write(rules.givenBack, out);
         out.writeBoolean(begun);
-        out.writeInt(most);
-        out.writeDouble(least);
+        out.writeInt(isAnswered() ? most() : givesGhosts() ? GHOST_VALUES : NOTHING);
+        out.writeDouble(question instanceof Question.Candidates asked ? asked.flux : 0);
     }
 
     public static Order decode(byte[] bytes) throws IOException {
@@ -191,13 +245,18 @@ public record Order(Kind kind, int number, boolean more, List<Shot> shots, doubl
         boolean more = in.readBoolean();
         boolean totals = kind == Kind.GATHER || kind == Kind.REGATHER;
         List<Shot> shots = totals ? Wire.trees(in) : Wire.shots(in);
-        double tolerance = in.readDouble();
-        double[] weight = doubles(in);
-        double meshError = in.readDouble();
-        double[] ambient = doubles(in);
-        double[] givenBack = doubles(in);
-        return new Order(kind, number, more, shots, tolerance, weight, meshError, ambient, givenBack,
-                in.readBoolean(), in.readInt(), in.readDouble());
+        Rules rules = new Rules(in.readDouble(), doubles(in), in.readDouble(), doubles(in), doubles(in));
+        return new Order(kind, number, in.readBoolean(), more, shots, rules, question(in));
+    }
+
+    private static Question question(DataInputStream in) throws IOException {
+        int most = in.readInt();
+        double flux = in.readDouble();
+        if (most < GHOST_VALUES) {
+            throw new IOException("order: expected a number of candidates, got " + most);
+        }
+        return most == NOTHING ? Question.NOTHING : most == GHOST_VALUES ? Question.GHOST_VALUES
+                : new Question.Candidates(most, flux);
     }
 
     private static void write(double[] numbers, DataOutputStream out) throws IOException {

@@ -3,7 +3,6 @@ package radiosity.solver;
 import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -25,7 +24,7 @@ final class CyclicSchedule implements Planner {
     private static final Comparator<Shot> BY_PLACE = Comparator.<Shot>comparingInt(shot -> top(shot).face())
             .thenComparingLong(shot -> top(shot).path());
 
-    private final double[] weight;
+    private final Order.Rules rules;
     private final boolean gathers;
     /** Who shot last. */
     private int face = -1;
@@ -34,8 +33,7 @@ final class CyclicSchedule implements Planner {
     /** @param gathers whether all shoot at once */
     CyclicSchedule(int channels, boolean gathers) {
         this.gathers = gathers;
-        weight = new double[channels];
-        Arrays.fill(weight, 1);
+        rules = Order.Rules.exact(channels);
     }
 
     private static PatchTree top(Shot shot) {
@@ -48,8 +46,8 @@ final class CyclicSchedule implements Planner {
         if (turns.isEmpty()) {
             return null;
         }
-        return Order.of(Order.Kind.SHOOT, gathers ? turns : List.of(turn(turns)), Double.POSITIVE_INFINITY,
-                weight, 0, Integer.MAX_VALUE);
+        return new Order(Order.Kind.SHOOT, gathers ? turns : List.of(turn(turns)), rules,
+                Order.Question.candidates(Integer.MAX_VALUE));
     }
 
     /** The first after the last one; round again at the end. */

@@ -108,7 +108,7 @@ final class LatestStatus {
     void know() throws IOException {
         catchUp();
         if (!isLastAnswered) {
-            look(Order.plain(Order.Kind.ASK, 0));
+            look(Order.asking(Order.Kind.ASK, 0));
         }
     }
 

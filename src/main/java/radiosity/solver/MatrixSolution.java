@@ -1,7 +1,6 @@
 package radiosity.solver;
 
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import radiosity.prediction.CoarseSystem;
@@ -18,12 +17,11 @@ import radiosity.protocol.Shot;
 final class MatrixSolution implements Planner {
 
     private final CoarseSystem system;
-    private final double[] weight;
+    private final Order.Rules rules;
 
     MatrixSolution(World world) {
         system = new CoarseSystem(world.mesh, world.crew);
-        weight = new double[world.channels()];
-        Arrays.fill(weight, 1);
+        rules = Order.Rules.exact(world.channels());
     }
 
     @Override
@@ -40,7 +38,7 @@ final class MatrixSolution implements Planner {
     }
 
     private Order order(Order.Kind kind, List<Shot> shots) {
-        return Order.of(kind, shots, Double.POSITIVE_INFINITY, weight, 0, Integer.MAX_VALUE);
+        return new Order(kind, shots, rules, Order.Question.candidates(Integer.MAX_VALUE));
     }
 
     @Override

@@ -36,7 +36,7 @@ final class Prediction implements Planner {
     private static final int MOST_FORESEEN = 20_000;
 
     /** Everybody. */
-    private static final Order ALL = Order.plain(Order.Kind.ASK, Integer.MAX_VALUE);
+    private static final Order ALL = Order.asking(Order.Kind.ASK, Integer.MAX_VALUE);
 
     /** Flux that is foreseen to matter on some of the faces, W. */
     private interface ForeseenFlux {
@@ -83,7 +83,8 @@ final class Prediction implements Planner {
     private Order rows() {
         double[] equal = new double[world.channels()];
         Arrays.fill(equal, 1);
-        return Order.of(Order.Kind.ROWS, coarse.importance(), ROW_TOLERANCE, equal, 0, 0);
+        return new Order(Order.Kind.ROWS, coarse.importance(),
+                new Order.Rules(ROW_TOLERANCE, equal, 0, new double[0], new double[0]), Order.Question.candidates(0));
     }
 
     @Override
@@ -195,7 +196,7 @@ final class Prediction implements Planner {
 
     /** With what will become of them, which is reckoned while they are on their way; none where it was not to go on. */
     private List<Shot> foreseen(Answer last, BooleanSupplier goOn) throws IOException {
-        World.Begun means = world.begin(Order.plain(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
+        World.Begun means = world.begin(Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
         World.Begun all = world.begin(ALL, World.NOBODY);
         double[] h = coarse.irradiance(coarse.unshot(world.joined(means.answer(World.NOBODY).candidates)), goOn);
         List<Shot> candidates = candidates(all.answer(World.NOBODY));
@@ -271,7 +272,8 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
-        return new Order(kind, 0, false, shots, tolerance, weight, meshError, even, new double[0], false, 0, 0);
+        return new Order(kind, shots, new Order.Rules(tolerance, weight, meshError, even, new double[0]),
+                Order.Question.candidates(0));
     }
 
     /** It asks when it knows the coarse system. */

@@ -116,7 +116,7 @@ public final class ProgressiveRadiosity {
     private void ask() throws IOException {
         prepare();
         if (last.newest() == null) {
-            last.askFirst(Order.plain(Order.Kind.ASK, planner.wanted()));
+            last.askFirst(Order.asking(Order.Kind.ASK, planner.wanted()));
             tally.begin(last.newest());
         }
     }
@@ -164,7 +164,7 @@ public final class ProgressiveRadiosity {
         double left = unsent();
         Answer known = last.afterRound().without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale());
         Order next = planner.next(known, left, () -> true);
-        agenda.add(next == null ? Order.plain(Order.Kind.ASK, planner.wanted()) : next, left);
+        agenda.add(next == null ? Order.asking(Order.Kind.ASK, planner.wanted()) : next, left);
     }
 
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
@@ -183,7 +183,7 @@ public final class ProgressiveRadiosity {
         }
         Order now = pending.first(size);
         if (now.more() && !last.isOld()) {
-            now = now.naming(-1);
+            now = now.asking(Order.Question.NOTHING);
         }
         Answer before = last.afterRound();
         carryOut(now);
@@ -199,9 +199,8 @@ public final class ProgressiveRadiosity {
             pace.rest();
         }
         Order next = agenda.round();
-        next = next.changes() ? next.numbered(tally.nextRound()) : next;
-        agenda.begin(next.kind() == Order.Kind.SHOOT || next.kind() == Order.Kind.BALANCE
-                ? next.givingBack(missing()) : next, planner.looksAhead());
+        agenda.begin(next.changes() ? next.numbered(tally.nextRound(), missing(next.kind())) : next,
+                planner.looksAhead());
     }
 
     private void carryOut(Order now) throws IOException {
@@ -228,8 +227,9 @@ public final class ProgressiveRadiosity {
     }
 
     /** To be given back, where all flux must be received: see {@link Flux#missing}. Empty elsewhere. */
-    private double[] missing() {
-        return world.mesh.conserves() && tally.shots() > 0 ? tally.flux.missing(last.afterRound()) : new double[0];
+    private double[] missing(Order.Kind kind) {
+        return (kind == Order.Kind.SHOOT || kind == Order.Kind.BALANCE) && world.mesh.conserves() && tally.shots() > 0
+                ? tally.flux.missing(last.afterRound()) : new double[0];
     }
 
     /**

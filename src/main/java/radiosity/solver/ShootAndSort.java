@@ -3,7 +3,6 @@ package radiosity.solver;
 import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import radiosity.protocol.Answer;
@@ -28,7 +27,7 @@ final class ShootAndSort implements Planner {
     /** Those are named that have this part of the flux of the last one that was chosen. */
     private static final double NAMED = 0.5;
 
-    private final double[] weight;
+    private final Order.Rules rules;
     private final int most;
     private final int mostAlike;
     /** How many were chosen so far. */
@@ -37,8 +36,7 @@ final class ShootAndSort implements Planner {
     ShootAndSort(long patches, int channels) {
         most = (int) Math.min(MOST_IN_ROUND, patches / PATCHES_PER_SHOT);
         mostAlike = Math.max(1, Math.min(MOST_ALIKE, most));
-        weight = new double[channels];
-        Arrays.fill(weight, 1);
+        rules = Order.Rules.exact(channels);
     }
 
     @Override
@@ -49,8 +47,8 @@ final class ShootAndSort implements Planner {
         int size = Math.min(last.candidates.size(), Math.max(batch(shots), alike(last.candidates)));
         List<Shot> best = last.candidates.subList(0, size);
         shots += size;
-        return Order.of(Order.Kind.SHOOT, best, Double.POSITIVE_INFINITY, weight, 0, wanted())
-                .from(NAMED * best.get(size - 1).flux());
+        return new Order(Order.Kind.SHOOT, best, rules,
+                new Order.Question.Candidates(wanted(), NAMED * best.get(size - 1).flux()));
     }
 
     @Override

@@ -145,7 +145,7 @@ public abstract class World implements AutoCloseable {
     /** What all shooters have ever shot. */
     public List<Shot> totals() throws IOException {
         List<Shot> totals = new ArrayList<>();
-        for (byte[] bytes : round(Order.plain(Order.Kind.TOTALS, 0))) {
+        for (byte[] bytes : round(Order.asking(Order.Kind.TOTALS, 0))) {
             totals.addAll(Wire.shots(Wire.input(bytes)));
         }
         return joined(totals);
@@ -154,7 +154,7 @@ public abstract class World implements AutoCloseable {
     /** What all shooters have not shot yet, to the last digit; see {@link Order.Kind#UNSHOT}. */
     public final List<Shot> unshot() throws IOException {
         List<Shot> unshot = new ArrayList<>();
-        for (byte[] bytes : round(Order.plain(Order.Kind.UNSHOT, 0))) {
+        for (byte[] bytes : round(Order.asking(Order.Kind.UNSHOT, 0))) {
             unshot.addAll(Wire.shots(Wire.input(bytes)));
         }
         return joined(unshot);

@@ -116,7 +116,7 @@ final class HostedBlocks {
             totals.add(order.shots());
         }
         byte[] answer = order.gathers() ? gather(order) : answer(order);
-        given = order.most() == Order.GIVE ? partition.ghosts().give() : new byte[0];
+        given = order.givesGhosts() ? partition.ghosts().give() : new byte[0];
         return answer;
     }
 
@@ -129,7 +129,7 @@ final class HostedBlocks {
     }
 
     private byte[] answer(Order order) {
-        if (order.most() != Order.GIVE && order.kind() != Order.Kind.REST) {
+        if (!order.givesGhosts() && order.kind() != Order.Kind.REST) {
             settle();
         }
         return partition.round(order);
