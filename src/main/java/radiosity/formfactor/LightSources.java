@@ -4,6 +4,7 @@ import java.util.List;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
+import radiosity.scene.Luminaire;
 import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
@@ -16,6 +17,12 @@ public final class LightSources {
 
     /** Sample points of an area light for its visible share, by a plastic-number sequence as in the ray caster. */
     private static final int SAMPLES = 32;
+    /** So many times its size away, a part of a luminaire is a point. */
+    private static final double SMALL = 12;
+    /** A luminaire may stand in the plane of a ceiling, which does not hide it: part of the distance. */
+    private static final double MOUNTED = 1e-4;
+    /** Most points of a luminaire along an edge. */
+    private static final int MOST_POINTS = 16;
     /** How far away a distant light is, of the scene's size. */
     private static final double FAR = 4;
 
@@ -59,7 +66,8 @@ public final class LightSources {
     private double irradiance(Light light, Vec3 x, Vec3 n) {
         return switch (light.kind()) {
             case DISTANT -> distant(light, x, n);
-            case POINT, SPOT -> point(light, x, n);
+            case POINT, SPOT -> light.luminaire().isPresent() ? luminaire(light, light.luminaire().get(), x, n)
+                    : point(light, x, n);
             case AREA -> area(light, x, n);
         };
     }
@@ -81,6 +89,39 @@ public final class LightSources {
         }
         double beam = light.kind() == Light.Kind.SPOT ? beam(light, -towards.dot(light.direction()) / d) : 1;
         return beam * cos * range * range / (d * d);
+    }
+
+    /**
+     * A luminaire is a point where it is far away for its size, and else as many points as are, each of which shines as
+     * all of it does (the rule of five times the size; here {@link #SMALL} times).
+     */
+    private double luminaire(Light light, Luminaire lamp, Vec3 x, Vec3 n) {
+        Vec3 down = light.direction().unit();
+        Vec3 zero = lamp.zero().minus(down.times(lamp.zero().dot(down))).unit();
+        Vec3 across = zero.cross(down);
+        Vec3 at = faces.unit(light.position());
+        double range = light.range() / faces.size();
+        double length = lamp.length() / faces.size();
+        double width = lamp.width() / faces.size();
+        double near = Math.max(at.minus(x).length(), Math.max(length, width) / 2);
+        int along = points(length, near);
+        int beside = points(width, near);
+        double sum = 0;
+        for (int i = 0; i < along * beside; i++) {
+            Vec3 point = at.plus(zero.times(length * ((i % along + 0.5) / along - 0.5)))
+                    .plus(across.times(width * ((i / along + 0.5) / beside - 0.5)));
+            Vec3 away = x.minus(point);
+            double square = away.dot(away);
+            double cos = -away.dot(n) / Math.sqrt(square);
+            double intensity = !(cos > 0) ? 0
+                    : lamp.intensity().towards(away.dot(down), away.dot(zero), away.dot(across));
+            sum += intensity > 0 && sees(x, point.plus(away.times(MOUNTED))) ? intensity * cos / square : 0;
+        }
+        return sum * range * range / (along * beside * lamp.intensity().max());
+    }
+
+    private static int points(double size, double distance) {
+        return (int) Math.max(1, Math.min(MOST_POINTS, Math.ceil(SMALL * size / distance)));
     }
 
     /** 1 within the cone, falling over its soft edge to 0. */

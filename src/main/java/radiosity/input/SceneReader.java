@@ -11,6 +11,7 @@ import radiosity.input.file.InputFile;
 import radiosity.input.gltf.GltfReader;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.input.obj.ObjReader;
+import radiosity.input.photometry.Luminaires;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
@@ -22,8 +23,8 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a file and those that it names: objects, materials, bytes. Images are read later, see
-     * {@link radiosity.output.image.SurfaceMaps}.
+     * Reads a file and those that it names: objects, materials, bytes, luminaires. Images are read later,
+     * see {@link radiosity.output.image.SurfaceMaps}.
      *
      * @param file     a LightWave scene or object, a glTF file or binary, or an OBJ file
      * @param options  how
@@ -49,10 +50,10 @@ public final class SceneReader {
                 || options.emission() != ReadOptions.Emission.LUMINOSITY)) {
             warnings.accept(name + ": a frame and a property that emits are chosen for LightWave only");
         }
-        return switch (format.get()) {
-            case LIGHTWAVE -> LightWaveReader.read(file, options, warnings);
-            case OBJ -> ObjReader.read(file, options, warnings);
+        return Luminaires.place(switch (format.get()) {
+            case LIGHTWAVE -> LightWaveReader.read(file, options, warnings).with(options.units());
+            case OBJ -> ObjReader.read(file, options, warnings).with(options.units());
             case GLTF -> GltfReader.read(file, options, warnings);
-        };
+        }, options);
     }
 }

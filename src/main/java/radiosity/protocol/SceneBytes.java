@@ -9,6 +9,8 @@ import java.util.Optional;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
+import radiosity.scene.Luminaire;
+import radiosity.scene.LuminousIntensity;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -25,7 +27,7 @@ import radiosity.settings.Schedule;
 public final class SceneBytes {
 
     private static final int SURFACE_BYTES = 51;
-    private static final int LIGHT_BYTES = 145;
+    private static final int LIGHT_BYTES = 146;
 
     private SceneBytes() { }
 
@@ -35,10 +37,7 @@ public final class SceneBytes {
     public static byte[] write(Scene scene, RadiositySettings settings) {
         return Wire.bytes(out -> {
             write(out, settings);
-            out.writeInt(scene.points().length);
-            for (double x : scene.points()) {
-                out.writeDouble(x);
-            }
+            writeDoubles(out, scene.points());
             writeInts(out, scene.corners());
             writeInts(out, scene.surfaceOf());
             out.writeInt(scene.surfaces().size());
@@ -64,10 +63,7 @@ public final class SceneBytes {
         RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
                 constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean(),
                 constant(FormFactors.values(), in.readByte()));
-        double[] points = new double[Wire.count(in, Double.BYTES)];
-        for (int i = 0; i < points.length; i++) {
-            points[i] = in.readDouble();
-        }
+        double[] points = readDoubles(in);
         int[] corners = readInts(in);
         int[] surfaceOf = readInts(in);
         List<Surface> surfaces = new ArrayList<>();
@@ -81,7 +77,7 @@ public final class SceneBytes {
         List<Light> lights = new ArrayList<>();
         for (int n = Wire.count(in, LIGHT_BYTES), i = 0; i < n; i++) {
             lights.add(new Light("light " + i, constant(Light.Kind.values(), in.readByte()), rgb(in), vec(in), vec(in),
-                    vec(in), vec(in), in.readDouble(), in.readDouble(), in.readDouble()));
+                    vec(in), vec(in), in.readDouble(), in.readDouble(), in.readDouble(), luminaire(in)));
         }
         return new Task(new Scene("the master's scene", points, corners, surfaceOf, surfaces, lights,
                 Optional.empty(), textureCoordinates, vertexColours, Hierarchy.unnamed(nodeOf)), settings);
@@ -109,6 +105,30 @@ public final class SceneBytes {
         out.writeDouble(light.range());
         out.writeDouble(light.cone());
         out.writeDouble(light.edge());
+        out.writeBoolean(light.luminaire().isPresent());
+        if (light.luminaire().isPresent()) {
+            write(out, light.luminaire().get());
+        }
+    }
+
+    private static void write(DataOutputStream out, Luminaire lamp) throws IOException {
+        out.writeByte(lamp.intensity().type().ordinal());
+        writeDoubles(out, lamp.intensity().horizontal());
+        writeDoubles(out, lamp.intensity().vertical());
+        writeDoubles(out, lamp.intensity().candela());
+        write(out, new Rgb(lamp.zero().x(), lamp.zero().y(), lamp.zero().z()));
+        out.writeDouble(lamp.length());
+        out.writeDouble(lamp.width());
+    }
+
+    private static Optional<Luminaire> luminaire(DataInputStream in) throws IOException {
+        try {
+            return !in.readBoolean() ? Optional.empty() : Optional.of(new Luminaire(new LuminousIntensity(
+                    constant(LuminousIntensity.Type.values(), in.readByte()), readDoubles(in), readDoubles(in),
+                    readDoubles(in)), vec(in), in.readDouble(), in.readDouble()));
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
+        }
     }
 
     private static void write(DataOutputStream out, Rgb value) throws IOException {
@@ -139,6 +159,21 @@ public final class SceneBytes {
         } catch (IllegalArgumentException e) {
             throw new IOException(e.getMessage(), e);
         }
+    }
+
+    private static void writeDoubles(DataOutputStream out, double[] values) throws IOException {
+        out.writeInt(values.length);
+        for (double value : values) {
+            out.writeDouble(value);
+        }
+    }
+
+    private static double[] readDoubles(DataInputStream in) throws IOException {
+        double[] values = new double[Wire.count(in, Double.BYTES)];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = in.readDouble();
+        }
+        return values;
     }
 
     private static void writeFloats(DataOutputStream out, float[] values) throws IOException {

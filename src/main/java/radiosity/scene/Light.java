@@ -1,5 +1,7 @@
 package radiosity.scene;
 
+import java.util.Optional;
+
 /**
  * A source without geometry: it neither occludes nor shows, and shoots before any patch.
  *
@@ -9,14 +11,21 @@ package radiosity.scene;
  *                  {@code range} (W/m²), falling with 1/r²; area: exitance (W/m²)
  * @param position  of a point, spot or (centre of) area light, scene units
  * @param direction unit direction in which it shines (not used by a point light)
- * @param right     half edge of an area light, scene units; zero for others
+ * @param right     half edge of an area light, scene units; of others a direction to its right, or zero
  * @param up        other half edge of an area light
  * @param range     distance at which a point or spot light has its nominal irradiance, scene units, above 0
  * @param cone      half angle of a spot's cone, radians
  * @param edge      width of the soft edge inside that cone, radians
+ * @param luminaire of a point light: how its intensity depends on the direction, and how large it is
  */
 public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direction, Vec3 right, Vec3 up,
-                    double range, double cone, double edge) {
+                    double range, double cone, double edge, Optional<Luminaire> luminaire) {
+
+    /** A light that is no luminaire. */
+    public Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direction, Vec3 right, Vec3 up, double range,
+                 double cone, double edge) {
+        this(name, kind, power, position, direction, right, up, range, cone, edge, Optional.empty());
+    }
 
     /** The kinds of light that are evaluated. */
     public enum Kind { DISTANT, POINT, SPOT, AREA }
@@ -35,7 +44,7 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
         check(name, position.isFinite(), "a finite position", position);
         check(name, right.isFinite(), "a finite half edge", right);
         check(name, up.isFinite(), "a finite half edge", up);
-        check(name, direction.isFinite() && (kind == Kind.POINT || direction.length() > 0),
+        check(name, direction.isFinite() && (kind == Kind.POINT && luminaire.isEmpty() || direction.length() > 0),
                 "a direction that is not zero",
                 direction);
         check(name, Double.isFinite(range) && (range > 0 || kind != Kind.POINT && kind != Kind.SPOT), "a range above 0",

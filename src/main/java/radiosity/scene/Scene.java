@@ -23,10 +23,11 @@ import java.util.stream.Stream;
  * @param vertexColours red, green, blue in [0, 1] with which the surface's reflectance is multiplied at each corner, 9
  *                  per triangle; empty if they are all 1
  * @param hierarchy objects, and which triangles are whose
+ * @param units     of length and light
  */
 public record Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
                     List<Light> lights, Optional<Camera> camera, float[] textureCoordinates, float[] vertexColours,
-                    Hierarchy hierarchy) {
+                    Hierarchy hierarchy, Units units) {
 
     private static final float[] NONE = new float[0];
 
@@ -40,6 +41,14 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
     public Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
                  List<Light> lights, Optional<Camera> camera, float[] textureCoordinates) {
         this(name, points, corners, surfaceOf, surfaces, lights, camera, textureCoordinates, NONE, Hierarchy.NONE);
+    }
+
+    /** A scene of unknown units. */
+    public Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
+                 List<Light> lights, Optional<Camera> camera, float[] textureCoordinates, float[] vertexColours,
+                 Hierarchy hierarchy) {
+        this(name, points, corners, surfaceOf, surfaces, lights, camera, textureCoordinates, vertexColours, hierarchy,
+                Units.UNKNOWN);
     }
 
     public Scene {
@@ -94,7 +103,13 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
     /** The same triangles with other surfaces in place of theirs, and other lights. */
     public Scene with(List<Surface> otherSurfaces, List<Light> otherLights) {
         return new Scene(name, points, corners, surfaceOf, otherSurfaces, otherLights, camera, textureCoordinates,
-                vertexColours, hierarchy);
+                vertexColours, hierarchy, units);
+    }
+
+    /** The same in other units. */
+    public Scene with(Units others) {
+        return new Scene(name, points, corners, surfaceOf, surfaces, lights, camera, textureCoordinates, vertexColours,
+                hierarchy, others);
     }
 
     /** Whether what a triangle reflects or emits differs from that of its surface. */

@@ -15,6 +15,8 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.room.ClosedRooms;
 import radiosity.protocol.Rounding;
 import radiosity.scene.Light;
+import radiosity.scene.Luminaire;
+import radiosity.scene.LuminousIntensity;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
@@ -232,6 +234,18 @@ public final class InitialMesh {
             digest = Hash.mix(digest, Double.doubleToLongBits(v.x()));
             digest = Hash.mix(digest, Double.doubleToLongBits(v.y()));
             digest = Hash.mix(digest, Double.doubleToLongBits(v.z()));
+        }
+        return light.luminaire().isEmpty() ? digest : digest(digest, light.luminaire().get());
+    }
+
+    private static long digest(long before, Luminaire lamp) {
+        double[] shape = {lamp.zero().x(), lamp.zero().y(), lamp.zero().z(), lamp.length(), lamp.width()};
+        LuminousIntensity web = lamp.intensity();
+        long digest = Hash.mix(before, web.type().ordinal());
+        for (double[] values : List.of(web.horizontal(), web.vertical(), web.candela(), shape)) {
+            for (double x : values) {
+                digest = Hash.mix(digest, Double.doubleToLongBits(x));
+            }
         }
         return digest;
     }

@@ -169,7 +169,8 @@ class SameRoomTest {
                 case "wood" -> new Rgb(.4, .25, .1);
                 default -> Rgb.BLACK;
             };
-            Rgb light = s.name().equals("lamp") ? new Rgb(12, 9.6, 6) : Rgb.BLACK;
+            double perEmission = name.endsWith(".glb") ? Math.PI : 1; // with a lamp in candela, it is in cd/m2
+            Rgb light = s.name().equals("lamp") ? new Rgb(12, 9.6, 6).times(perEmission) : Rgb.BLACK;
             for (int c = 0; c < 3; c++) {
                 assertEquals(expected.channel(c), s.reflectance().channel(c), 1e-6, s.name());
                 assertEquals(light.channel(c), s.exitance().channel(c), 1e-5, s.name());

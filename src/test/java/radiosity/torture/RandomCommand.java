@@ -22,7 +22,7 @@ final class RandomCommand {
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
             "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--info", "--report", "-sn",
             "--picture", "--size", "--exposure", "--tone-mapping", "--frame", "--content", "--map", "--emission",
-            "--lights", "--srgb", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
+            "--lights", "--srgb", "--unit", "--photometric", "--luminaire", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
     private static final Set<String> RUN = Set.of("-t", "-tf", "--info", "-h", "-key", "--statistics", "--help",
@@ -85,7 +85,7 @@ final class RandomCommand {
         rest.put(option, List.of(values));
     }
 
-    private void reading() {
+    private void reading() throws IOException {
         if (scene.library() != null) {
             if (wanted.equals("--map") || !wanted.equals("--content") && dice.chance(.5)) {
                 light("--map", scene.prefix() + "=" + scene.library());
@@ -105,9 +105,24 @@ final class RandomCommand {
         if (is("--srgb", .1)) {
             light("--srgb");
         }
+        if (is("--photometric", .1)) {
+            light("--photometric");
+        }
+        if (is("--luminaire", .05)) {
+            light("--luminaire", "0," + 99 * scene.size() + ",0=" + upwards());
+        }
+        if (light.containsKey("--luminaire") || is("--unit", .1)) {
+            light("--unit", dice.of("mm", "cm", "m", "in", "ft"));
+        }
         if (is("--strict", .03)) {
             light("--strict");
         }
+    }
+
+    /** A luminaire that shines to above only: above the scene, it adds no light to it. */
+    private Path upwards() throws IOException {
+        return Files.writeString(directory.resolve("upwards.ies"),
+                "IES:LM-63-2019\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 1\n0 90 180\n0\n0 0 100\n");
     }
 
     /** The schedule, and what goes with it. */

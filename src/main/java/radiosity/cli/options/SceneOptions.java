@@ -7,6 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
+import radiosity.scene.Scene;
+import radiosity.scene.Units;
 import radiosity.settings.ReadOptions;
 
 /** How to read the scene. */
@@ -37,8 +39,39 @@ public final class SceneOptions {
             description = "Colours of LightWave and OBJ are sRGB and made linear. Default: as written.")
     public boolean srgb;
 
+    @Option(names = "--unit", paramLabel = "<unit>", converter = UnitParser.class,
+            description = "Length of a unit of LightWave and OBJ: mm, cm, m, in or ft (glTF: metres). Flux is in W or"
+                    + " lm where it is known.")
+    Double unit;
+
+    @Option(names = "--photometric",
+            description = "What emits does so in lm/m2; results are in lx, cd/m2 and lm. So is glTF with lights.")
+    boolean photometric;
+
+    @Option(names = "--luminaire", paramLabel = "<name=file>",
+            description = "A light of that name, or a new one at x,y,z that shines down, shines as an IES or EULUMDAT"
+                    + " file says. Repeatable.")
+    public Map<String, Path> luminaires = new LinkedHashMap<>();
+
     @Option(names = "--strict", description = "Every warning about the scene is an error (exit code 3).")
     public boolean strict;
+
+    /** Reads a unit of length, m. */
+    static final class UnitParser extends Values.Value<Double> {
+
+        private static final Map<String, Double> UNITS = Map.of("mm", 1e-3, "cm", 1e-2, "m", 1.0, "in", 0.0254, "ft",
+                0.3048);
+
+        @Override
+        String expected() {
+            return "mm, cm, m, in or ft";
+        }
+
+        @Override
+        public Double parse(String text) {
+            return UNITS.get(text);
+        }
+    }
 
     /** Reads {@code luminosity} and {@code specular}. */
     static final class EmissionParser extends Values.Choice<ReadOptions.Emission> {
@@ -69,7 +102,16 @@ public final class SceneOptions {
 
     public ReadOptions lightWave() {
         ReadOptions options = ReadOptions.defaults().withEmission(emission).withContent(content).withMap(map)
-                .withLights(lights).withSrgb(srgb).withStrict(strict);
+                .withLights(lights).withSrgb(srgb).withStrict(strict).withLuminaires(luminaires)
+                .withUnits(new Units(unit == null ? Double.NaN : unit, photometric));
         return frame == null ? options : options.withFrame(frame);
+    }
+
+    /** Fails where a unit was given for a scene whose format has its own. */
+    public void check(Scene scene) {
+        if (unit != null && scene.units().metres() != unit) {
+            throw Failure.commandLine("--unit", "expected with LightWave or OBJ, got it with " + scene.name()
+                    + ", which is in metres");
+        }
     }
 }

@@ -57,6 +57,7 @@ public final class OutputFiles {
             checks.input(options.file.points.in());
             Points.check(options.file.points.in());
         }
+        options.scene.luminaires.values().forEach(checks::input);
         if (options.host.key != null) {
             checks.input(options.host.key);
         }

@@ -1,8 +1,8 @@
 package radiosity.cli.render;
 
 import java.io.PrintStream;
-import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import radiosity.cli.terminal.ProgressText;
 import radiosity.settings.Accuracy;
 import radiosity.settings.Schedule;
+import radiosity.scene.Units;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
@@ -26,6 +27,7 @@ public final class Summary {
     private final RenderResult result;
     private final Progress progress;
     private final EnergyLedger ledger;
+    private final Units units;
     private final Optional<String> inTime;
     private final double seconds;
 
@@ -39,6 +41,7 @@ public final class Summary {
         this.seconds = seconds;
         progress = result.progress();
         ledger = result.solution().ledger();
+        units = result.solution().scene().units();
     }
 
     public void print(PrintStream out) {
@@ -48,8 +51,9 @@ public final class Summary {
                 ProgressText.count(progress.shots(), "shot"),
                 ProgressText.count(progress.rounds(), "round"),
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
-        out.printf(Locale.ROOT, "emitted %.6g W = absorbed %.6g + not yet distributed %.6g + escaped or lost %.6g%n",
-                sum(ledger.emitted()), sum(ledger.absorbed()), sum(ledger.unshot()), deficit());
+        out.printf(Locale.ROOT, "emitted %.6g %s = absorbed %.6g + not yet distributed %.6g + escaped or lost %.6g%n",
+                units.flux(ledger.emitted()), units.flux(), units.flux(ledger.absorbed()),
+                units.flux(ledger.unshot()), deficit());
         if (progress.gathers()) {
             out.println("stopped while the mesh was being refined: new elements show, and these figures count, the"
                     + " light of before they were made");
@@ -63,7 +67,8 @@ public final class Summary {
 
     private void print(Certificate c, PrintStream out) {
         String missing = c.missingFlux() == null ? "no upper bound on missing flux"
-                : String.format(Locale.ROOT, "upper bound on missing flux: %.4g W", c.missingFlux());
+                : String.format(Locale.ROOT, "upper bound on missing flux: %.4g %s",
+                c.missingFlux() * units.fluxScale(), units.flux());
         String parts = progress.unsent() > MUCH_UNSENT ? "with what is not yet distributed" : String.format(Locale.ROOT,
                 "rays %s, mesh %s", ProgressText.perCent(c.sampling()), ProgressText.perCent(c.meshing()));
         out.printf(Locale.ROOT, "radiosity +- %s (%s), estimated at %d points; %s%n",
@@ -108,16 +113,22 @@ public final class Summary {
         json.put("settings", SavedCalculation.asJson(result.settings()));
         json.put("seconds", seconds);
         json.put("ledger", ledger);
+        json.put("flux", Map.of("unit", units.flux(), "emitted", units.flux(ledger.emitted()),
+                "absorbed", units.flux(ledger.absorbed()), "unshot", units.flux(ledger.unshot()),
+                "notReceived", deficit()));
+        json.put("photometric", units.isPhotometric());
+        if (units.isLengthKnown()) {
+            json.put("metresPerUnit", units.metres());
+        }
+        if (units.isPhotometric()) {
+            json.put("luminanceWeights", List.of(Units.WEIGHTS.r(), Units.WEIGHTS.g(), Units.WEIGHTS.b()));
+        }
         result.certificate().ifPresent(c -> json.put("certificate", c));
         inTime.ifPresent(line -> json.put("inTime", line));
         return json;
     }
 
     private double deficit() {
-        return sum(ledger.shot()) - sum(ledger.received());
-    }
-
-    private static double sum(double[] channels) {
-        return Arrays.stream(channels).sum();
+        return units.flux(ledger.shot()) - units.flux(ledger.received());
     }
 }

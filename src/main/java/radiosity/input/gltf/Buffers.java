@@ -89,6 +89,18 @@ final class Buffers {
         return uri.text().regionMatches(true, 0, "data:", 0, 5);
     }
 
+    /** The bytes of what has a URI or a buffer view. */
+    byte[] file(JsonCursor of) throws IOException {
+        Optional<JsonCursor> view = of.optional("bufferView");
+        if (view.isEmpty()) {
+            of.at("uri").text();
+        }
+        ByteBuffer content = view.isPresent() ? view(view.get()) : load(of, 1);
+        byte[] bytes = new byte[content.remaining()];
+        content.duplicate().get(bytes);
+        return bytes;
+    }
+
     /** What stands in a data URI. */
     ByteBuffer data(JsonCursor uri) throws SceneFormatException {
         String text = uri.text();

@@ -21,6 +21,7 @@ import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
+import radiosity.scene.Units;
 import radiosity.settings.ReadOptions;
 
 /** Reads a glTF 2.0 file or binary: what there is to see in the scene that it shows first, at rest. */
@@ -29,7 +30,7 @@ public final class GltfReader {
     /** What a file may require. */
     private static final Set<String> READ = new TreeSet<>(Set.of("KHR_lights_punctual",
             "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit",
-            "KHR_mesh_quantization", "KHR_texture_transform", "EXT_mesh_gpu_instancing"));
+            "KHR_mesh_quantization", "KHR_texture_transform", "EXT_lights_ies", "EXT_mesh_gpu_instancing"));
 
     private final ReadOptions options;
     private final Diagnostics notes;
@@ -51,10 +52,10 @@ public final class GltfReader {
         draft = new SceneDraft(name, true, options, notes);
         Buffers buffers = new Buffers(file, search, options);
         accessors = new Accessors(root, buffers);
-        materials = new Materials(root, buffers, notes);
+        materials = new Materials(root, buffers, isPhotometric(), notes);
         meshes = new Meshes(root, accessors, materials, options, notes);
         nodes = new Nodes(root);
-        views = new Views(root, notes);
+        views = new Views(root, buffers, notes);
     }
 
     /**
@@ -118,7 +119,13 @@ public final class GltfReader {
             }
         }
         List<Light> lights = options.lights() == ReadOptions.Lights.IGNORE ? List.of() : views.lights();
-        return draft.scene(materials.surfaces(), lights, views.camera());
+        return draft.scene(materials.surfaces(), lights, views.camera()).with(new Units(1, isPhotometric()));
+    }
+
+    /** Whether candela and lux are: where there are lights in them, or the user says so. */
+    private boolean isPhotometric() {
+        return options.units().isPhotometric() || options.lights() != ReadOptions.Lights.IGNORE
+                && (root.extension("KHR_lights_punctual").isPresent() || root.extension("EXT_lights_ies").isPresent());
     }
 
     private void add(int mesh, Nodes.Placed at, Shape shape, Affine world, int node) throws IOException {

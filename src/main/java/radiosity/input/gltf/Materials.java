@@ -26,6 +26,7 @@ final class Materials {
 
     private final JsonCursor root;
     private final Buffers buffers;
+    private final double perEmission;
     private final Diagnostics notes;
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<Optional<TextureLie>> lies = new ArrayList<>();
@@ -33,7 +34,9 @@ final class Materials {
     private final Set<String> names = new HashSet<>();
     private final Map<Integer, Optional<ImageSource>> images = new HashMap<>();
 
-    Materials(JsonCursor root, Buffers buffers, Diagnostics notes) {
+    /** @param photometric whether emission is a luminance, cd/m2, whose exitance is pi times that, lm/m2 */
+    Materials(JsonCursor root, Buffers buffers, boolean photometric, Diagnostics notes) {
+        perEmission = photometric ? Math.PI : 1;
         this.root = root;
         this.buffers = buffers;
         this.notes = notes;
@@ -79,7 +82,7 @@ final class Materials {
         double[] e = material.numbers("emissiveFactor", 0, 0, 0);
         Optional<JsonCursor> more = material.extension("KHR_materials_emissive_strength");
         double strength = more.isPresent() ? more.get().number("emissiveStrength", 1) : 1;
-        Rgb exitance = new Rgb(e[0], e[1], e[2]).times(strength);
+        Rgb exitance = new Rgb(e[0], e[1], e[2]).times(strength * perEmission);
         if (!exitance.isFinite() || Math.min(exitance.r(), Math.min(exitance.g(), exitance.b())) < 0) {
             throw material.wrong("emission of at least 0");
         }

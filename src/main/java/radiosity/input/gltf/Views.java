@@ -1,10 +1,12 @@
 package radiosity.input.gltf;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.Diagnostics;
+import radiosity.input.photometry.Photometry;
 import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Light;
@@ -12,7 +14,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 
-/** The lights of a scene (KHR_lights_punctual) and its camera: both look along -z of their nodes. */
+/** The lights of a scene (KHR_lights_punctual, EXT_lights_ies) and its camera: both look along -z of their nodes. */
 final class Views {
 
     /** Width of a picture / its height, where a camera leaves it to the window. */
@@ -20,12 +22,14 @@ final class Views {
     private static final double QUARTER = Math.PI / 4;
 
     private final JsonCursor root;
+    private final Buffers buffers;
     private final Diagnostics notes;
     private final List<Light> lights = new ArrayList<>();
     private Optional<Camera> camera = Optional.empty();
 
-    Views(JsonCursor root, Diagnostics notes) {
+    Views(JsonCursor root, Buffers buffers, Diagnostics notes) {
         this.root = root;
+        this.buffers = buffers;
         this.notes = notes;
     }
 
@@ -39,12 +43,16 @@ final class Views {
     }
 
     /** Takes the light and the camera of a node, where it has any. */
-    void add(Nodes.Placed at) throws SceneFormatException {
+    void add(Nodes.Placed at) throws IOException {
         Optional<JsonCursor> light = at.node().extension("KHR_lights_punctual");
         if (light.isPresent()) {
             JsonCursor all = root.extension("KHR_lights_punctual").orElseThrow(
                     () -> root.wrong("lights in extensions/KHR_lights_punctual"));
             addLight(all.at("lights").at(light.get().at("light").integer()), at);
+        }
+        Optional<JsonCursor> luminaire = at.node().extension("EXT_lights_ies");
+        if (luminaire.isPresent()) {
+            addLuminaire(luminaire.get(), at);
         }
         if (at.node().optional("camera").isPresent() && camera.isEmpty()) {
             camera = camera(root.at("cameras").at(at.node().at("camera").integer()), at);
@@ -57,6 +65,29 @@ final class Views {
 
     private static Vec3 position(Affine world) {
         return new Vec3(world.m()[3], world.m()[7], world.m()[11]);
+    }
+
+    /** EXT_lights_ies: a luminaire that shines along -z, with its plane of horizontal angle 0 in that of x and z. */
+    private void addLuminaire(JsonCursor light, Nodes.Placed at) throws IOException {
+        JsonCursor file = root.extension("EXT_lights_ies").orElseThrow(
+                () -> root.wrong("lights in extensions/EXT_lights_ies")).at("lights").at(light.at("light").integer());
+        Photometry photometry = Photometry.of(buffers.file(file), file.file() + " " + file.path());
+        double[] colour = light.numbers("color", 1, 1, 1);
+        double factor = light.number("multiplier", 1);
+        Vec3 down = vec(at.world().direction(0, 0, -1));
+        Vec3 zero = vec(at.world().direction(1, 0, 0));
+        Vec3 position = position(at.world());
+        if (!(Math.min(factor, Math.min(colour[0], Math.min(colour[1], colour[2]))) >= 0)) {
+            throw light.wrong("a multiplier and a color of at least 0");
+        }
+        Rgb power = new Rgb(colour[0], colour[1], colour[2]).times(factor);
+        boolean isSomewhere = position.isFinite() && down.isFinite() && zero.isFinite() && down.length() > 0;
+        if (!isSomewhere || !(power.max() > 0) || !(photometry.intensity().max() > 0)) {
+            notes.note(light.path(), "lights are left out that are nowhere, scaled to nothing or dark");
+            return;
+        }
+        lights.add(photometry.at(at.node().text("name", file.text("name", "luminaire")), position, down, zero, power,
+                1));
     }
 
     private void addLight(JsonCursor light, Nodes.Placed at) throws SceneFormatException {
@@ -85,7 +116,8 @@ final class Views {
             double outer = spot.isEmpty() ? QUARTER : angle(spot.get().number("outerConeAngle", QUARTER));
             double inner = spot.isEmpty() ? 0 : angle(spot.get().number("innerConeAngle", 0));
             lights.add(new Light(light.text("name", at.node().text("name", "light")), kind.get(), power, position,
-                    direction, Vec3.ZERO, Vec3.ZERO, 1, outer, Math.max(0, outer - inner)));
+                    direction, vec(at.world().direction(1, 0, 0)).unit(), Vec3.ZERO, 1, outer,
+                    Math.max(0, outer - inner)));
         }
     }
 

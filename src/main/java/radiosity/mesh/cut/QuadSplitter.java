@@ -203,6 +203,6 @@ public final class QuadSplitter {
         }
         return new Scene(scene.name(), Arrays.copyOf(points, 3 * pointCount), Arrays.copyOf(corners, 3 * triangles),
                 surfaceOf, scene.surfaces(), scene.lights(), scene.camera(), texture, colours,
-                new Hierarchy(scene.hierarchy().nodes(), nodeOf));
+                new Hierarchy(scene.hierarchy().nodes(), nodeOf), scene.units());
     }
 }

@@ -14,6 +14,7 @@ import radiosity.output.mesh.ElementSearch;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Rgb;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.visibility.RadiosityBounds;
@@ -95,7 +96,7 @@ public final class Points {
         AtomicFile.write(out, channel -> {
             Writer text = new BufferedWriter(new OutputStreamWriter(Channels.newOutputStream(channel),
                     StandardCharsets.US_ASCII));
-            text.write(HEADER);
+            text.write(isPhotometric() ? HEADER.replace("\n", ",E_lx,L_cd_m2\n") : HEADER);
             PointList.read(in, point -> {
                 Light light = at(new Vec3(point[0], point[1], point[2]), new Vec3(point[3], point[4], point[5]));
                 text.append(line(point, light));
@@ -106,17 +107,30 @@ public final class Points {
         return missed[0];
     }
 
-    private static StringBuilder line(double[] point, Light light) {
+    private boolean isPhotometric() {
+        return solution.scene().units().isPhotometric();
+    }
+
+    private StringBuilder line(double[] point, Light light) {
         StringBuilder line = new StringBuilder();
         for (double x : point) {
             line.append(x).append(',');
         }
         append(line, light.irradiance()).append(',');
-        return append(line, light.radiosity()).append('\n');
+        append(line, light.radiosity());
+        if (isPhotometric()) {
+            Units units = solution.scene().units();
+            line.append(',').append(text(units.total(light.irradiance()))).append(',')
+                    .append(text(units.total(light.radiosity()) / Math.PI));
+        }
+        return line.append('\n');
     }
 
     private static StringBuilder append(StringBuilder text, Rgb light) {
-        return Double.isNaN(light.r()) ? text.append("nan,nan,nan")
-                : text.append(light.r()).append(',').append(light.g()).append(',').append(light.b());
+        return text.append(text(light.r())).append(',').append(text(light.g())).append(',').append(text(light.b()));
+    }
+
+    private static String text(double value) {
+        return Double.isNaN(value) ? "nan" : String.valueOf(value);
     }
 }

@@ -98,7 +98,7 @@ public final class SceneLights {
         boolean area = kind == Light.Kind.AREA;
         return new Light(item.text("LightName"), kind, power,
                 new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]), right(world.direction(0, 0, 1)).unit(),
-                area ? right(world.direction(0.5, 0, 0)) : Vec3.ZERO,
+                area ? right(world.direction(0.5, 0, 0)) : right(world.direction(1, 0, 0)).unit(),
                 area ? right(world.direction(0, 0.5, 0)) : Vec3.ZERO,
                 range > 0 ? range : 1, angle(coneAngle), angle(edgeAngle));
     }
