@@ -36,7 +36,10 @@ final class GoldenRenders {
         IMAGES("images.lws", new RadiositySettings(0.8, 1, Double.POSITIVE_INFINITY, Schedule.PREDICT, 3, 0.2), 40),
         LAYERS("lamps.lws", new RadiositySettings(0.8, 1, Double.POSITIVE_INFINITY, Schedule.PREDICT, 4, 0.5)
                 .layers(true), 30),
-        PAPER("lamps.lws", new RadiositySettings(0.8, 2, 1, Schedule.PAPER), 60);
+        PAPER("lamps.lws", new RadiositySettings(0.8, 2, 1, Schedule.PAPER), 60),
+        /** Ends by itself, after all that prediction does in the end: here what is lost is given back, too. */
+        WHOLE("closed.lws", new RadiositySettings(2, 0, Double.POSITIVE_INFINITY, Schedule.PREDICT, 8, 1),
+                Integer.MAX_VALUE);
 
         private final String file;
         private final RadiositySettings settings;

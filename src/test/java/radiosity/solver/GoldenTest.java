@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.testkit.JavaMachines;
 
 /**
- * The law of the house between machines: three small renders give the light whose hashes stand in the repository, with
+ * The law of the house between machines: four small renders give the light whose hashes stand in the repository, with
  * every compiler of the oldest and of the newest JDK at hand, in any locale, and on any number of threads and
  * partitions.
  *

@@ -20,19 +20,20 @@ import javax.imageio.ImageIO;
 
 /**
  * Scenes whose renders are compared between machines, as files: {@code images.lws}, a room in colours with images on
- * its walls; {@code lamps.lws}, the same room with two lamps and a spot light.
+ * its walls; {@code lamps.lws}, the same room with two lamps and a spot light; {@code closed.lws}, the room with
+ * nothing in it but a lamp, which is proven closed.
  *
  * <p>All objects are turned by angles that are no multiples of a quarter turn, images lie round a sphere and a
  * cylinder: whatever computes a sine, an arc tangent or a power takes part in the result.
  */
 public final class GoldenScenes {
 
-    private static final String PLACES = "LWSC\n3\n\nLoadObjectLayer 1 room.lwo\n"
-            + Scenes.motion3("ObjectMotion", 0.1, 0.2, 0.3, 0.37, 0.11, 0.23, 1, 1, 1)
-            + "\nLoadObjectLayer 1 block.lwo\n"
-            + Scenes.motion3("ObjectMotion", -0.3, -0.75, 0.2, 0.53, 0, 0, 1, 1, 1) + "ParentItem 10000000\n"
-            + "\nLoadObjectLayer 1 lamp.lwo\n"
+    private static final String ROOM = "LWSC\n3\n\nLoadObjectLayer 1 room.lwo\n"
+            + Scenes.motion3("ObjectMotion", 0.1, 0.2, 0.3, 0.37, 0.11, 0.23, 1, 1, 1);
+    private static final String LAMP = "\nLoadObjectLayer 1 lamp.lwo\n"
             + Scenes.motion3("ObjectMotion", 0.2, 0.7, -0.1, 1.3, 0.4, 0.1, 1, 1, 1) + "ParentItem 10000000\n";
+    private static final String PLACES = ROOM + "\nLoadObjectLayer 1 block.lwo\n"
+            + Scenes.motion3("ObjectMotion", -0.3, -0.75, 0.2, 0.53, 0, 0, 1, 1, 1) + "ParentItem 10000000\n" + LAMP;
     private static final String SECOND_LAMP = "\nLoadObjectLayer 1 glow.lwo\n"
             + Scenes.motion3("ObjectMotion", 0.6, -0.6, 0.5, 0.2, 0.7, 0, 1, 1, 1) + "ParentItem 10000000\n"
             + "\nAddLight\nLightName Spot\n"
@@ -56,6 +57,7 @@ public final class GoldenScenes {
         Files.write(folder.resolve("glow.lwo"), box(-0.15, false, List.of("glow"), surface("glow", 0.3, 0.5, 1, 5)));
         Files.writeString(folder.resolve("images.lws"), PLACES);
         Files.writeString(folder.resolve("lamps.lws"), PLACES + SECOND_LAMP);
+        Files.writeString(folder.resolve("closed.lws"), ROOM + LAMP);
     }
 
     /** A small image without a loss, in which no two pixels are alike. */
