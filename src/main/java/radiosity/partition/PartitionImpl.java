@@ -84,7 +84,8 @@ public final class PartitionImpl implements Partition {
     public byte[] round(Order order) {
         return switch (order.kind()) {
             case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
-            case UNSHOT -> Wire.bytes(out -> Wire.write(all(nodes.light()::unshotOfPositive), channels, out));
+            case UNSHOT -> Wire.bytes(out -> Wire.write(all(nodes.light()::unshotOfPositive).stream()
+                    .map(mesh.rounding::towardZero).toList(), channels, out));
             case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
             case ROWS -> rows(order);
             default -> Wire.bytes(answer(order)::write);

@@ -103,7 +103,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         BALANCE,
         /** Say what was ever shot. */
         TOTALS,
-        /** Say what is unshot, to the last digit; no corner is to have shot less than nothing. */
+        /** Say what is unshot, rounded toward zero; no corner is to have shot less than nothing. */
         UNSHOT,
         /** Say how all trees are divided. */
         TREES,

@@ -3,6 +3,7 @@ package radiosity.protocol;
 import java.io.DataInputStream;
 import java.io.DataOutput;
 import java.io.IOException;
+import java.util.function.DoubleUnaryOperator;
 
 /**
  * What the radiosities of a tree are counted in, so that each fits into a byte: a power of two for each channel of some
@@ -56,8 +57,8 @@ record Quantizer(int channels, double[] unit) {
         return unit[run(node) + channel];
     }
 
-    /** The nearest multiples. */
-    double[] rounded(double[] radiosity) {
+    /** Multiples. @param rounding of a number of units to a whole one */
+    double[] rounded(double[] radiosity, DoubleUnaryOperator rounding) {
         double[] rounded = new double[radiosity.length];
         int perNode = 3 * channels;
         for (int node = 0; node < radiosity.length / perNode; node++) {
@@ -65,7 +66,7 @@ record Quantizer(int channels, double[] unit) {
             for (int i = perNode * node; i < perNode * (node + 1); i += channels) {
                 for (int c = 0; c < channels; c++) {
                     double u = unit[run + c];
-                    rounded[i + c] = u == 0 ? 0 : Math.rint(radiosity[i + c] / u) * u + 0.0;
+                    rounded[i + c] = u == 0 ? 0 : rounding.applyAsDouble(radiosity[i + c] / u) * u + 0.0;
                 }
             }
         }
@@ -74,7 +75,7 @@ record Quantizer(int channels, double[] unit) {
 
     /** Whether these are multiples. */
     boolean fit(double[] radiosity) {
-        double[] rounded = rounded(radiosity);
+        double[] rounded = rounded(radiosity, Math::rint);
         for (int i = 0; i < rounded.length; i++) {
             if (rounded[i] != radiosity[i]) {
                 return false;

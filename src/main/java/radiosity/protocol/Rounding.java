@@ -1,5 +1,6 @@
 package radiosity.protocol;
 
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import radiosity.mesh.PatchTree;
@@ -22,7 +23,13 @@ public record Rounding(boolean exact, boolean together) {
     private static final double LEAST_UNITS = 1e-290;
 
     public Shot of(Shot shot) {
-        return exact ? shot : together ? rounded(shot, Rounding::together) : finely(shot);
+        return exact ? shot : together ? rounded(shot, tree -> together(tree, Math::rint)) : finely(shot);
+    }
+
+    /** No element shoots more than is given, of either sign. */
+    public Shot towardZero(Shot shot) {
+        return exact || !together ? shot : rounded(shot, tree -> together(tree, x -> x < 0 ? Math.ceil(x)
+                : Math.floor(x)));
     }
 
     /** Of what is nearly all that will ever be shot, and is said of few elements. */
@@ -50,12 +57,13 @@ public record Rounding(boolean exact, boolean together) {
         return size >= least && size <= 1 / least;
     }
 
-    private static double[] together(PatchTree tree) {
+    private static double[] together(PatchTree tree, DoubleUnaryOperator rounding) {
         double[] values = tree.radiosity();
         double largest = 0;
         for (double x : values) {
             largest = Math.max(largest, Math.abs(x));
         }
-        return isNear(largest, LEAST_UNITS) ? Quantizer.of(values, tree.channels()).rounded(values) : values;
+        return isNear(largest, LEAST_UNITS) ? Quantizer.of(values, tree.channels()).rounded(values, rounding)
+                : values;
     }
 }

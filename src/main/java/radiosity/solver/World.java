@@ -151,7 +151,7 @@ public abstract class World implements AutoCloseable {
         return joined(totals);
     }
 
-    /** What all shooters have not shot yet, to the last digit; see {@link Order.Kind#UNSHOT}. */
+    /** What all shooters have not shot yet, but for rounding; see {@link Order.Kind#UNSHOT}. */
     public final List<Shot> unshot() throws IOException {
         List<Shot> unshot = new ArrayList<>();
         for (byte[] bytes : round(Order.asking(Order.Kind.UNSHOT, 0))) {
