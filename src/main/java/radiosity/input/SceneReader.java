@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import radiosity.gltf.GltfModel;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
 import radiosity.input.gltf.GltfReader;
@@ -37,10 +38,7 @@ public final class SceneReader {
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
         InputFile.check(file, name);
-        byte[] start;
-        try (InputStream in = Files.newInputStream(file)) {
-            start = in.readNBytes(FileSniffer.START);
-        }
+        byte[] start = start(file);
         Optional<SceneFormat> format = SceneFormat.of(start, name);
         if (format.isEmpty()) {
             throw new SceneFormatException(name, "", "a scene", FileSniffer.describe(start, name)
@@ -55,5 +53,23 @@ public final class SceneReader {
             case OBJ -> ObjReader.read(file, options, warnings).with(options.units());
             case GLTF -> GltfReader.read(file, options, warnings);
         }, options);
+    }
+
+    private static byte[] start(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return in.readNBytes(FileSniffer.START);
+        }
+    }
+
+    /**
+     * The file as it is, where it is glTF: for who writes it again with something added.
+     *
+     * @param options with which the scene was read
+     * @param scene   that was read from it
+     */
+    public static Optional<GltfModel> original(Path file, ReadOptions options, Scene scene) throws IOException {
+        Optional<SceneFormat> format = SceneFormat.of(start(file), String.valueOf(file.getFileName()));
+        return format.equals(Optional.of(SceneFormat.GLTF)) ? Optional.of(GltfReader.original(file, options, scene))
+                : Optional.empty();
     }
 }

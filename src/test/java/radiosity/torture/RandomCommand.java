@@ -20,7 +20,8 @@ final class RandomCommand {
 
     /** The options that a campaign uses, each by the first name that --help has for it. */
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
-            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--info", "--report", "-sn",
+            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--info", "--report", "-sn", "--lightmap",
+            "--lightmap-texels",
             "--picture", "--size", "--exposure", "--tone-mapping", "--frame", "--content", "--map", "--emission",
             "--lights", "--srgb", "--unit", "--photometric", "--luminaire", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
@@ -219,6 +220,13 @@ final class RandomCommand {
         }
         if (is("--report", .15)) {
             rest("--report", "report.json");
+        }
+        if (!large && is("--lightmap", .06)) {
+            rest("--lightmap", "lit.glb");
+        }
+        if (!large && is("--lightmap-texels", .03)) {
+            rest("--lightmap", "lit.glb");
+            rest("--lightmap-texels", text(200 / scene.size()));
         }
         if (!large && is("-ut", .06)) {
             rest("-ut", text(24 / scene.size()));

@@ -2,6 +2,7 @@ package radiosity.cli.options;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.Stack;
 import picocli.CommandLine.IParameterConsumer;
@@ -31,11 +32,30 @@ public final class FileOptions {
             description = "Write radiosity and irradiance at points: in.csv has x, y, z, nx, ny, nz per line.")
     public PointFiles points;
 
+    @Option(names = "--lightmap", paramLabel = "<file.glb>",
+            description = "Write the scene's own model with a lightmap (see docs/RECIPES.md), and the lightmap"
+                    + " beside it as <file>-lightmap.exr.")
+    public Path lightmap;
+
+    @Option(names = "--lightmap-texels", paramLabel = "<n>", converter = Values.Positive.class,
+            description = "Texels of the lightmap per scene unit. Chosen from the scene without it.")
+    public Double lightmapTexels;
+
     @Option(names = "--info", paramLabel = "<file>", description = "Print what a scene file holds, and exit.")
     public Path info;
 
     @Option(names = "--report", paramLabel = "<file>", description = "Write figures about the solution as JSON.")
     public Path report;
+
+    /** Fails where the options of the lightmap do not fit. */
+    void check() {
+        if (lightmap != null && !lightmap.toString().toLowerCase(Locale.ROOT).endsWith(".glb")) {
+            throw Failure.commandLine("--lightmap", "expected a name that ends in .glb, got " + lightmap);
+        }
+        if (lightmap == null && lightmapTexels != null) {
+            throw Failure.commandLine("--lightmap-texels", "expected with --lightmap, got it without");
+        }
+    }
 
     /**
      * From where to go on ({@code -tf}).

@@ -73,6 +73,7 @@ public final class RendererOptions {
     /** Fails where the command line asks for what cannot be meant, or is not there. */
     public void check() {
         scene.check();
+        file.check();
         if (host.key != null && host.hosts == null) {
             throw Failure.commandLine("-key", "expected with -h, got it without");
         }

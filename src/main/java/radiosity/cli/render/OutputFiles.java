@@ -8,13 +8,19 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
 import radiosity.cli.options.TimeLimit;
+import radiosity.gltf.GltfModel;
+import radiosity.input.SceneReader;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.Snapshot;
+import radiosity.output.lightmap.Lightmap;
+import radiosity.output.model.LightmapModel;
+import radiosity.output.model.SceneModel;
 import radiosity.output.points.Points;
 import radiosity.scene.Camera;
 import radiosity.scene.ImageMap;
@@ -76,6 +82,10 @@ public final class OutputFiles {
         if (options.file.report != null) {
             checks.output(options.file.report);
         }
+        if (options.file.lightmap != null) {
+            checks.output(options.file.lightmap);
+            checks.output(LightmapModel.beside(options.file.lightmap));
+        }
     }
 
     /** Fails where an output would overwrite an image of the scene, before any work. */
@@ -117,6 +127,9 @@ public final class OutputFiles {
             failures.tried(() -> write(options.file.points.out(),
                     out -> new Points(solution).write(options.file.points.in(), out)));
         }
+        if (options.file.lightmap != null) {
+            failures.tried(() -> write(options.file.lightmap, file -> saveLightmap(file, solution)));
+        }
         if (options.file.report != null) {
             failures.tried(() -> write(options.file.report, file -> AtomicFile.write(file,
                     new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(summary.asJson()))));
@@ -129,6 +142,15 @@ public final class OutputFiles {
         }
         write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
                 options.picture.toneMapping(solution)));
+    }
+
+    private void saveLightmap(Path file, Solution solution) throws IOException {
+        OptionalDouble texels = Stream.ofNullable(options.file.lightmapTexels).mapToDouble(n -> n).findFirst();
+        Optional<GltfModel> original = SceneReader.original(options.input(), options.scene.lightWave(),
+                solution.scene());
+        GltfModel model = original.isPresent() ? original.get() : SceneModel.of(solution.scene());
+        LightmapModel.write(file, model, Lightmap.of(solution, texels),
+                options.picture.toneMapping(solution).exposure());
     }
 
     /** What writes one file. */

@@ -50,6 +50,20 @@ final class Buffers {
         return buffer.slice((int) offset, (int) length).order(ByteOrder.LITTLE_ENDIAN);
     }
 
+    /** The bytes of a whole buffer. */
+    byte[] all(int number) throws IOException {
+        ByteBuffer bytes = buffers.containsKey(number) ? buffers.get(number)
+                : load(file.root().at("buffers").at(number), number);
+        byte[] all = new byte[bytes.capacity()];
+        bytes.duplicate().clear().get(all);
+        return all;
+    }
+
+    /** The bytes of a file beside this one. */
+    byte[] file(Path path) throws IOException {
+        return InputFile.read(path, search.shown(path), options.maxBytes());
+    }
+
     private ByteBuffer buffer(JsonCursor where) throws IOException {
         int number = where.integer();
         ByteBuffer known = buffers.get(number);

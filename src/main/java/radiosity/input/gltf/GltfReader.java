@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import radiosity.gltf.GltfModel;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.assembly.Placing;
 import radiosity.input.assembly.SceneDraft;
@@ -42,6 +43,17 @@ public final class GltfReader {
     private final Nodes nodes;
     private final Views views;
     private final Map<String, Integer> geometries = new HashMap<>();
+    private final Buffers buffers;
+    private final List<Standing> standing = new ArrayList<>();
+
+    /**
+     * A mesh that stands in the scene.
+     *
+     * @param shape    of it there
+     * @param world    from its space to the scene's
+     * @param instance within the node, if the node has instances
+     */
+    record Standing(int node, int mesh, Shape shape, Affine world, Optional<Affine> instance) { }
 
     private GltfReader(Container file, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
@@ -50,7 +62,7 @@ public final class GltfReader {
         root = file.root();
         checkExtensions();
         draft = new SceneDraft(name, true, options, notes);
-        Buffers buffers = new Buffers(file, search, options);
+        buffers = new Buffers(file, search, options);
         accessors = new Accessors(root, buffers);
         materials = new Materials(root, buffers, isPhotometric(), notes);
         meshes = new Meshes(root, accessors, materials, options, notes);
@@ -111,11 +123,13 @@ public final class GltfReader {
                 for (Affine instance : instances.get()) {
                     int own = draft.node(new SceneNode(at.node().text("name", ""), node, geometry(mesh), instance),
                             at.node().path());
-                    add(mesh, at, new Shape(weights(at.node()), null), at.world().times(instance), own);
+                    add(at, new Standing(at.number(), mesh, new Shape(weights(at.node()), null),
+                            at.world().times(instance), Optional.of(instance)), own);
                 }
             } else if (mesh >= 0) {
                 Shape shape = new Shape(weights(at.node()), skin(at.node()));
-                add(mesh, at, shape, shape.skin() == null ? at.world() : Affine.IDENTITY, node);
+                add(at, new Standing(at.number(), mesh, shape, shape.skin() == null ? at.world() : Affine.IDENTITY,
+                        Optional.empty()), node);
             }
         }
         List<Light> lights = options.lights() == ReadOptions.Lights.IGNORE ? List.of() : views.lights();
@@ -128,10 +142,25 @@ public final class GltfReader {
                 && (root.extension("KHR_lights_punctual").isPresent() || root.extension("EXT_lights_ies").isPresent());
     }
 
-    private void add(int mesh, Nodes.Placed at, Shape shape, Affine world, int node) throws IOException {
-        for (Meshes.Part part : meshes.parts(mesh, shape)) {
-            draft.add(part.triangles(), Placing.of(world), new int[] {part.surface()}, node, at.node().path());
+    private void add(Nodes.Placed at, Standing mesh, int node) throws IOException {
+        standing.add(mesh);
+        for (Meshes.Part part : meshes.parts(mesh.mesh, mesh.shape)) {
+            draft.add(part.triangles(), Placing.of(mesh.world), new int[] {part.surface()}, node, at.node().path());
         }
+    }
+
+    /**
+     * Reads a file once more, whole, for who writes it again with something added.
+     *
+     * @param options with which the scene was read
+     * @param scene   that was read from it
+     */
+    public static GltfModel original(Path file, ReadOptions options, Scene scene) throws IOException {
+        OpenedFile opened = OpenedFile.of(file, options.withStrict(false), warning -> { });
+        GltfReader reader = new GltfReader(Container.of(opened.bytes(), opened.name(), opened.notes()), opened.name(),
+                opened.search(), options, opened.notes());
+        reader.scene();
+        return new OriginalModel(reader.root, reader.buffers, reader.meshes).of(reader.standing, scene);
     }
 
     /** The name of a mesh, with its number where another mesh has the same. */

@@ -22,7 +22,7 @@ final class Meshes {
     private static final int STRIP = 5;
     private static final int FAN = 6;
     /** Memory that one triangle takes here, bytes. */
-    private static final int TRIANGLE_BYTES = 128;
+    private static final int TRIANGLE_BYTES = 140;
 
     private final JsonCursor root;
     private final Accessors accessors;
@@ -32,8 +32,13 @@ final class Meshes {
     private long total;
     private final Map<Integer, List<Part>> known = new HashMap<>();
 
-    /** The triangles of one material. */
-    record Part(TriangleMesh triangles, int surface) { }
+    /**
+     * The triangles of one material.
+     *
+     * @param primitive of the mesh
+     * @param vertices  of the primitive, 3 per triangle; not modified
+     */
+    record Part(TriangleMesh triangles, int surface, int primitive, int[] vertices) { }
 
     Meshes(JsonCursor root, Accessors accessors, Materials materials, ReadOptions options,
            Diagnostics notes) {
@@ -56,7 +61,7 @@ final class Meshes {
                     : defaults.get().numbers(defaults.get().size());
             JsonCursor primitives = mesh.at("primitives");
             for (int i = 0; i < primitives.size(); i++) {
-                add(primitives.at(i), new Shape(weights, shape.skin()), parts);
+                add(primitives.at(i), i, new Shape(weights, shape.skin()), parts);
             }
             if (!changed) {
                 known.put(number, parts);
@@ -65,7 +70,7 @@ final class Meshes {
         return parts;
     }
 
-    private void add(JsonCursor primitive, Shape shape, List<Part> parts) throws IOException {
+    private void add(JsonCursor primitive, int number, Shape shape, List<Part> parts) throws IOException {
         int mode = primitive.optional("mode").isPresent() ? primitive.index("mode") : TRIANGLES;
         JsonCursor attributes = primitive.at("attributes");
         if (mode < TRIANGLES || attributes.optional("POSITION").isEmpty()) {
@@ -77,7 +82,7 @@ final class Meshes {
         float[] points = points(primitive, attributes, shape);
         int[] corners = triangles(primitive, mode, points);
         if (corners.length > 0) {
-            parts.add(part(attributes, points, corners, materials.surface(primitive.index("material"))));
+            parts.add(part(attributes, points, corners, materials.surface(primitive.index("material")), number));
         }
     }
 
@@ -175,7 +180,8 @@ final class Meshes {
     }
 
     /** Triangles with only the points that they use, and what else their corners have. */
-    private Part part(JsonCursor attributes, float[] given, int[] corners, int surface) throws IOException {
+    private Part part(JsonCursor attributes, float[] given, int[] corners, int surface, int primitive)
+            throws IOException {
         Map<Integer, Integer> numbers = new HashMap<>();
         FloatList points = new FloatList();
         int[] local = new int[corners.length];
@@ -192,7 +198,7 @@ final class Meshes {
         }
         return new Part(new TriangleMesh(points.toArray(), local, new int[corners.length / 3],
                 coordinates(attributes, surface, corners, given.length / 3),
-                colours(attributes, corners, given.length / 3)), surface);
+                colours(attributes, corners, given.length / 3)), surface, primitive, corners);
     }
 
     private float[] coordinates(JsonCursor attributes, int surface, int[] corners, int vertices) throws IOException {

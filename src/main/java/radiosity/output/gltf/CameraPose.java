@@ -4,13 +4,13 @@ import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
 /** A camera's rotation as glTF has it: a unit quaternion x, y, z, w that turns -z to forward and +y to up. */
-final class CameraPose {
+public final class CameraPose {
 
     private CameraPose() {
     }
 
     /** From a rotation matrix: K. Shoemake, Quaternions, 1994; the largest component is taken from a square root. */
-    static double[] quaternion(Camera camera) {
+    public static double[] quaternion(Camera camera) {
         Vec3 z = camera.forward().times(-1).unit();
         Vec3 x = camera.up().cross(z).unit();
         Vec3 y = z.cross(x);

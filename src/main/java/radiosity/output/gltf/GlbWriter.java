@@ -10,7 +10,7 @@ import java.util.List;
 import radiosity.solution.SavedState;
 
 /** Writes the container of a glTF binary: a header, a chunk of JSON, a chunk of arrays (glTF 2.0, section 4). */
-final class GlbWriter {
+public final class GlbWriter {
 
     static final int MAGIC = 0x46546C67;
     static final int VERSION = 2;
@@ -51,7 +51,7 @@ final class GlbWriter {
      * @param arrays float[], int[], short[], byte[] or {@link SavedState}; each begins at a multiple of 4 bytes; not
      *               modified
      */
-    static void write(FileChannel channel, byte[] json, List<Object> arrays) throws IOException {
+    public static void write(FileChannel channel, byte[] json, List<Object> arrays) throws IOException {
         long bin = arrays.stream().mapToLong(a -> padded(bytes(a))).sum();
         long total = size(json.length, bin);
         check(total, MOST);

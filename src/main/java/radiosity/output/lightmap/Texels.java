@@ -1,5 +1,6 @@
 package radiosity.output.lightmap;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import radiosity.output.image.Picture;
 import radiosity.scene.Rgb;
@@ -9,6 +10,8 @@ final class Texels {
 
     /** A texel whose middle lies this far outside an element, in weights, still belongs to it. */
     private static final double EDGE = 1e-6;
+    /** How far outside of a triangle a filter may read at its edge, texels: diagonally across one. */
+    private static final double BEYOND = 1.5;
 
     private final int width;
     private final int height;
@@ -16,6 +19,8 @@ final class Texels {
     private final float[] rgb;
     /** 1 per texel: whether anything was drawn on it. */
     private final boolean[] known;
+    /** 1 per texel: how far beyond the edge of what was drawn it is, texels; empty where nothing was drawn so. */
+    private float[] beyond = new float[0];
 
     Texels(int width, int height) {
         this.width = width;
@@ -60,6 +65,52 @@ final class Texels {
         }
     }
 
+    /**
+     * Draws what lies beyond the edges of a triangle, up to {@link #BEYOND} texels, as if its light went on as it is
+     * within: so a filter that reads across an edge finds there what is on the edge. Of several triangles the nearest
+     * counts. To be called after all triangles were drawn.
+     */
+    void drawBeyond(double[] x, double[] y, Light light) {
+        double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+        if (area == 0) {
+            return;
+        }
+        if (beyond.length == 0) {
+            beyond = new float[width * height];
+            Arrays.fill(beyond, (float) BEYOND);
+        }
+        int bottom = last(Math.max(y[0], Math.max(y[1], y[2])) + BEYOND, height);
+        int right = last(Math.max(x[0], Math.max(x[1], x[2])) + BEYOND, width);
+        for (int j = first(Math.min(y[0], Math.min(y[1], y[2])) - BEYOND); j <= bottom; j++) {
+            for (int i = first(Math.min(x[0], Math.min(x[1], x[2])) - BEYOND); i <= right; i++) {
+                int texel = j * width + i;
+                float distance = known[texel] ? 0 : (float) distance(x, y, i + 0.5, j + 0.5);
+                if (!known[texel] && distance < beyond[texel]) {
+                    beyond[texel] = distance;
+                    double px = i + 0.5 - x[0];
+                    double py = j + 0.5 - y[0];
+                    double v = (px * (y[2] - y[0]) - (x[2] - x[0]) * py) / area;
+                    double w = ((x[1] - x[0]) * py - px * (y[1] - y[0])) / area;
+                    put(texel, light.at(Math.max(-1, Math.min(2, v)), Math.max(-1, Math.min(2, w))));
+                }
+            }
+        }
+    }
+
+    /** From a point outside of a triangle to its nearest edge. */
+    private static double distance(double[] x, double[] y, double px, double py) {
+        double least = Double.MAX_VALUE;
+        for (int k = 0; k < 3; k++) {
+            int next = (k + 1) % 3;
+            double dx = x[next] - x[k];
+            double dy = y[next] - y[k];
+            double square = dx * dx + dy * dy;
+            double along = square == 0 ? 0 : Math.max(0, Math.min(1, ((px - x[k]) * dx + (py - y[k]) * dy) / square));
+        least = Math.min(least, StrictMath.hypot(px - x[k] - along * dx, py - y[k] - along * dy));
+        }
+        return least;
+    }
+
     private static int first(double least) {
         return Math.max(0, (int) Math.floor(least - 0.5));
     }
@@ -69,10 +120,14 @@ final class Texels {
     }
 
     private void set(int texel, Rgb light) {
+        put(texel, light);
+        known[texel] = true;
+    }
+
+    private void put(int texel, Rgb light) {
         for (int c = 0; c < 3; c++) {
             rgb[3 * texel + c] = (float) light.channel(c);
         }
-        known[texel] = true;
     }
 
     /**
@@ -80,6 +135,9 @@ final class Texels {
      * picture shares the array of these texels.
      */
     Picture padded(int texels) {
+        for (int t = 0; t < beyond.length; t++) {
+            known[t] |= beyond[t] < BEYOND;
+        }
         for (int ring = 0; ring < texels; ring++) {
             int[] edge = IntStream.range(0, known.length).filter(t -> !known[t] && isBesideKnown(t)).toArray();
             for (int t : edge) {

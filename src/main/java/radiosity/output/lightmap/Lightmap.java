@@ -1,0 +1,232 @@
+package radiosity.output.lightmap;
+
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferByte;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import javax.imageio.ImageIO;
+import radiosity.output.image.Picture;
+import radiosity.output.mesh.DisjointSets;
+import radiosity.output.mesh.Elements;
+import radiosity.output.mesh.TJunctions;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+/**
+ * The irradiance of all original triangles in one texture. Plane neighbours lie together in it; of a two-sided surface
+ * it has the side that gets more light, as a triangle has one place in it.
+ *
+ * @param irradiance W/m², row by row from the top
+ * @param places     u, v of each corner of each triangle of the scene, v downwards, 6 per triangle, in [0, 1]
+ * @param samples    texels per scene unit
+ */
+public record Lightmap(Picture irradiance, float[] places, double samples) {
+
+    /** Texels along an axis: what every browser can show. */
+    public static final int LARGEST = 8192;
+    /** Where the user does not say how fine: so many texels are filled. */
+    private static final double USUAL_TEXELS = 600_000;
+
+    /**
+     * Bakes it.
+     *
+     * @param samples texels per scene unit; chosen where it is empty
+     * @throws IOException where that would be too many, which the message says
+     */
+    public static Lightmap of(Solution solution, OptionalDouble samples) throws IOException {
+        Solution closed = TJunctions.close(solution);
+        double density = samples.orElseGet(() -> Math.sqrt(USUAL_TEXELS / solution.scene().area()));
+        return new Baker(closed, density).bake();
+    }
+
+    /** One lightmap in the making. */
+    private static final class Baker {
+
+        private final Solution solution;
+        private final Scene scene;
+        private final double samples;
+        /** By face: its elements. */
+        private final Map<Integer, List<Integer>> elementsOf = new HashMap<>();
+
+        Baker(Solution solution, double samples) {
+            this.solution = solution;
+            this.samples = samples;
+            scene = solution.scene();
+            for (int e = 0; e < solution.elements(); e++) {
+                elementsOf.computeIfAbsent(solution.faceOf()[e], f -> new ArrayList<>(2)).add(e);
+            }
+        }
+
+        Lightmap bake() throws IOException {
+            List<List<Integer>> parts = planeParts();
+            List<Chart> charts = parts.stream().map(this::chart).toList();
+            ShelfPacker shelves = new ShelfPacker(charts);
+            if (Math.max(shelves.width, shelves.height) > LARGEST) {
+                throw new IOException("--lightmap-texels: expected a lightmap of at most " + LARGEST + " texels along"
+                        + " an edge, got " + shelves.width + "x" + shelves.height + "; give fewer");
+            }
+            Texels texels = new Texels(shelves.width, shelves.height);
+            float[] places = new float[6 * scene.triangles()];
+            for (int c = 0; c < charts.size(); c++) {
+                double[] corner = {shelves.x[c], shelves.y[c]};
+                List<Integer> lit = litSide(parts.get(c)).stream().filter(e -> flux(e) > 0).toList();
+                for (int e : lit) {
+                    draw(texels, charts.get(c), corner, e, false);
+                }
+                for (int e : lit) {
+                    draw(texels, charts.get(c), corner, e, true);
+                }
+                for (int t : parts.get(c)) {
+                    for (int k = 0; k < 3; k++) {
+                        Vec3 p = scene.corner(t, k);
+                        places[6 * t + 2 * k] = (float) ((corner[0] + charts.get(c).x(p)) / shelves.width);
+                        places[6 * t + 2 * k + 1] = (float) ((corner[1] + charts.get(c).y(p)) / shelves.height);
+                    }
+                }
+            }
+            return new Lightmap(texels.padded(Chart.PAD), places, samples);
+        }
+
+        /** Triangles that are neighbours in a plane; those too small to be lit are left out. */
+        private List<List<Integer>> planeParts() {
+            DisjointSets joined = new DisjointSets(solution.vertices(), solution.corners());
+            for (List<Integer> elements : elementsOf.values()) {
+                for (int e : elements) {
+                    joined.join(solution.corners()[3 * elements.get(0)], solution.corners()[3 * e]);
+                }
+            }
+            Map<Integer, List<Integer>> parts = new LinkedHashMap<>();
+            for (int t = 0; t < scene.triangles(); t++) {
+                if (elementsOf.containsKey(2 * t)) {
+                    int vertex = solution.corners()[3 * elementsOf.get(2 * t).get(0)];
+                    parts.computeIfAbsent(joined.of(vertex), p -> new ArrayList<>(1)).add(t);
+                }
+            }
+            return List.copyOf(parts.values());
+        }
+
+        private Chart chart(List<Integer> triangles) {
+            int first = triangles.get(0);
+            List<Vec3> points = new ArrayList<>();
+            for (int t : triangles) {
+                for (int k = 0; k < 3; k++) {
+                    points.add(scene.corner(t, k));
+                }
+            }
+            return Chart.of(scene.corner(first, 1).minus(scene.corner(first, 0)), scene.cross(first).unit(), points,
+                    samples, samples, LARGEST);
+        }
+
+        /** The elements of fronts, or of backs where more light arrives there. */
+        private List<Integer> litSide(List<Integer> triangles) {
+            List<Integer> fronts = new ArrayList<>();
+            List<Integer> backs = new ArrayList<>();
+            for (int t : triangles) {
+                fronts.addAll(elementsOf.getOrDefault(2 * t, List.of()));
+                backs.addAll(elementsOf.getOrDefault(2 * t + 1, List.of()));
+            }
+            ToDoubleFunction<List<Integer>> light = elements -> elements.stream().mapToDouble(this::flux).sum();
+            return light.applyAsDouble(backs) > light.applyAsDouble(fronts) ? backs : fronts;
+        }
+
+        /** 0 of what stands under other things: no light of it is to be mixed with what is seen beside it. */
+        private double flux(int element) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++) {
+                Rgb h = solution.irradianceAt(solution.corners()[3 * element + k]);
+                sum += h.r() + h.g() + h.b();
+            }
+            return sum * Elements.cross(solution, element).length();
+        }
+
+        private void draw(Texels texels, Chart chart, double[] corner, int element, boolean beyond) {
+            double[] x = new double[3];
+            double[] y = new double[3];
+            Rgb[] h = new Rgb[3];
+            for (int k = 0; k < 3; k++) {
+                Vec3 p = Elements.corner(solution, element, k);
+                x[k] = corner[0] + chart.x(p);
+                y[k] = corner[1] + chart.y(p);
+                h[k] = solution.irradianceAt(solution.corners()[3 * element + k]);
+            }
+            Texels.Light light = (v, w) -> within(h, h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w)));
+            if (beyond) {
+                texels.drawBeyond(x, y, light);
+            } else {
+                texels.draw(x, y, light);
+            }
+        }
+
+        /** Not farther beyond the light of the corners than these are apart, and not below 0. */
+        private static Rgb within(Rgb[] h, Rgb light) {
+            double[] channels = new double[3];
+            Arrays.setAll(channels, c -> {
+                double least = Math.min(h[0].channel(c), Math.min(h[1].channel(c), h[2].channel(c)));
+                double most = Math.max(h[0].channel(c), Math.max(h[1].channel(c), h[2].channel(c)));
+                return Math.max(0, Math.max(2 * least - most, Math.min(2 * most - least, light.channel(c))));
+            });
+            return new Rgb(channels[0], channels[1], channels[2]);
+        }
+    }
+
+    /**
+     * As an image of four times 8 bits: the light of a channel is (channel alpha)² range, with channel and alpha in
+     * [0, 1].
+     *
+     * @param range the largest of all channels, above 0
+     */
+    public byte[] rgbm(double range) throws IOException {
+        float[] light = irradiance.rgb();
+        byte[] rgba = new byte[light.length / 3 * 4];
+        for (int t = 0; t < light.length / 3; t++) {
+            double[] root = new double[3];
+            for (int c = 0; c < 3; c++) {
+                root[c] = Math.min(1, Math.sqrt(Math.max(0, light[3 * t + c]) / range));
+            }
+            double most = Math.max(root[0], Math.max(root[1], root[2]));
+            int alpha = Math.max(1, (int) Math.ceil(255 * most));
+            for (int c = 0; c < 3; c++) {
+                rgba[4 * t + c] = (byte) Math.round(255 * Math.min(1, root[c] * 255 / alpha));
+            }
+            rgba[4 * t + 3] = (byte) alpha;
+        }
+        return png(rgba);
+    }
+
+    private byte[] png(byte[] rgba) throws IOException {
+        int width = irradiance.width();
+        WritableRaster raster = Raster.createInterleavedRaster(new DataBufferByte(rgba, rgba.length), width,
+                irradiance.height(), 4 * width, 4, new int[] {0, 1, 2, 3}, null);
+        ColorModel colours = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), true, false,
+                Transparency.TRANSLUCENT, DataBuffer.TYPE_BYTE);
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageIO.write(new BufferedImage(colours, raster, false, null), "png", png);
+        return png.toByteArray();
+    }
+
+    /** The largest irradiance of a channel, W/m²; 1 where all is dark. */
+    public double range() {
+        double most = 0;
+        for (float light : irradiance.rgb()) {
+            most = Math.max(most, light);
+        }
+        return most > 0 ? most : 1;
+    }
+}

@@ -1,0 +1,282 @@
+package radiosity.output.model;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import radiosity.gltf.GltfModel;
+import radiosity.output.file.AtomicFile;
+import radiosity.output.gltf.GlbWriter;
+import radiosity.output.lightmap.ExrImage;
+import radiosity.output.lightmap.Lightmap;
+import radiosity.scene.Affine;
+
+/**
+ * Writes a model as it was, with a further set of texture coordinates and a lightmap of irradiance: as half floats
+ * beside the file, and as RGBM in it, to which "extras" of materials refer (docs/RECIPES.md).
+ *
+ * <p>Vertices that lie at several places of the lightmap are repeated; a mesh that stands at several nodes becomes one
+ * for each, as their light differs.
+ */
+public final class LightmapModel {
+
+    /** Half floats lose digits below, and end above, W/m². */
+    private static final double LEAST_RANGE = 1;
+    private static final double MOST_RANGE = 60000;
+    private static final int FLOAT = 5126;
+    private static final int UNSIGNED_INT = 5125;
+    private static final int UNSIGNED_SHORT = 5123;
+    private static final int VERTICES = 34962;
+    private static final int INDICES = 34963;
+    private static final int TRIANGLES = 4;
+    private static final String INSTANCES = "EXT_mesh_gpu_instancing";
+
+    private final GltfModel model;
+    private final ObjectNode json;
+    private final Lightmap lightmap;
+    private final ObjectMapper mapper = new ObjectMapper();
+    private final VertexCopier copier;
+    /** Which set of texture coordinates is the lightmap's: the first that no mesh has. */
+    private final int set;
+
+    private LightmapModel(GltfModel model, Lightmap lightmap) {
+        this.model = model;
+        this.lightmap = lightmap;
+        json = model.json();
+        copier = new VertexCopier(model);
+        set = freeSet();
+    }
+
+    /**
+     * Where the lightmap of a file lies: room-lightmap.exr of room.glb.
+     *
+     * @param file whose name ends in .glb
+     */
+    public static Path beside(Path file) {
+        String name = file.getFileName().toString();
+        return file.resolveSibling(name.substring(0, name.length() - ".glb".length()) + "-lightmap.exr");
+    }
+
+    /**
+     * Writes both files.
+     *
+     * @param model    of the scene; changed
+     * @param exposure with which radiosity becomes linear light of a screen, for who shows the model
+     */
+    public static void write(Path file, GltfModel model, Lightmap lightmap, double exposure) throws IOException {
+        double range = lightmap.range();
+        double scale = range >= LEAST_RANGE && range <= MOST_RANGE ? 1
+                : Math.scalb(1.0, Math.getExponent(MOST_RANGE) - Math.getExponent(range) - 1);
+        byte[] exr = ExrImage.of(lightmap.irradiance(), scale);
+        LightmapModel writer = new LightmapModel(model, lightmap);
+        writer.placeTriangles();
+        Map<String, Object> told = new LinkedHashMap<>();
+        told.put("texCoord", writer.set);
+        told.put("encoding", "RGBM");
+        told.put("range", range);
+        told.put("exposure", exposure);
+        told.put("file", beside(file).getFileName().toString());
+        told.put("fileScale", scale);
+        told.put("texelsPerUnit", lightmap.samples());
+        told.put("index", writer.texture(lightmap.rgbm(range)));
+        writer.tellMaterials(told);
+        writer.json.putArray("buffers").addObject().put("byteLength", model.length());
+        byte[] text = writer.mapper.writeValueAsBytes(writer.json);
+        AtomicFile.write(beside(file), exr);
+        AtomicFile.write(file, channel -> GlbWriter.write(channel, text, List.copyOf(model.arrays())));
+    }
+
+    private int freeSet() {
+        int free = 1;
+        for (JsonNode mesh : json.path("meshes")) {
+            for (JsonNode primitive : mesh.path("primitives")) {
+                while (primitive.path("attributes").has("TEXCOORD_" + free)) {
+                    free++;
+                }
+            }
+        }
+        return free;
+    }
+
+    /** The sets of a primitive must be without gaps: those that it lacks before the lightmap's are the lightmap's. */
+    private void addSets(ObjectNode attributes, int accessor) {
+        for (int s = 0; s <= set; s++) {
+            if (!attributes.has("TEXCOORD_" + s)) {
+                attributes.put("TEXCOORD_" + s, accessor);
+            }
+        }
+    }
+
+    private record Standing(int node, Affine instance) { }
+
+    private void placeTriangles() throws IOException {
+        Map<Standing, List<GltfModel.Place>> meshes = model.places().stream().collect(Collectors.groupingBy(
+                place -> new Standing(place.node(), place.instance().orElse(null)), LinkedHashMap::new,
+                Collectors.toList()));
+        Map<Integer, Integer> users = new HashMap<>();
+        Map<Integer, JsonNode> originals = new HashMap<>();
+        Map<Integer, Integer> meshOf = new HashMap<>();
+        for (Standing at : meshes.keySet()) {
+            int mesh = node(at.node).path("mesh").asInt();
+            meshOf.put(at.node, mesh);
+            originals.computeIfAbsent(mesh, m -> json.get("meshes").get(m).deepCopy());
+        }
+        for (Map.Entry<Standing, List<GltfModel.Place>> entry : meshes.entrySet()) {
+            Standing at = entry.getKey();
+            int mesh = meshOf.get(at.node);
+            boolean isFirst = users.merge(mesh, 1, Integer::sum) == 1;
+            int own = isFirst ? mesh : json.withArrayProperty("meshes").add(originals.get(mesh).deepCopy()).size() - 1;
+            (at.instance == null ? node(at.node) : instance(at)).put("mesh", own);
+            for (GltfModel.Place place : entry.getValue()) {
+                place(place, (ObjectNode) json.get("meshes").get(own).get("primitives").get(place.primitive()));
+            }
+        }
+    }
+
+    private ObjectNode node(int number) {
+        return (ObjectNode) json.get("nodes").get(number);
+    }
+
+    /** A node of its own for an instance, below the node that had instances. */
+    private ObjectNode instance(Standing at) {
+        ObjectNode parent = node(at.node);
+        parent.remove("mesh");
+        if (parent.path("extensions").has(INSTANCES)) {
+            ((ObjectNode) parent.get("extensions")).remove(INSTANCES);
+            if (parent.get("extensions").isEmpty()) {
+                parent.remove("extensions");
+            }
+            removeInstances();
+        }
+        parent.withArrayProperty("children").add(json.get("nodes").size());
+        ObjectNode node = json.withArrayProperty("nodes").addObject();
+        matrix(node, at.instance);
+        return node;
+    }
+
+    /** Takes instances off the lists of extensions where no node has them any more. */
+    private void removeInstances() {
+        for (JsonNode node : json.get("nodes")) {
+            if (node.path("extensions").has(INSTANCES)) {
+                return;
+            }
+        }
+        for (String list : List.of("extensionsUsed", "extensionsRequired")) {
+            ArrayNode names = json.withArrayProperty(list);
+            for (int i = names.size() - 1; i >= 0; i--) {
+                if (names.get(i).asText().equals(INSTANCES)) {
+                    names.remove(i);
+                }
+            }
+            if (names.isEmpty()) {
+                json.remove(list);
+            }
+        }
+    }
+
+    static void matrix(ObjectNode node, Affine placement) {
+        ArrayNode matrix = node.putArray("matrix");
+        for (int i = 0; i < 16; i++) {
+            matrix.add(i % 4 == 3 ? (i == 15 ? 1.0 : 0.0) : placement.m()[4 * (i % 4) + i / 4]);
+        }
+    }
+
+    /** Gives a primitive its places in the lightmap. */
+    private void place(GltfModel.Place place, ObjectNode primitive) throws IOException {
+        int count = json.get("accessors").get(primitive.get("attributes").get("POSITION").asInt()).get("count").asInt();
+        VertexSplit split = new VertexSplit(count, place, lightmap.places());
+        int[] rows = split.rows();
+        if (rows.length > count) {
+            ObjectNode attributes = (ObjectNode) primitive.get("attributes");
+            copyAll(attributes, rows);
+            primitive.path("targets").forEach(target -> copyAll((ObjectNode) target, rows));
+        }
+        addSets((ObjectNode) primitive.get("attributes"), accessor(floats(split.coordinates()), FLOAT, rows.length,
+                "VEC2", VERTICES));
+        int[] corners = split.corners();
+        primitive.put("indices", rows.length < 0xFFFF ? accessor(shorts(corners), UNSIGNED_SHORT, corners.length,
+                "SCALAR", INDICES) : accessor(ints(corners), UNSIGNED_INT, corners.length, "SCALAR", INDICES));
+        primitive.put("mode", TRIANGLES);
+    }
+
+    private void copyAll(ObjectNode attributes, int[] rows) {
+        Map<String, JsonNode> before = new TreeMap<>();
+        attributes.properties().forEach(entry -> before.put(entry.getKey(), entry.getValue()));
+        before.forEach((name, accessor) -> attributes.put(name, copier.copy(accessor.asInt(), rows)));
+    }
+
+    private int accessor(byte[] bytes, int componentType, int count, String type, int target) {
+        int view = model.add(bytes);
+        ((ObjectNode) json.get("bufferViews").get(view)).put("target", target);
+        ArrayNode accessors = json.withArrayProperty("accessors");
+        accessors.addObject().put("bufferView", view).put("componentType", componentType).put("count", count)
+                .put("type", type);
+        return accessors.size() - 1;
+    }
+
+    static byte[] floats(float[] values) {
+        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asFloatBuffer().put(values);
+        return bytes.array();
+    }
+
+    private static byte[] ints(int[] values) {
+        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asIntBuffer().put(values);
+        return bytes.array();
+    }
+
+    private static byte[] shorts(int[] values) {
+        ByteBuffer bytes = ByteBuffer.allocate(2 * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        Arrays.stream(values).forEach(value -> bytes.putShort((short) value));
+        return bytes.array();
+    }
+
+    private int texture(byte[] png) {
+        ArrayNode images = json.withArrayProperty("images");
+        images.addObject().put("name", "lightmap").put("mimeType", "image/png").put("bufferView", model.add(png));
+        ArrayNode samplers = json.withArrayProperty("samplers");
+        samplers.addObject().put("magFilter", 9728).put("minFilter", 9728).put("wrapS", 33071).put("wrapT", 33071);
+        ArrayNode textures = json.withArrayProperty("textures");
+        textures.addObject().put("name", "lightmap").put("sampler", samplers.size() - 1)
+                .put("source", images.size() - 1);
+        return textures.size() - 1;
+    }
+
+    /** Every material, also the one of primitives that have none. */
+    private void tellMaterials(Map<String, Object> told) {
+        ArrayNode materials = json.withArrayProperty("materials");
+        for (JsonNode node : json.get("nodes")) {
+            if (node.has("mesh")) {
+                json.get("meshes").get(node.get("mesh").asInt()).get("primitives")
+                        .forEach(primitive -> tellPrimitive((ObjectNode) primitive, materials));
+            }
+        }
+        for (JsonNode material : materials) {
+            ObjectNode of = (ObjectNode) material;
+            ObjectNode extras = of.path("extras").isObject() ? (ObjectNode) of.get("extras") : of.putObject("extras");
+            extras.set("lightmap", mapper.valueToTree(told));
+        }
+    }
+
+    private static void tellPrimitive(ObjectNode primitive, ArrayNode materials) {
+        if (!primitive.has("material") && primitive.path("mode").asInt(TRIANGLES) == TRIANGLES) {
+            JsonNode last = materials.isEmpty() ? null : materials.get(materials.size() - 1);
+            if (last == null || !last.path("name").asText().equals("no material")) {
+                materials.addObject().put("name", "no material");
+            }
+            primitive.put("material", materials.size() - 1);
+        }
+    }
+}

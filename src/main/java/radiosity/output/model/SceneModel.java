@@ -1,0 +1,255 @@
+package radiosity.output.model;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import radiosity.gltf.GltfModel;
+import radiosity.output.gltf.CameraPose;
+import radiosity.output.image.Picture;
+import radiosity.output.image.PictureFormat;
+import radiosity.scene.Affine;
+import radiosity.scene.Camera;
+import radiosity.scene.Hierarchy;
+import radiosity.scene.ImageMap;
+import radiosity.scene.Raster;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneNode;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** A scene that was no glTF file as one: its original triangles under its nodes, with its surfaces as materials. */
+public final class SceneModel {
+
+    private static final int FLOAT = 5126;
+    private static final int VERTICES = 34962;
+    /** The camera's near plane, of the scene's size. */
+    private static final double NEAR = 1e-3;
+    private static final String STRENGTH = "KHR_materials_emissive_strength";
+
+    private final Scene scene;
+    private final GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), new ArrayList<>(),
+            new ArrayList<>());
+    private final ObjectNode json = model.json();
+    private final Map<Integer, Integer> materials = new HashMap<>();
+    /** From the nodes' own space to the scene's; the identity where there is no way back. */
+    private final List<Affine> worlds = new ArrayList<>();
+
+    private SceneModel(Scene scene) {
+        this.scene = scene;
+    }
+
+    public static GltfModel of(Scene scene) throws IOException {
+        return new SceneModel(scene).made();
+    }
+
+    private GltfModel made() throws IOException {
+        json.putObject("asset").put("version", "2.0").put("generator", "radiosity");
+        json.put("scene", 0);
+        ArrayNode top = json.putArray("scenes").addObject().put("name", scene.name()).putArray("nodes");
+        ArrayNode nodes = json.putArray("nodes");
+        Hierarchy hierarchy = scene.hierarchy().written();
+        for (SceneNode node : hierarchy.nodes()) {
+            Affine parent = node.parent() < 0 ? Affine.IDENTITY : worlds.get(node.parent());
+            Affine world = parent.times(node.placement());
+            boolean usable = world.isFinite() && world.determinant() != 0;
+            (!usable || node.parent() < 0 ? top
+                    : ((ObjectNode) nodes.get(node.parent())).withArrayProperty("children")).add(nodes.size());
+            ObjectNode own = nodes.addObject().put("name", node.name());
+            worlds.add(usable ? world : Affine.IDENTITY);
+            if (usable && !Arrays.equals(node.placement().m(), Affine.IDENTITY.m())) {
+                LightmapModel.matrix(own, node.placement());
+            }
+        }
+        Map<Integer, Map<Integer, List<Integer>>> bySurface = new TreeMap<>();
+        for (int t = 0; t < scene.triangles(); t++) {
+            bySurface.computeIfAbsent(hierarchy.of(t), n -> new TreeMap<>())
+                    .computeIfAbsent(scene.surfaceOf()[t], s -> new ArrayList<>()).add(t);
+        }
+        for (Map.Entry<Integer, Map<Integer, List<Integer>>> object : bySurface.entrySet()) {
+            int number = object.getKey();
+            if (number < 0) {
+                top.add(nodes.size());
+                number = nodes.size();
+                nodes.addObject().put("name", scene.name());
+            }
+            mesh(number, object.getKey() < 0 ? Affine.IDENTITY : worlds.get(number), object.getValue());
+        }
+        scene.camera().ifPresent(camera -> camera(camera, top));
+        return model;
+    }
+
+    private void camera(Camera camera, ArrayNode top) {
+        json.putArray("cameras").addObject().put("type", "perspective").putObject("perspective")
+                .put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect())
+                .put("znear", NEAR * Math.sqrt(scene.area()));
+        ArrayNode nodes = (ArrayNode) json.get("nodes");
+        top.add(nodes.size());
+        ObjectNode node = nodes.addObject().put("name", "camera").put("camera", 0);
+        ArrayNode rotation = node.putArray("rotation");
+        Arrays.stream(CameraPose.quaternion(camera)).forEach(rotation::add);
+        Vec3 at = camera.position();
+        node.putArray("translation").add(at.x()).add(at.y()).add(at.z());
+    }
+
+    private void mesh(int node, Affine world, Map<Integer, List<Integer>> bySurface) throws IOException {
+        ObjectNode own = (ObjectNode) json.get("nodes").get(node);
+        ArrayNode meshes = json.withArrayProperty("meshes");
+        own.put("mesh", meshes.size());
+        ArrayNode primitives = meshes.addObject().put("name", own.get("name").asText()).putArray("primitives");
+        for (Map.Entry<Integer, List<Integer>> part : bySurface.entrySet()) {
+            int[] triangles = part.getValue().stream().mapToInt(t -> t).toArray();
+            int[] vertices = new int[3 * triangles.length];
+            for (int i = 0; i < vertices.length; i++) {
+                vertices[i] = i;
+            }
+            boolean reversed = world.determinant() < 0;
+            model.places().add(new GltfModel.Place(node, primitives.size(), Optional.empty(), vertices, triangles,
+                    reversed));
+            primitive(primitives.addObject(), world, part.getKey(), triangles, reversed);
+        }
+    }
+
+    private void primitive(ObjectNode primitive, Affine world, int surface, int[] triangles, boolean reversed)
+            throws IOException {
+        float[] points = new float[9 * triangles.length];
+        float[] coordinates = new float[6 * triangles.length];
+        float[] colours = new float[9 * triangles.length];
+        boolean coloured = false;
+        boolean mapped = false;
+        for (int i = 0; i < 3 * triangles.length; i++) {
+            int t = triangles[i / 3];
+            int k = reversed ? (3 - i % 3) % 3 : i % 3;
+            Vec3 p = scene.corner(t, k);
+            double[] local = world.unturn(new double[] {p.x() - world.m()[3], p.y() - world.m()[7],
+                p.z() - world.m()[11]});
+            for (int a = 0; a < 3; a++) {
+                points[3 * i + a] = (float) local[a];
+                colours[3 * i + a] = (float) scene.vertexColour(t, k).channel(a);
+            }
+            coloured |= scene.isColoured(t);
+            if (scene.hasImages(t)) {
+                mapped = true;
+                coordinates[2 * i] = scene.textureCoordinates()[6 * t + 2 * k];
+                coordinates[2 * i + 1] = 1 - scene.textureCoordinates()[6 * t + 2 * k + 1];
+            }
+        }
+        ObjectNode attributes = primitive.putObject("attributes");
+        int positions = accessor(points, 3);
+        range((ObjectNode) json.get("accessors").get(positions), points);
+        attributes.put("POSITION", positions);
+        if (mapped) {
+            attributes.put("TEXCOORD_0", accessor(coordinates, 2));
+        }
+        if (coloured) {
+            attributes.put("COLOR_0", accessor(colours, 3));
+        }
+        primitive.put("material", material(surface));
+    }
+
+    private int accessor(float[] values, int components) {
+        int view = model.add(LightmapModel.floats(values));
+        ((ObjectNode) json.get("bufferViews").get(view)).put("target", VERTICES);
+        ArrayNode accessors = json.withArrayProperty("accessors");
+        accessors.addObject().put("bufferView", view).put("componentType", FLOAT)
+                .put("count", values.length / components).put("type", "VEC" + components);
+        return accessors.size() - 1;
+    }
+
+    private static void range(ObjectNode accessor, float[] points) {
+        ArrayNode min = accessor.putArray("min");
+        ArrayNode max = accessor.putArray("max");
+        for (int a = 0; a < 3; a++) {
+            float low = points[a];
+            float high = points[a];
+            for (int i = a; i < points.length; i += 3) {
+                low = Math.min(low, points[i]);
+                high = Math.max(high, points[i]);
+            }
+            min.add((double) low);
+            max.add((double) high);
+        }
+    }
+
+    private int material(int number) throws IOException {
+        Integer known = materials.get(number);
+        if (known != null) {
+            return known;
+        }
+        Surface surface = scene.surfaces().get(number);
+        ArrayNode list = json.withArrayProperty("materials");
+        ObjectNode material = list.addObject().put("name", surface.name()).put("doubleSided", surface.twoSided());
+        ObjectNode base = material.putObject("pbrMetallicRoughness").put("metallicFactor", 0).put("roughnessFactor", 1);
+        Optional<Raster> reflectance = surface.maps().reflectance();
+        if (reflectance.isPresent()) {
+            base.putObject("baseColorTexture").put("index", texture(reflectance.get(), 1));
+        } else {
+            put(base.putArray("baseColorFactor"), surface.reflectance(), 1).add(1.0);
+        }
+        if (surface.emits()) {
+            emission(material, surface);
+        }
+        materials.put(number, list.size() - 1);
+        return list.size() - 1;
+    }
+
+    private void emission(ObjectNode material, Surface surface) throws IOException {
+        Optional<Raster> map = surface.maps().exitance();
+        double most = map.isPresent() ? most(map.get()) : surface.exitance().max();
+        double strength = Math.max(1, most);
+        if (strength > 1) {
+            material.putObject("extensions").putObject(STRENGTH).put("emissiveStrength", strength);
+            if (!json.path("extensionsUsed").toString().contains(STRENGTH)) {
+                json.withArrayProperty("extensionsUsed").add(STRENGTH);
+            }
+        }
+        if (map.isPresent()) {
+            material.putObject("emissiveTexture").put("index", texture(map.get(), 1 / strength));
+            put(material.putArray("emissiveFactor"), Rgb.grey(1), 1);
+        } else {
+            put(material.putArray("emissiveFactor"), surface.exitance(), 1 / strength);
+        }
+    }
+
+    /** @return number of a texture that a picture's light times a factor is */
+    private int texture(Raster raster, double factor) throws IOException {
+        byte[] png = PictureFormat.png(new Picture(raster.width(), raster.height(), raster.rgb()),
+                light -> light.times(factor));
+        ArrayNode images = json.withArrayProperty("images");
+        images.addObject().put("mimeType", "image/png").put("bufferView", model.add(png));
+        ArrayNode samplers = json.withArrayProperty("samplers");
+        samplers.addObject().put("wrapS", wrap(raster.wrapU())).put("wrapT", wrap(raster.wrapV()));
+        ArrayNode textures = json.withArrayProperty("textures");
+        textures.addObject().put("sampler", samplers.size() - 1).put("source", images.size() - 1);
+        return textures.size() - 1;
+    }
+
+    private static int wrap(ImageMap.Wrap wrap) {
+        return switch (wrap) {
+            case REPEAT -> 10497;
+            case MIRROR -> 33648;
+            case NONE, EDGE -> 33071;
+        };
+    }
+
+    private static double most(Raster raster) {
+        double most = 0;
+        for (float light : raster.rgb()) {
+            most = Math.max(most, light);
+        }
+        return most;
+    }
+
+    private static ArrayNode put(ArrayNode array, Rgb v, double factor) {
+        return array.add(v.r() * factor).add(v.g() * factor).add(v.b() * factor);
+    }
+}

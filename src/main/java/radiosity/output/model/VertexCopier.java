@@ -1,0 +1,115 @@
+package radiosity.output.model;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import radiosity.gltf.GltfModel;
+
+/** Copies arrays of vertices byte by byte, some vertices repeated. What is in them the reader has checked. */
+final class VertexCopier {
+
+    private static final int VERTICES = 34962;
+    private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
+
+    private final GltfModel model;
+    /** Copies that were made already: of an accessor with the same vertices. */
+    private final Map<Copy, Integer> copies = new HashMap<>();
+
+    private record Copy(int accessor, int rows, int hash) { }
+
+    VertexCopier(GltfModel model) {
+        this.model = model;
+    }
+
+    /**
+     * The number of an accessor like another.
+     *
+     * @param rows which of its elements, 1 for each of the new ones; not modified
+     */
+    int copy(int accessor, int[] rows) {
+        Copy copy = new Copy(accessor, rows.length, Arrays.hashCode(rows));
+        return copies.computeIfAbsent(copy, c -> made(accessor, rows));
+    }
+
+    private int made(int number, int[] rows) {
+        JsonNode accessor = list("accessors").get(number);
+        int size = COMPONENTS.get(accessor.get("type").asText()) * bytes(accessor.get("componentType").asInt());
+        byte[] all = elements(accessor, size);
+        int step = size + 3 & ~3;
+        byte[] copied = new byte[step * rows.length];
+        for (int i = 0; i < rows.length; i++) {
+            System.arraycopy(all, size * rows[i], copied, step * i, size);
+        }
+        int view = model.add(copied);
+        ObjectNode of = (ObjectNode) list("bufferViews").get(view);
+        of.put("target", VERTICES);
+        if (step != size) {
+            of.put("byteStride", step);
+        }
+        ObjectNode copy = accessor.deepCopy();
+        copy.remove("sparse");
+        copy.remove("byteOffset");
+        copy.put("bufferView", view).put("count", rows.length);
+        list("accessors").add(copy);
+        return list("accessors").size() - 1;
+    }
+
+    private static int bytes(int componentType) {
+        return componentType < 5122 ? 1 : componentType < 5124 ? 2 : 4;
+    }
+
+    private ArrayNode list(String name) {
+        return model.json().withArrayProperty(name);
+    }
+
+    /** All elements of an accessor, close together. */
+    private byte[] elements(JsonNode accessor, int size) {
+        int count = accessor.get("count").asInt();
+        byte[] all = new byte[size * count];
+        if (accessor.has("bufferView")) {
+            JsonNode view = list("bufferViews").get(accessor.get("bufferView").asInt());
+            ByteBuffer from = view(view, accessor.path("byteOffset").asLong());
+            int step = view.path("byteStride").asInt(size);
+            for (int i = 0; i < count; i++) {
+                from.get(i * step, all, size * i, size);
+            }
+        }
+        if (accessor.has("sparse")) {
+            replace(all, accessor.get("sparse"), size);
+        }
+        return all;
+    }
+
+    private void replace(byte[] all, JsonNode sparse, int size) {
+        JsonNode indices = sparse.get("indices");
+        JsonNode values = sparse.get("values");
+        ByteBuffer which = view(list("bufferViews").get(indices.get("bufferView").asInt()),
+                indices.path("byteOffset").asLong());
+        ByteBuffer by = view(list("bufferViews").get(values.get("bufferView").asInt()),
+                values.path("byteOffset").asLong());
+        int width = bytes(indices.get("componentType").asInt());
+        for (int i = 0; i < sparse.get("count").asInt(); i++) {
+            int at = width == 1 ? which.get(i) & 0xFF : width == 2 ? which.getShort(2 * i) & 0xFFFF
+                    : which.getInt(4 * i);
+            by.get(i * size, all, size * at, size);
+        }
+    }
+
+    /** The bytes from a place in a view on. */
+    private ByteBuffer view(JsonNode view, long offset) {
+        long at = view.path("byteOffset").asLong() + offset;
+        for (byte[] array : model.arrays()) {
+            long padded = array.length + 3L & ~3L;
+            if (at < padded) {
+                return ByteBuffer.wrap(array, (int) at, array.length - (int) at).slice().order(ByteOrder.LITTLE_ENDIAN);
+            }
+            at -= padded;
+        }
+        throw new IllegalArgumentException("buffer view: expected bytes that there are, got " + view);
+    }
+}

@@ -1,0 +1,84 @@
+package radiosity.output.model;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import radiosity.gltf.GltfModel;
+
+/** The vertices of a primitive, each repeated for every further place at which it lies in the lightmap. */
+final class VertexSplit {
+
+    private final int count;
+    private final int[] corners;
+    /** Vertices beyond the primitive's own: whom each repeats, and where it lies. */
+    private final Map<Key, Integer> more = new HashMap<>();
+    private int[] repeated = new int[16];
+    private float[] coordinates;
+
+    private record Key(int vertex, float u, float v) { }
+
+    /**
+     * @param count  vertices of the primitive
+     * @param places in the lightmap, 6 per triangle of the scene
+     */
+    VertexSplit(int count, GltfModel.Place place, float[] places) {
+        this.count = count;
+        corners = new int[place.vertices().length];
+        coordinates = new float[2 * count];
+        boolean[] known = new boolean[count];
+        for (int i = 0; i < corners.length; i++) {
+            int triangle = place.triangles()[i / 3];
+            int vertex = place.vertices()[i];
+            corners[i] = vertex;
+            if (triangle >= 0) {
+                int at = 6 * triangle + 2 * place.corner(i % 3);
+                if (known[vertex] && (coordinates[2 * vertex] != places[at]
+                        || coordinates[2 * vertex + 1] != places[at + 1])) {
+                    corners[i] = further(vertex, places[at], places[at + 1]);
+                } else {
+                    known[vertex] = true;
+                    coordinates[2 * vertex] = places[at];
+                    coordinates[2 * vertex + 1] = places[at + 1];
+                }
+            }
+        }
+    }
+
+    private int further(int vertex, float u, float v) {
+        Integer known = more.get(new Key(vertex, u, v));
+        if (known != null) {
+            return known;
+        }
+        int number = count + more.size();
+        more.put(new Key(vertex, u, v), number);
+        if (number - count >= repeated.length) {
+            repeated = Arrays.copyOf(repeated, 2 * repeated.length);
+        }
+        if (2 * number >= coordinates.length) {
+            coordinates = Arrays.copyOf(coordinates, 2 * coordinates.length + 2);
+        }
+        repeated[number - count] = vertex;
+        coordinates[2 * number] = u;
+        coordinates[2 * number + 1] = v;
+        return number;
+    }
+
+    /** Whom each vertex repeats; the primitive's own come first, each as itself. */
+    int[] rows() {
+        int[] rows = new int[count + more.size()];
+        for (int i = 0; i < rows.length; i++) {
+            rows[i] = i < count ? i : repeated[i - count];
+        }
+        return rows;
+    }
+
+    /** u, v of each vertex. */
+    float[] coordinates() {
+        return Arrays.copyOf(coordinates, 2 * (count + more.size()));
+    }
+
+    /** 3 vertices per triangle. */
+    int[] corners() {
+        return corners;
+    }
+}

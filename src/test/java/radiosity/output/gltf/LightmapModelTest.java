@@ -1,0 +1,198 @@
+package radiosity.output.gltf;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import de.javagl.jgltf.model.AccessorFloatData;
+import de.javagl.jgltf.model.AccessorModel;
+import de.javagl.jgltf.model.GltfModel;
+import de.javagl.jgltf.model.MeshPrimitiveModel;
+import de.javagl.jgltf.model.NodeModel;
+import de.javagl.jgltf.model.io.GltfModelReader;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.HashSet;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.input.SceneReader;
+import radiosity.settings.ReadOptions;
+import radiosity.output.lightmap.Lightmap;
+import radiosity.output.model.LightmapModel;
+import radiosity.output.model.SceneModel;
+import radiosity.scene.Scene;
+import radiosity.testkit.EvenLight;
+
+/** A model gets a lightmap and stays what it was. */
+class LightmapModelTest {
+
+    private static final Path ROOM = Path.of("src/test/resources/radiosity/input/room.glb");
+
+    @TempDir
+    Path folder;
+
+    private Path lit(Path model) throws IOException {
+        ReadOptions options = ReadOptions.defaults();
+        Scene scene = SceneReader.read(model, options, warning -> { });
+        Path file = folder.resolve("lit.glb");
+        radiosity.gltf.GltfModel original = SceneReader.original(model, options, scene).isPresent()
+                ? SceneReader.original(model, options, scene).get() : SceneModel.of(scene);
+        LightmapModel.write(file, original, Lightmap.of(EvenLight.on(scene), OptionalDouble.empty()), 1);
+        return file;
+    }
+
+    private static JsonNode json(Path glb) throws IOException {
+        ByteBuffer file = ByteBuffer.wrap(Files.readAllBytes(glb)).order(ByteOrder.LITTLE_ENDIAN);
+        return new ObjectMapper().readTree(file.array(), 20, file.getInt(12));
+    }
+
+    /** Positions, normals and the first texture coordinates of all triangles of all nodes, in their order. */
+    private static List<String> triangles(Path file) throws IOException {
+        GltfModel model = new GltfModelReader().read(file.toUri());
+        List<String> triangles = new ArrayList<>();
+        for (NodeModel node : model.getNodeModels()) {
+            node.getMeshModels().forEach(mesh -> mesh.getMeshPrimitiveModels()
+                    .forEach(primitive -> add(node.getName(), primitive, triangles)));
+        }
+        return triangles;
+    }
+
+    private static void add(String name, MeshPrimitiveModel primitive, List<String> triangles) {
+        int[] corners = indices(primitive);
+        for (String attribute : List.of("POSITION", "NORMAL", "TEXCOORD_0")) {
+            AccessorModel accessor = primitive.getAttributes().get(attribute);
+            boolean isOriginal = accessor != null && accessor != primitive.getAttributes().get("TEXCOORD_1");
+            for (int i = 0; isOriginal && i < corners.length; i++) {
+                AccessorFloatData data = (AccessorFloatData) accessor.getAccessorData();
+                StringBuilder text = new StringBuilder(name + " " + attribute);
+                for (int c = 0; c < data.getNumComponentsPerElement(); c++) {
+                    text.append(' ').append(data.get(corners[i], c));
+                }
+                triangles.add(text.toString());
+            }
+        }
+    }
+
+    private static int[] indices(MeshPrimitiveModel primitive) {
+        AccessorModel indices = primitive.getIndices();
+        int[] corners = new int[indices.getCount()];
+        ByteBuffer bytes = indices.getAccessorData().createByteBuffer().order(ByteOrder.LITTLE_ENDIAN);
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = switch (indices.getComponentType()) {
+                case 5121 -> bytes.get(i) & 0xFF;
+                case 5123 -> bytes.getShort(2 * i) & 0xFFFF;
+                default -> bytes.getInt(4 * i);
+            };
+        }
+        return corners;
+    }
+
+    @Test
+    void nodesMaterialsAndTriangles_areTheInputs() throws IOException {
+        Path lit = lit(ROOM);
+        List<String> before = triangles(ROOM);
+        assertTrue(before.size() > 100, before.size() + " corners");
+        assertEquals(before, triangles(lit));
+        JsonNode original = json(ROOM);
+        JsonNode got = json(lit);
+        assertEquals(withoutMeshes(original), withoutMeshes(got));
+        assertEquals(original.get("cameras"), got.get("cameras"));
+        for (int m = 0; m < original.get("materials").size(); m++) {
+            ObjectNode material = (ObjectNode) got.get("materials").get(m);
+            ObjectNode extras = (ObjectNode) material.get("extras");
+            assertEquals(1, extras.get("lightmap").get("texCoord").asInt());
+            assertEquals("lit-lightmap.exr", extras.get("lightmap").get("file").asText());
+            extras.remove("lightmap");
+            if (extras.isEmpty()) {
+                material.remove("extras");
+            }
+            assertEquals(original.get("materials").get(m), material);
+        }
+    }
+
+    private static List<JsonNode> withoutMeshes(JsonNode file) {
+        List<JsonNode> nodes = new ArrayList<>();
+        file.get("nodes").forEach(node -> nodes.add(((ObjectNode) node.deepCopy()).without("mesh")));
+        return nodes;
+    }
+
+    /** A square of two triangles that share vertices, and one that is turned: at two nodes, and at two instances. */
+    private Path instances() throws IOException {
+        ByteBuffer bytes = ByteBuffer.allocate(5 * 12 + 9 * 2 + 2 + 2 * 12).order(ByteOrder.LITTLE_ENDIAN);
+        for (float x : new float[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1}) {
+            bytes.putFloat(x);
+        }
+        for (int corner : new int[] {0, 1, 2, 0, 2, 3, 3, 2, 4}) {
+            bytes.putShort((short) corner);
+        }
+        bytes.putShort((short) 0);
+        for (float x : new float[] {0, 0, 3, 0, 0, 4}) {
+            bytes.putFloat(x);
+        }
+        String text = """
+                {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+                 "extensionsUsed": ["EXT_mesh_gpu_instancing"], "extensionsRequired": ["EXT_mesh_gpu_instancing"],
+                 "nodes": [{"name": "a", "mesh": 0}, {"name": "b", "mesh": 0, "translation": [0, 0, 1.5],
+                   "scale": [-1, 1, 1]}, {"name": "c", "mesh": 0, "extensions": {"EXT_mesh_gpu_instancing":
+                   {"attributes": {"TRANSLATION": 2}}}}],
+                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+                 "accessors": [
+                  {"bufferView": 0, "componentType": 5126, "count": 5, "type": "VEC3", "min": [0, 0, 0],
+                   "max": [1, 1, 1]},
+                  {"bufferView": 1, "componentType": 5123, "count": 9, "type": "SCALAR"},
+                  {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+                 "bufferViews": [{"buffer": 0, "byteLength": 60, "target": 34962},
+                  {"buffer": 0, "byteOffset": 60, "byteLength": 18, "target": 34963},
+                  {"buffer": 0, "byteOffset": 80, "byteLength": 24}],
+                 "buffers": [{"byteLength": 104, "uri": "data:application/octet-stream;base64,BYTES"}]}
+                """;
+        return Files.writeString(folder.resolve("instances.gltf"), text.replace("BYTES",
+                Base64.getEncoder().encodeToString(bytes.array())), StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void everyInstance_hasItsOwnPlacesInTheLightmap() throws IOException {
+        Path lit = lit(instances());
+        JsonNode got = json(lit);
+        assertTrue(got.path("extensionsRequired").isMissingNode(), got.path("extensionsRequired").toString());
+        Set<Integer> meshes = new HashSet<>();
+        got.get("nodes").forEach(node -> {
+            if (node.has("mesh")) {
+                meshes.add(node.get("mesh").asInt());
+            }
+        });
+        assertEquals(4, meshes.size());
+        assertEquals(4, new HashSet<>(got.get("meshes").findValues("TEXCOORD_1")).size());
+        for (JsonNode mesh : got.get("meshes")) {
+            JsonNode position = mesh.at("/primitives/0/attributes/POSITION");
+            assertEquals(9, got.get("accessors").get(position.asInt()).get("count").asInt(),
+                    "a vertex for each place: in this light each triangle is lit for itself");
+        }
+    }
+
+    /** By the Khronos validator, where node and npm are there. */
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"src/test/resources/radiosity/input/room.glb", "src/test/resources/radiosity/input/room.obj",
+        "scenes/study.lws", "instances"})
+    void khronosValidator_findsNothingWrong(String model) throws Exception {
+        Path lit = lit(model.equals("instances") ? instances() : Path.of(model));
+        JsonNode issues = Node.run("validate.mjs", "gltf-validator@2.0.0-dev.3.10", lit).get("issues");
+        assertEquals(0, issues.get("numErrors").asInt(), issues.toString());
+        assertEquals(0, issues.get("numWarnings").asInt(), issues.toString());
+    }
+}
