@@ -16,6 +16,8 @@ final class Energy {
 
     /** More than this share of what was emitted is not found absorbed or escaped where no energy is gained. */
     static final double MOST = 1.002;
+    /** No radiosity of a finished render is lower, relative to the mean. */
+    static final double LOWEST = -1e-6;
     private static final int MOST_TESTS = 30_000_000;
     private static final int MOST_RAYS = 20_000;
 
@@ -30,6 +32,8 @@ final class Energy {
     /** Sum of |unshot flux| over elements and channels, W. */
     private final double unshot;
     private double size;
+    private double area;
+    private double lowest = Double.POSITIVE_INFINITY;
 
     /** @param lightFlux emitted by what is no surface, W per channel */
     Energy(LightFile file, double lightFlux, long seed) {
@@ -49,6 +53,7 @@ final class Energy {
             t[k] = mesh.positions()[3 * mesh.indices()[first + k / 3] + k % 3];
         }
         double area = length(normal(t)) / 2;
+        this.area += area;
         double[] leaving = new double[3];
         boolean painted = mesh.attributes().containsKey("_REFLECTANCE");
         for (int c = 0; c < 3; c++) {
@@ -57,6 +62,7 @@ final class Energy {
                 double arriving = mesh.irradiance()[3 * v + c];
                 double reflectance = mesh.reflectance(v, c);
                 double radiosity = mesh.radiosity()[3 * v + c];
+                lowest = Math.min(lowest, radiosity);
                 double exitance = painted && mesh.exitance()[c] > 0 ? Math.max(0, radiosity - reflectance * arriving)
                         : mesh.exitance()[c];
                 absorbed[c] += area / 3 * (1 - reflectance) * arriving;
@@ -164,6 +170,12 @@ final class Energy {
 
     private static double length(double[] a) {
         return Math.sqrt(dot(a, a));
+    }
+
+    /** The lowest radiosity, relative to the mean of all surfaces and channels; 0 where all is dark. */
+    double lowest() {
+        double sum = light.stream().mapToDouble(flux -> flux[0] + flux[1] + flux[2]).sum();
+        return sum > 0 ? lowest / (sum / (3 * area)) : 0;
     }
 
     /**

@@ -31,7 +31,9 @@ public final class PlantedProgram {
         /** On several threads it adds in the order in which they come. */
         ORDER_OF_ARRIVAL,
         /** On black surfaces, more light arrives than was sent. */
-        GAINED_ENERGY
+        GAINED_ENERGY,
+        /** One radiosity is a little below 0. */
+        NEGATIVE
     }
 
     private final List<String> arguments;
@@ -78,6 +80,7 @@ public final class PlantedProgram {
                     values[i] *= radiosity ? 1 : 1.1f;
                 }
             });
+            case NEGATIVE -> damage((values, radiosity) -> values[0] = radiosity ? -1e-3f : values[0]);
             default -> {
                 // sound, or torn already
             }
@@ -112,8 +115,11 @@ public final class PlantedProgram {
         JsonNode json = new ObjectMapper().readTree(Arrays.copyOfRange(bytes, 20, 20 + jsonLength));
         for (JsonNode mesh : json.get("meshes")) {
             for (String attribute : List.of("_IRRADIANCE", "_RADIOSITY")) {
-                JsonNode accessor = json.get("accessors").get(
-                        mesh.at("/primitives/0/attributes").get(attribute).asInt());
+                JsonNode number = mesh.at("/primitives/0/attributes").path(attribute);
+                if (number.isMissingNode()) {
+                    continue; // what does not radiate
+                }
+                JsonNode accessor = json.get("accessors").get(number.asInt());
                 JsonNode view = json.get("bufferViews").get(accessor.get("bufferView").asInt());
                 ByteBuffer at = file.duplicate().order(ByteOrder.LITTLE_ENDIAN)
                         .position(28 + jsonLength + view.path("byteOffset").asInt());

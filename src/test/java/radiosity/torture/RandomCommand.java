@@ -270,6 +270,11 @@ final class RandomCommand {
                 && light.getOrDefault("--form-factors", List.of("raycast")).equals(List.of("raycast"));
     }
 
+    /** Whether prediction goes on to its end. */
+    boolean isFinished() {
+        return schedule.equals("predict") && !light.containsKey("-it") && !light.containsKey("-se");
+    }
+
     /** Replaces what decides when to stop, or says how exactly to calculate. */
     List<String> lightWithout(Set<String> options) {
         List<String> words = new ArrayList<>();

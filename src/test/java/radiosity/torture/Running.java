@@ -1,10 +1,13 @@
 package radiosity.torture;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
@@ -14,6 +17,9 @@ final class Running implements AutoCloseable {
     /** For so long, s, a process may do next to nothing: a share of a processor. */
     private static final double LONGEST_IDLE = 120;
     private static final double IDLE = .004;
+    /** From such a wait for a processor on, s, and so many times the time that it computed, a process is starved. */
+    private static final double LONGEST_WAIT = 5;
+    private static final double BUSY = 10;
 
     private final List<String> command;
     private final Process process;
@@ -21,6 +27,8 @@ final class Running implements AutoCloseable {
     private final StringBuffer printed = new StringBuffer();
     private final Thread reader = new Thread(this::read, "reads a process");
     private volatile long end;
+    private volatile double waited;
+    private volatile double computed;
 
     /**
      * How a process ended.
@@ -88,21 +96,49 @@ final class Running implements AutoCloseable {
     }
 
     /**
+     * Seconds that threads were ready so far and got no processor, summed over those that have not ended and over the
+     * processes that it started; 0 where the system does not say. After the end as it was before.
+     */
+    double waitingTime() {
+        if (process.isAlive()) {
+            waited = Stream.concat(Stream.of(process.toHandle()), process.descendants())
+                    .map(each -> new File("/proc/" + each.pid() + "/task").listFiles()).filter(Objects::nonNull)
+                    .flatMap(Stream::of).mapToDouble(Running::waitingTime).sum();
+        }
+        return waited;
+    }
+
+    private static double waitingTime(File thread) {
+        try {
+            return 1e-9 * Long.parseLong(Files.readString(thread.toPath().resolve("schedstat")).split(" ")[1]);
+        } catch (IOException e) {
+            return 0; // it has ended
+        }
+    }
+
+    /** Whether the machine was so busy with others that this process, up to now or to its end, hardly computed. */
+    boolean starved() {
+        computed = process.isAlive() ? processorTime() : computed;
+        return waitingTime() > LONGEST_WAIT && waited > BUSY * computed;
+    }
+
+    /**
      * Waits for the end, however slow the machine is, as long as the process computes.
      *
      * @param most CPU seconds
-     * @return null if it took more or did nothing for long; it is killed, after having printed its threads, if it can
+     * @return null if it took more, or had nothing to do for long; it is killed then, after it has printed its threads
      */
     Ended await(double most) throws IOException, InterruptedException {
         double before = 0;
         double since = seconds();
         while (!process.waitFor(200, TimeUnit.MILLISECONDS)) {
-            double now = processorTime();
-            if (now > before + IDLE * LONGEST_IDLE) {
-                before = now;
+            computed = processorTime();
+            waitingTime();
+            if (computed + waited > before + IDLE * LONGEST_IDLE) {
+                before = computed + waited;
                 since = seconds();
             }
-            if (now > most || seconds() - since > LONGEST_IDLE) {
+            if (computed > most || seconds() - since > LONGEST_IDLE) {
                 signal("QUIT");
                 Thread.sleep(1000);
                 close();

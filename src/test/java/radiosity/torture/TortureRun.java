@@ -6,10 +6,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * One run of a campaign: a scene is rendered undisturbed, then otherwise and with a fault, and what came out is
@@ -21,14 +23,15 @@ import java.util.regex.Pattern;
 final class TortureRun {
 
     private static final Set<Integer> DONE = Set.of(0, 5);
+    private static final int NO_WORKER = 4;
     private static final Set<String> STOP = Set.of("-it", "-se");
     /** What the undisturbed render does without: it must not matter. */
     private static final Set<String> NO_MATTER = Set.of("-q", "--debug", "-si", "-sn", "-dr");
     private static final Pattern REPRODUCED = Pattern.compile("the same as with ((?:--?[a-z][\\w-]* [^\\s,;]+ ?)+)");
     private static final Pattern CUT_OFF =
             Pattern.compile("in the first calculation, the one of (--accuracy [^\\s,;]+)");
-    /** Seconds from SIGTERM to the end; the program promises 10 on a machine of its own. */
-    private static final double LONGEST_END = 60;
+    /** Seconds from a signal to the end, beside those in which others have the processors; the program promises 10. */
+    private static final double LONGEST_END = 15;
 
     private final Subject subject;
     private final Tally tally;
@@ -158,8 +161,18 @@ final class TortureRun {
             return null;
         }
         log.append(ended.printed()).append("[exit code ").append(ended.exitCode()).append("]\n");
+        if (ended.exitCode() == NO_WORKER && !allowed.contains(NO_WORKER) && isStarved(running)) {
+            tally.count("not judged", "hosts that the busy machine kept from answering");
+            return null;
+        }
         checks.ended(what, ended, command.has("--debug"), allowed);
         return ended;
+    }
+
+    /** Whether who calls or who is called could not compute in time. */
+    private boolean isStarved(Running master) {
+        return Stream.concat(Stream.of(master), workers.stream().map(Worker::running)).filter(Objects::nonNull)
+                .anyMatch(Running::starved);
     }
 
     private List<String> words(Object... parts) {
@@ -204,15 +217,19 @@ final class TortureRun {
     }
 
     /**
-     * No energy is gained. Where surfaces overlap it is, today, and where rays are few or form factors are the paper's;
+     * No energy is gained, and what is finished is nowhere negative. Where surfaces overlap it is, today, and where rays are few or form factors are the paper's;
      * that is counted apart and no failure.
      */
     private void energy() {
-        double found = new Energy(reference, scene.lightFlux(), 1).found();
+        Energy energy = new Energy(reference, scene.lightFlux(), 1);
+        double found = energy.found();
         tally.energy(kind + (command.isExact() ? "" : ", coarse by hand") + (kind.overlaps() ? ", overlapping" : ""),
                 found);
         if (found > Energy.MOST && command.isExact() && !kind.overlaps()) {
             checks.fail("energy gained: " + found + " of what was emitted was absorbed or escaped");
+        }
+        if (command.isFinished() && energy.lowest() < Energy.LOWEST) {
+            checks.fail("negative: a radiosity of " + energy.lowest() + " of the mean");
         }
     }
 
@@ -412,11 +429,12 @@ final class TortureRun {
                 Thread.sleep((long) (1000 * moment));
                 running.signal("TERM");
             }
+            double waited = running.waitingTime();
             Running.Ended ended = end("stopped", running, stopCodes());
             if (ended == null) {
                 return;
             }
-            if (ended.seconds() > moment + LONGEST_END) {
+            if (ended.seconds() > moment + LONGEST_END + running.waitingTime() - (terminal ? 0 : waited)) {
                 checks.fail("stopped: " + (ended.seconds() - moment) + " s from the signal to the end");
             }
             boolean done = DONE.contains(ended.exitCode()) && !ended.printed().contains("stopping after this round");
