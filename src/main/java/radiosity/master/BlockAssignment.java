@@ -32,7 +32,7 @@ final class BlockAssignment {
     private static final int RUNS = 8;
     /** Blocks move where the slowest host takes longer than all on average by this part. */
     private static final double WORTH = 0.03;
-    /** So many shooters later, a measured time counts for an e-th: the last shooters may all stand in one corner. */
+    /** Shooters after which a measured time counts for an e-th: the last ones may all stand in one corner. */
     private static final double MEMORY = 1000;
     /** A move has to help the slowest host by this part of its time. */
     private static final double RELIEF = 2e-3;
@@ -105,13 +105,13 @@ final class BlockAssignment {
      * @return those blocks
      */
     List<Integer> deal(List<Host> hosts) {
-        List<Integer> orphans = blocks(null);
+        List<Integer> ownerless = blocks(null);
         double[] seconds = seconds();
         double[] load = load(hosts, seconds);
-        int length = Math.max(1, orphans.size() / (RUNS * hosts.size()));
+        int length = Math.max(1, ownerless.size() / (RUNS * hosts.size()));
         List<List<Integer>> runs = new ArrayList<>();
-        for (int i = 0; i < orphans.size(); i += length) {
-            runs.add(orphans.subList(i, Math.min(orphans.size(), i + length)));
+        for (int i = 0; i < ownerless.size(); i += length) {
+            runs.add(ownerless.subList(i, Math.min(ownerless.size(), i + length)));
         }
         runs.sort(Comparator.comparingDouble(run -> -sum(run, seconds)));
         for (List<Integer> run : runs) {
@@ -125,7 +125,7 @@ final class BlockAssignment {
                 owner[b] = hosts.get(first);
             }
         }
-        return orphans;
+        return ownerless;
     }
 
     private static double sum(List<Integer> blocks, double[] seconds) {
@@ -162,7 +162,7 @@ final class BlockAssignment {
         for (int i = 0; i < Math.min(blocks.size(), reply.work().size()); i++) {
             int b = blocks.get(i);
             BlockWork work = reply.work().get(i);
-            double pairsOfBlock = (double) work.told() * shots;
+            double pairsOfBlock = (double) work.gathered() * shots;
             points[b] = work.points();
             if (cpu > 0 && pairsOfBlock > 0) {
                 time[b] = kept * time[b] + work.seconds() / cpu * reply.seconds() * host.speed;
@@ -181,10 +181,10 @@ final class BlockAssignment {
         if (hosts.stream().anyMatch(host -> host.seconds < LEAST_SECONDS)) {
             return;
         }
-        double unit = hosts.stream().mapToDouble(Host::pace).sum() / hosts.stream().mapToDouble(host -> host.speed)
-                .sum();
+        double unit = hosts.stream().mapToDouble(Host::pairsPerSecond).sum()
+                / hosts.stream().mapToDouble(host -> host.speed).sum();
         for (Host host : hosts) {
-            double factor = host.pace() / unit / host.speed;
+            double factor = host.pairsPerSecond() / unit / host.speed;
             if (factor > FACTOR || factor < 1 / FACTOR) {
                 host.speed *= factor;
                 blocks(host).forEach(b -> time[b] *= factor);

@@ -34,8 +34,8 @@ final class HaloExchange {
     private final InitialMesh mesh;
     private int agreement;
     private boolean isAgreed;
-    /** Whether hosts have gathered for each other and were not told what came of it. */
-    private boolean isOwed;
+    /** Whether hosts have gathered for each other, and the values have not been delivered. */
+    private boolean isUndelivered;
     /** How many elements there were at the last agreement, and are now. */
     private double agreedElements;
     private double elements;
@@ -72,14 +72,14 @@ final class HaloExchange {
         return mesh.gathersOnce() && order.gathers() && (!isAgreed || elements - agreedElements > few);
     }
 
-    /** Whether hosts have gathered for each other and were not told what came of it. */
-    boolean isOwed() {
-        return isOwed;
+    /** Whether hosts have gathered for each other, and the values have not been delivered. */
+    boolean isUndelivered() {
+        return isUndelivered;
     }
 
     /** Hosts were given this order. */
     void begun(Order order) {
-        isOwed |= isShared(order);
+        isUndelivered |= isShared(order);
     }
 
     /** All hosts have done a step. */
@@ -99,8 +99,8 @@ final class HaloExchange {
         Map<Host, byte[]> keys = calls.onAll(hosts, Host::border);
         Map<Host, byte[]> roles = new LinkedHashMap<>();
         keys.forEach((host, bytes) -> roles.put(host, new byte[bytes.length / Long.BYTES]));
-        Map<Long, Holder> givers = assign(keys, roles);
-        route(keys, roles, givers);
+        Map<Long, Holder> owners = assign(keys, roles);
+        route(keys, roles, owners);
         calls.onAll(roles.keySet(), host -> host.share(agreement, roles.get(host)));
         isAgreed = !calls.isAnyLost();
     }
@@ -118,16 +118,16 @@ final class HaloExchange {
                 holders.computeIfAbsent(key(bytes, i), k -> new ArrayList<>(2)).add(new Holder(host, i));
             }
         });
-        Map<Long, Holder> givers = new HashMap<>();
+        Map<Long, Holder> owners = new HashMap<>();
         holders.forEach((key, all) -> {
             if (all.size() > 1) {
-                Holder giver = all.get((int) Long.remainderUnsigned(Hash.mix(key, 0), all.size()));
+                Holder owner = all.get((int) Long.remainderUnsigned(Hash.mix(key, 0), all.size()));
                 all.forEach(holder -> roles.get(holder.host)[holder.place] =
-                        (byte) (holder == giver ? Role.GIVES : Role.TAKES).ordinal());
-                givers.put(key, giver);
+                        (byte) (holder == owner ? Role.GIVES : Role.TAKES).ordinal());
+                owners.put(key, owner);
             }
         });
-        return givers;
+        return owners;
     }
 
     private static long key(byte[] keys, int place) {
@@ -135,14 +135,14 @@ final class HaloExchange {
     }
 
     /** Hosts give and take in the order in which they have named vertices. */
-    private void route(Map<Host, byte[]> keys, Map<Host, byte[]> roles, Map<Long, Holder> givers) {
+    private void route(Map<Host, byte[]> keys, Map<Host, byte[]> roles, Map<Long, Holder> owners) {
         sources.clear();
         given.clear();
-        Map<Holder, Source> gifts = new HashMap<>();
+        Map<Holder, Source> places = new HashMap<>();
         roles.forEach((host, role) -> {
             for (int i = 0; i < role.length; i++) {
                 if (role[i] == Role.GIVES.ordinal()) {
-                    gifts.put(new Holder(host, i), new Source(host, given.merge(host, 1, Integer::sum) - 1));
+                    places.put(new Holder(host, i), new Source(host, given.merge(host, 1, Integer::sum) - 1));
                 }
             }
         });
@@ -150,43 +150,43 @@ final class HaloExchange {
             List<Source> from = sources.computeIfAbsent(host, h -> new ArrayList<>());
             for (int i = 0; i < role.length; i++) {
                 if (role[i] == Role.TAKES.ordinal()) {
-                    from.add(gifts.get(givers.get(key(keys.get(host), i))));
+                    from.add(places.get(owners.get(key(keys.get(host), i))));
                 }
             }
         });
     }
 
     /**
-     * Gives to each host with its next order what others have gathered for it; nothing where a host is lost, or has not
-     * said what it was to say.
+     * Gives to each host with its next order what others have gathered for it; nothing where a host is lost, or its
+     * values are not those that were agreed on.
      *
-     * @param step by which hosts have told what they have gathered for each other
+     * @param step whose replies bring what hosts have gathered for each other
      */
     void deliver(Step step) {
         Map<Host, Reply> said = step.replies();
         if (isAgreed && said.keySet().containsAll(sources.keySet())
                 && sources.keySet().stream().allMatch(host -> isWhole(host, said.get(host).given()))) {
-            sources.forEach((host, from) -> host.tell(gift(from, said)));
+            sources.forEach((host, from) -> host.addGhostValues(values(from, said)));
         }
-        isOwed = false;
+        isUndelivered = false;
     }
 
     private int bytesPerVertex() {
         return Double.BYTES * mesh.faces.channels();
     }
 
-    /** Whether a host has told of all vertices of which it was to tell. */
-    private boolean isWhole(Host host, byte[] told) {
+    /** Whether a host has sent the values of all vertices at which it gathers for others. */
+    private boolean isWhole(Host host, byte[] values) {
         long bytes = Integer.BYTES + (long) bytesPerVertex() * given.getOrDefault(host, 0);
-        return told.length == bytes && ByteBuffer.wrap(told).getInt() == agreement;
+        return values.length == bytes && ByteBuffer.wrap(values).getInt() == agreement;
     }
 
-    /** What a host receives that takes from these sources. */
-    private byte[] gift(List<Source> from, Map<Host, Reply> said) {
-        ByteBuffer gift = ByteBuffer.allocate(ArraySize.of("bytes of ghost values",
+    /** The ghost values for a host, from these sources. */
+    private byte[] values(List<Source> from, Map<Host, Reply> said) {
+        ByteBuffer values = ByteBuffer.allocate(ArraySize.of("bytes of ghost values",
                 Integer.BYTES + (long) bytesPerVertex() * from.size())).putInt(agreement);
-        from.forEach(source -> gift.put(said.get(source.host).given(),
+        from.forEach(source -> values.put(said.get(source.host).given(),
                 Integer.BYTES + bytesPerVertex() * source.place, bytesPerVertex()));
-        return gift.array();
+        return values.array();
     }
 }

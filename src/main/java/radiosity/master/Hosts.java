@@ -41,14 +41,13 @@ final class Hosts {
     private int failures;
 
     /** What hosts have to do. */
-    record Work(HostCalls calls, InFlightSteps underWay, BlockAssignment assignment, ShotLog log,
-                SharedTotals totals, RoundTimes times) { }
+    record Work(HostCalls calls, InFlightSteps underWay, BlockAssignment assignment, ShotLog log) { }
 
     /**
      * @param task        see {@link SceneBytes}
      * @param fingerprint of the mesh that comes of it
      * @param threads     to go on with in this process
-     * @param notices     told what the user should know
+     * @param notices     gets one line for each thing that the user should know
      */
     Hosts(byte[] task, String fingerprint, int threads, Consumer<String> notices, Work work) {
         this.task = task;
@@ -67,7 +66,7 @@ final class Hosts {
     /** @throws NoWorkerException where no host can be used */
     void open(List<Link> links) throws IOException {
         present.addAll(finder.open(links));
-        present.forEach(work.totals()::welcome);
+        present.forEach(work.log()::welcome);
         if (present.isEmpty()) {
             finder.close();
             throw new NoWorkerException("hosts: expected at least one that can be used, got none");
@@ -92,20 +91,20 @@ final class Hosts {
                 lose(one.getKey(), one.getValue());
             }
             long begin = System.nanoTime();
-            int heirs = adopt();
+            int owners = adopt();
             double seconds = (System.nanoTime() - begin) * 1e-9;
             now.forEach((host, why) -> notices.accept("host " + host.name() + " lost (" + why.getMessage() + "); "
-                    + movedTo(blocks.get(host), heirs, seconds)));
+                    + movedTo(blocks.get(host), owners, seconds)));
         }
     }
 
-    private String movedTo(int blocks, int heirs, double seconds) {
+    private String movedTo(int blocks, int owners, double seconds) {
         if (blocks == 0) {
             return "it had no blocks";
         }
         return String.format(Locale.ROOT, "its %s to %s, rebuilt in %.1f s",
                 blocks == 1 ? "1 block moves" : blocks + " blocks move",
-                alone != null ? "this machine" : heirs == 1 ? "1 host" : heirs + " hosts", seconds);
+                alone != null ? "this machine" : owners == 1 ? "1 host" : owners + " hosts", seconds);
     }
 
     private void lose(Host host, HostLostException why) throws IOException {
@@ -124,7 +123,7 @@ final class Hosts {
     }
 
     private void remove(Host host, String state) {
-        gone.add(host.load.statistics(host.name(), state, 0, work.times().criticalPath()));
+        gone.add(host.load.statistics(host.name(), state, 0, work.underWay().criticalPath()));
         present.remove(host);
         work.assignment().lose(host);
     }
@@ -134,17 +133,17 @@ final class Hosts {
         if (present.isEmpty()) {
             goOnAlone();
         }
-        List<Integer> orphans = work.assignment().deal(present);
-        Map<Host, List<Integer>> heirs = new LinkedHashMap<>();
+        List<Integer> dealt = work.assignment().deal(present);
+        Map<Host, List<Integer>> gained = new LinkedHashMap<>();
         for (Host host : present) {
             List<Integer> blocks = new ArrayList<>(work.assignment().blocks(host));
-            blocks.retainAll(orphans);
+            blocks.retainAll(dealt);
             if (!blocks.isEmpty()) {
-                heirs.put(host, blocks);
+                gained.put(host, blocks);
             }
         }
-        Map<Host, List<byte[]>> answers = work.calls().onAll(heirs.keySet(),
-                host -> host.take(work.log().adoption(heirs.get(host))));
+        Map<Host, List<byte[]>> answers = work.calls().onAll(gained.keySet(),
+                host -> host.take(work.log().adoption(gained.get(host))));
         work.underWay().add(answers);
         return answers.size();
     }
@@ -182,7 +181,7 @@ final class Hosts {
     }
 
     private void join(Host host) {
-        work.totals().welcome(host);
+        work.log().welcome(host);
         present.add(host);
     }
 
@@ -239,7 +238,7 @@ final class Hosts {
     List<HostStatistics> statistics() {
         List<HostStatistics> all = new ArrayList<>(gone);
         present.forEach(host -> all.add(host.load.statistics(host.name(), "working",
-                work.assignment().blocks(host).size(), work.times().criticalPath())));
+                work.assignment().blocks(host).size(), work.underWay().criticalPath())));
         return all;
     }
 

@@ -15,27 +15,41 @@ import radiosity.master.host.HostCalls;
 import radiosity.master.host.HostLoad;
 import radiosity.protocol.Order;
 import radiosity.protocol.Reply;
+import radiosity.solution.HostStatistics;
+import radiosity.solution.WorldStatistics;
 
 /**
- * Steps that hosts were given and have not all done. Nobody waits for the others between steps, and what a host needs
- * next is on its way while it computes. The answers to a step belong to the caller who gave it, see {@link Step}.
+ * Steps that hosts were given and have not all done, and what those took that are done. No host waits for the others
+ * between steps, and what a host needs next is on its way while it computes. The answers to a step belong to the caller
+ * who gave it, see {@link Step}.
  *
- * <p>Where a host is lost, its answers to steps that not all have answered do not count any more: whoever makes its
- * blocks again, answers again.
+ * <p>Where a host is lost, its answers to steps that not all hosts have answered do not count any more: the host that
+ * takes over its blocks answers again.
  */
 final class InFlightSteps {
 
     private final HostCalls calls;
     private final ShotLog log;
     private final Deque<Step> steps = new ArrayDeque<>();
-    /** Questions that were answered, but not by all hosts: the last ones, in their order. */
-    private final List<Step> torn = new ArrayList<>();
-    /** When the last step was seen to be done, ns. */
+    /** Questions that some hosts have answered, and others were lost: the last ones, in their order. */
+    private final List<Step> partlyAnswered = new ArrayList<>();
+    private final LongSupplier clock;
+    /** When the calculation began, and when the last step was seen to be done, ns. */
+    private final long opened;
     private long seen;
+    /** Sums over the steps that are done; times in s. */
+    private int rounds;
+    private double criticalPath;
+    private double cpu;
+    private double slowest;
+    private double wall;
 
-    InFlightSteps(HostCalls calls, ShotLog log) {
+    /** @param clock for differences, ns */
+    InFlightSteps(HostCalls calls, ShotLog log, LongSupplier clock) {
         this.calls = calls;
         this.log = log;
+        this.clock = clock;
+        opened = clock.getAsLong();
     }
 
     /** An order that hosts were given, and what they have replied. */
@@ -44,6 +58,7 @@ final class InFlightSteps {
         private final Order order;
         private final int shots;
         private long begin;
+        /** What the slowest host had reached when this step was begun, s; see {@link HostLoad}. */
         private double given;
         private Map<Host, FutureTask<Reply>> running;
         private double seconds;
@@ -70,14 +85,14 @@ final class InFlightSteps {
             return seconds;
         }
 
-        /** What the slowest host had reached when this step was begun, s; see {@link HostLoad}. */
-        double given() {
-            return given;
-        }
-
         /** Whether all hosts that are not lost have done it. */
         boolean isDone() {
             return replies != null;
+        }
+
+        /** What the slowest host took, s. */
+        double slowest() {
+            return replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0);
         }
 
         /** Of hosts that were not lost, in their order. */
@@ -101,24 +116,21 @@ final class InFlightSteps {
         return steps.size();
     }
 
-    /**
-     * @param now   ns
-     * @param given see {@link HostLoad}
-     */
-    void begin(Collection<Host> hosts, Step step, byte[] bytes, long now, double given) {
+    /** @param bytes what each host receives, its ghost values besides */
+    void begin(Collection<Host> hosts, Step step, byte[] bytes) {
         step.running = new LinkedHashMap<>();
-        step.begin = now;
-        step.given = given;
+        step.begin = clock.getAsLong();
+        step.given = criticalPath;
         for (Host host : hosts) {
             long number = host.nextRound();
-            byte[] all = host.withTold(bytes);
+            byte[] all = host.withGhostValues(bytes);
             step.running.put(host, host.begin(() -> host.round(number, all)));
         }
         steps.add(step);
     }
 
     /** Waits for the first one. */
-    Step await(LongSupplier clock) {
+    Step await() {
         Step first = steps.remove();
         first.replies = calls.await(first.running);
         first.running = null;
@@ -127,34 +139,56 @@ final class InFlightSteps {
         seen = now;
         if (first.order.isAnswered()) {
             first.replies.forEach((host, reply) -> first.answers.put(host, new ArrayList<>(List.of(reply.answer()))));
-            torn.add(first);
+            partlyAnswered.add(first);
         }
         if (!calls.isAnyLost()) {
-            mended();
+            allAnswered();
+            count(first);
         }
         return first;
+    }
+
+    private void count(Step done) {
+        rounds++;
+        done.replies.forEach((host, reply) -> {
+            host.load.add(reply, done.given);
+            criticalPath = Math.max(criticalPath, host.load.reached());
+        });
+        cpu += done.replies.values().stream().mapToDouble(Reply::cpu).sum();
+        slowest += done.slowest();
+        wall += done.seconds;
+    }
+
+    /** What the slowest host has reached, s; see {@link HostLoad}. */
+    double criticalPath() {
+        return criticalPath;
+    }
+
+    WorldStatistics statistics(List<HostStatistics> hosts) {
+        double all = (clock.getAsLong() - opened) * 1e-9;
+        return new WorldStatistics(hosts, rounds, criticalPath, cpu, wall - slowest, all - wall);
     }
 
     /*---- Losing hosts ----*/
 
     void lose(Host host) {
-        torn.forEach(step -> step.answers.remove(host));
+        partlyAnswered.forEach(step -> step.answers.remove(host));
     }
 
-    /** @param answers of each host that has answered the torn questions again on lost blocks, in their order */
+    /** @param answers of each host to the partly answered questions, in their order, on blocks it has taken over */
     void add(Map<Host, List<byte[]>> answers) {
         answers.forEach((host, again) -> {
             Iterator<byte[]> next = again.iterator();
-            torn.forEach(step -> step.answers.computeIfAbsent(host, h -> new ArrayList<>()).add(next.next()));
+            partlyAnswered.forEach(step -> step.answers.computeIfAbsent(host, h -> new ArrayList<>()).add(next.next()));
         });
     }
 
-    /** All hosts are there that have something to say. */
-    void mended() {
-        for (Step step : torn) {
+    /** No host is missing whose answers are. */
+    void allAnswered() {
+        for (Step step : partlyAnswered) {
             step.isAnswered = true;
             log.remove(step.order);
         }
-        torn.clear();
+        partlyAnswered.clear();
     }
 }

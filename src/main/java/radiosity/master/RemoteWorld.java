@@ -26,9 +26,9 @@ import radiosity.solver.World;
 /**
  * A world whose elements are on other machines (section 4.5.3 of the paper).
  *
- * <p>Each host owns some blocks. What is done in a round goes into a log before any host is told; from a block's state
- * at the last checkpoint and that log any other host makes the block again, to the same bits. So a host may be lost at
- * any time, blocks may move, and with no host left the calculation goes on in this process.
+ * <p>Each host owns some blocks. What is done in a round goes into a log before any host receives it; from a block's
+ * state at the last checkpoint and that log any other host makes the block again, to the same bits. So a host may be
+ * lost at any time, blocks may move, and with no host left the calculation goes on in this process.
  */
 public final class RemoteWorld extends World {
 
@@ -37,8 +37,6 @@ public final class RemoteWorld extends World {
 
     private final BlockAssignment assignment;
     private final ShotLog log;
-    private final SharedTotals totals;
-    private final RoundTimes times;
     private final Hosts hosts;
     private final HostCalls calls = new HostCalls();
     private final InFlightSteps underWay;
@@ -52,7 +50,7 @@ public final class RemoteWorld extends World {
      * Opens a session with every host that can be reached.
      *
      * @param threads to go on with in this process where all hosts are lost
-     * @param notices told what the user should know about hosts, one line each
+     * @param notices gets one line for each thing that the user should know about hosts
      * @throws NoWorkerException        where no host can be used
      * @throws IllegalArgumentException where the number of threads is below 1
      */
@@ -66,16 +64,13 @@ public final class RemoteWorld extends World {
                 LongSupplier clock) throws IOException {
         super(scene, settings, threads);
         this.clock = clock;
-        times = new RoundTimes(clock);
-        totals = new SharedTotals(mesh, calls);
-        log = new ShotLog(patches());
-        underWay = new InFlightSteps(calls, log);
+        log = new ShotLog(mesh, calls);
+        underWay = new InFlightSteps(calls, log, clock);
         halo = new HaloExchange(calls, mesh);
         assignment = new BlockAssignment(mesh);
-        hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
-                new Hosts.Work(calls, underWay, assignment, log, totals, times));
-        steps = new RemoteSteps(calls, underWay, hosts, new RemoteSteps.Counts(log, totals, times, assignment), halo,
-                clock);
+        Hosts.Work work = new Hosts.Work(calls, underWay, assignment, log);
+        hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices, work);
+        steps = new RemoteSteps(work, hosts, halo);
         hosts.open(links);
         steps.recover();
     }
@@ -112,19 +107,19 @@ public final class RemoteWorld extends World {
      * gather elsewhere; how things stand is asked when they have come.
      */
     @Override
-    public Begun begin(Order order, StepTimes told) throws IOException {
-        askNext(told);
+    public Begun begin(Order order, StepTimes times) throws IOException {
+        askNext(times);
         admit();
         agree(order);
         if (!order.changes()) {
-            Step asked = steps.begin(order, prepare(order), told);
+            Step asked = steps.begin(order, prepare(order), times);
             return later -> sum(decode(answers(asked, later)), order.most());
         }
         boolean isExchanged = order.isAnswered() && halo.isShared(order);
         Order silent = order.asking(isExchanged ? Order.Question.GHOST_VALUES : Order.Question.NOTHING);
-        Step first = steps.begin(silent, prepare(silent), told);
+        Step first = steps.begin(silent, prepare(silent), times);
         if (isExchanged) {
-            steps.beginRest(order.shots().size(), told);
+            steps.beginRest(order.shots().size(), times);
         }
         Question question = new Question(Order.plain(Order.Kind.ASK, order.question()),
                 isExchanged ? first : null);
@@ -132,7 +127,7 @@ public final class RemoteWorld extends World {
             next = question;
         }
         if (!isExchanged) {
-            askNext(told);
+            askNext(times);
         }
         return question;
     }
@@ -141,7 +136,7 @@ public final class RemoteWorld extends World {
     private final class Question implements Begun {
 
         private final Order order;
-        /** By which hosts tell what they have gathered for each other; null where they need not. */
+        /** The step whose replies bring ghost values; null where hosts gather none for each other. */
         private final Step exchange;
         /** Null before hosts are asked. */
         private Step asked;
@@ -152,16 +147,16 @@ public final class RemoteWorld extends World {
         }
 
         @Override
-        public Answer answer(StepTimes told) throws IOException {
+        public Answer answer(StepTimes times) throws IOException {
             if (asked == null) {
-                askNext(told);
+                askNext(times);
             }
-            return sum(decode(answers(asked, told)), order.most());
+            return sum(decode(answers(asked, times)), order.most());
         }
     }
 
     /** Asks how things stand after the last order, where hosts were not asked yet. */
-    private void askNext(StepTimes told) throws IOException {
+    private void askNext(StepTimes times) throws IOException {
         if (next == null) {
             return;
         }
@@ -169,17 +164,17 @@ public final class RemoteWorld extends World {
         next = null;
         if (question.exchange != null) {
             while (!question.exchange.isDone()) {
-                steps.await(told);
+                steps.await(times);
             }
             steps.recover();
             halo.deliver(question.exchange);
         }
-        question.asked = steps.begin(question.order, prepare(question.order), told);
+        question.asked = steps.begin(question.order, prepare(question.order), times);
     }
 
     /*---- Vertices that several hosts have ----*/
 
-    /** Has hosts agree who gathers where, if they have to before an order. */
+    /** Has hosts agree which of them gathers where, if they have to before an order. */
     private void agree(Order order) throws IOException {
         if (halo.isOpen(order)) {
             exchange();
@@ -190,32 +185,32 @@ public final class RemoteWorld extends World {
         }
     }
 
-    /** Tells hosts what they have gathered for each other up to now; nothing is under way then. */
+    /** Gives hosts what they have gathered for each other up to now; nothing is under way then. */
     private void exchange() throws IOException {
         finish(NOBODY);
-        if (halo.isOwed()) {
-            halo.deliver(steps.tell(Order.plain(Order.Kind.ASK, Order.Question.GHOST_VALUES)));
-            steps.tell(Order.plain(Order.Kind.ASK, Order.Question.NOTHING));
+        if (halo.isUndelivered()) {
+            halo.deliver(steps.carryOut(Order.plain(Order.Kind.ASK, Order.Question.GHOST_VALUES)));
+            steps.carryOut(Order.plain(Order.Kind.ASK, Order.Question.NOTHING));
         }
     }
 
     @Override
-    public void finish(StepTimes told) throws IOException {
-        askNext(told);
+    public void finish(StepTimes times) throws IOException {
+        askNext(times);
         do {
-            steps.awaitAll(told);
+            steps.awaitAll(times);
             steps.recover();
         } while (underWay.count() > 0);
         assignment.settle(hosts.present());
     }
 
     /** Waits until all hosts have answered an order. */
-    private List<byte[]> answers(Step step, StepTimes told) throws IOException {
+    private List<byte[]> answers(Step step, StepTimes times) throws IOException {
         while (!step.isAnswered()) {
             if (calls.isAnyLost()) {
                 steps.recover();
             } else {
-                steps.await(told);
+                steps.await(times);
             }
         }
         return step.answers();
@@ -231,13 +226,13 @@ public final class RemoteWorld extends World {
         return clock.getAsLong();
     }
 
-    /** Everything that comes before the hosts are told. */
+    /** Everything that comes before hosts receive an order. */
     private byte[] prepare(Order order) throws IOException {
         if (order.changes() && log.isCheckpointDue()) {
             blocks();
         }
         if (order.gathersTotals()) {
-            totals.tell(hosts.present());
+            log.inform(hosts.present());
         }
         byte[] bytes = order.encodeShort();
         if (order.changes() || order.isAnswered()) {
@@ -253,7 +248,7 @@ public final class RemoteWorld extends World {
         for (byte[] bytes : round(Order.asking(Order.Kind.TREES, 0))) {
             trees.addAll(Wire.trees(Wire.input(bytes)));
         }
-        return totals.of(joined(trees), crew);
+        return log.totals(joined(trees), crew);
     }
 
     /*---- Losing hosts, and finding them again ----*/
@@ -310,13 +305,13 @@ public final class RemoteWorld extends World {
         halo.forget();
         steps.recover();
         if (mesh.predicts()) {
-            totals.set(super.totals(), hosts.present());
+            log.restart(super.totals(), hosts.present());
         }
     }
 
     /** What was computed where so far. */
     public WorldStatistics statistics() {
-        return times.statistics(hosts.statistics());
+        return underWay.statistics(hosts.statistics());
     }
 
     @Override

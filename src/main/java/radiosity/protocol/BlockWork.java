@@ -9,17 +9,17 @@ import java.io.IOException;
  *
  * @param elements that it has now
  * @param points   receiving points that it has now
- * @param told     points at which was gathered; one that several blocks of a host share counts for one of them
+ * @param gathered points at which was gathered; one that several blocks of a host share counts for one of them
  * @param seconds  processor time
  */
-public record BlockWork(int elements, int points, int told, float seconds) {
+public record BlockWork(int elements, int points, int gathered, float seconds) {
 
     static final int BYTES = 3 * Integer.BYTES + Float.BYTES;
 
     void write(DataOutput out) throws IOException {
         out.writeInt(elements);
         out.writeInt(points);
-        out.writeInt(told);
+        out.writeInt(gathered);
         out.writeFloat(seconds);
     }
 

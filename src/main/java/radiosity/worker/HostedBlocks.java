@@ -26,8 +26,8 @@ final class HostedBlocks {
     private final Set<Integer> owned = new TreeSet<>();
     private PartitionImpl partition;
     private final ShotHistory totals;
-    /** Orders that were not done yet where other hosts gather. */
-    private final List<Order> owed = new ArrayList<>();
+    /** Orders that were not carried out yet where other hosts gather: their ghost values have not come. */
+    private final List<Order> withoutGhosts = new ArrayList<>();
     private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
@@ -59,7 +59,7 @@ final class HostedBlocks {
      * @return what the newcomers answer to the orders that are answered
      */
     List<byte[]> take(BlockTakeover adoption) throws IOException {
-        settle();
+        gatherMissing();
         List<byte[]> answers = new ArrayList<>();
         owned.removeAll(adoption.leave());
         Map<Integer, byte[]> states = states(owned, partition);
@@ -101,7 +101,7 @@ final class HostedBlocks {
         return states;
     }
 
-    /** Takes what was shot so far for what is told. */
+    /** Replaces what was shot so far. */
     void know(List<Shot> shot) {
         totals.set(shot);
     }
@@ -110,7 +110,7 @@ final class HostedBlocks {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);
         if (in.available() > 0 && partition.takeGhosts(in)) {
-            owed.clear();
+            withoutGhosts.clear();
         }
         if (mesh.predicts() && order.marks()) {
             totals.add(order.shots());
@@ -123,14 +123,14 @@ final class HostedBlocks {
     private byte[] gather(Order order) {
         Order whole = whole(order);
         if (partition.ghosts().isTaking()) {
-            owed.add(whole);
+            withoutGhosts.add(whole);
         }
         return partition.round(whole);
     }
 
     private byte[] answer(Order order) {
         if (!order.givesGhosts() && order.kind() != Order.Kind.REST) {
-            settle();
+            gatherMissing();
         }
         return partition.round(order);
     }
@@ -145,15 +145,15 @@ final class HostedBlocks {
         return given;
     }
 
-    /** Gathers where other hosts should have gathered and this one was not told what came of it. */
-    private void settle() {
-        owed.forEach(partition::gatherAtGhosts);
-        owed.clear();
+    /** Gathers where other hosts should have gathered, and their values have not come. */
+    private void gatherMissing() {
+        withoutGhosts.forEach(partition::gatherAtGhosts);
+        withoutGhosts.clear();
     }
 
     /** See {@link GhostVertices#name}. */
     byte[] border() {
-        settle();
+        gatherMissing();
         return partition.ghosts().name();
     }
 
@@ -163,7 +163,7 @@ final class HostedBlocks {
     }
 
     byte[] block(int id) {
-        settle();
+        gatherMissing();
         return partition.block(id);
     }
 }

@@ -76,7 +76,7 @@ public final class PartitionPort implements AutoCloseable {
     /**
      * Serves from now on.
      *
-     * @param log told about masters, one line each
+     * @param log gets one line for each master that comes or goes
      * @throws RemoteException where the ports cannot be had
      */
     public static PartitionPort open(Options options, Consumer<String> log) throws IOException {

@@ -3,6 +3,7 @@ package radiosity.worker;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.LocalTime;
@@ -12,7 +13,7 @@ import java.util.List;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import radiosity.partition.ProcessorTime;
+import radiosity.partition.BlockCosts;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.Greeting;
 import radiosity.protocol.Reply;
@@ -45,7 +46,6 @@ public final class ServedPartition implements RemotePartition {
     private final int threads;
     private final Consumer<String> log;
     private final LongSupplier clock;
-    private final ProcessorTime processor;
 
     /** Everything below is guarded by {@code this}, and touched for moments only. */
     private Session current;
@@ -71,7 +71,7 @@ public final class ServedPartition implements RemotePartition {
         }
     }
 
-    /** @param log told about sessions, one line each */
+    /** @param log gets one line for each session that begins or ends */
     public ServedPartition(int threads, Consumer<String> log) {
         this(threads, log, System::nanoTime);
     }
@@ -81,7 +81,6 @@ public final class ServedPartition implements RemotePartition {
         this.threads = threads;
         this.log = log;
         this.clock = clock;
-        processor = new ProcessorTime(threads);
     }
 
     @Override
@@ -232,12 +231,24 @@ public final class ServedPartition implements RemotePartition {
         }
     }
 
+    /**
+     * Processor time so far, of this thread where it alone computes, else of the process: it says something also on a
+     * busy machine. 0 where the machine does not say.
+     */
+    private double processorSeconds() {
+        if (threads == 1) {
+            return BlockCosts.now() * 1e-9;
+        }
+        return ManagementFactory.getOperatingSystemMXBean() instanceof com.sun.management.OperatingSystemMXBean system
+                ? system.getProcessCpuTime() * 1e-9 : 0;
+    }
+
     private byte[] round(HostedBlocks blocks, byte[] order) {
         long begin = System.nanoTime();
-        double cpu = processor.seconds();
+        double cpu = processorSeconds();
         try {
             byte[] answer = blocks.round(order);
-            double spent = processor.seconds() - cpu;
+            double spent = processorSeconds() - cpu;
             return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent),
                     blocks.given()).encode();
         } catch (IOException e) {

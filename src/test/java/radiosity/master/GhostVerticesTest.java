@@ -117,7 +117,7 @@ class GhostVerticesTest {
             isShooting[0] = order.gathers() ? order.kind() == Order.Kind.SHOOT : isShooting[0];
             // hosts may be asked before they gather at the rest of their points
             if (isShooting[0] && (order.gathers() || order.kind() == Order.Kind.REST)) {
-                told.addAndGet(reply.work().stream().mapToLong(BlockWork::told).sum());
+                told.addAndGet(reply.work().stream().mapToLong(BlockWork::gathered).sum());
             }
             return reply;
         });

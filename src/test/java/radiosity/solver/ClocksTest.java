@@ -81,7 +81,7 @@ class ClocksTest {
         long begin = clock.getAsLong();
         double seconds = (clock.getAsLong() - begin) * 1e-9;
         List<BlockWork> work = reply.work().stream()
-                .map(block -> new BlockWork(block.elements(), block.points(), block.told(),
+                .map(block -> new BlockWork(block.elements(), block.points(), block.gathered(),
                         (float) (seconds / reply.work().size()))).toList();
         return new Reply(reply.answer(), seconds, seconds, work, reply.given());
     }

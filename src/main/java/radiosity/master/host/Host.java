@@ -37,7 +37,7 @@ import radiosity.worker.ShotHistory;
  */
 public final class Host implements AutoCloseable {
 
-    /** Silent for so long: the user is told; the host is lost. Seconds. */
+    /** A silence after which the user is notified, s. */
     private static final double NOTICED = 3;
     private static final long HEARTBEAT_MILLISECONDS = 1000;
     private static final long LOOK_MILLISECONDS = 100;
@@ -71,7 +71,7 @@ public final class Host implements AutoCloseable {
     public double seconds;
     public final HostLoad load = new HostLoad();
     /** What others have gathered for it, which goes with its next order; or empty. */
-    private byte[] told = {};
+    private byte[] ghostValues = {};
 
     /** @param threads that the host computes with */
     public Host(Link link, RemotePartition remote, int threads, Consumer<String> notices) {
@@ -103,8 +103,8 @@ public final class Host implements AutoCloseable {
         return null;
     }
 
-    /** Pairs per second. */
-    public double pace() {
+    /** Pairs of receiving point and shooter per second. */
+    public double pairsPerSecond() {
         return pairs / seconds;
     }
 
@@ -164,19 +164,19 @@ public final class Host implements AutoCloseable {
         return ++rounds;
     }
 
-    /** @param gift what others have gathered for it: goes with its next order, see {@link GhostVertices} */
-    public void tell(byte[] gift) {
-        told = gift;
+    /** @param values what others have gathered for it: goes with its next order, see {@link GhostVertices} */
+    public void addGhostValues(byte[] values) {
+        ghostValues = values;
     }
 
-    /** @return what it is sent for an order: what it is to be told with it follows */
-    public byte[] withTold(byte[] order) {
-        if (told.length == 0) {
+    /** @return an order, and after it the ghost values that have come for this host */
+    public byte[] withGhostValues(byte[] order) {
+        if (ghostValues.length == 0) {
             return order;
         }
-        byte[] all = Arrays.copyOf(order, order.length + told.length);
-        System.arraycopy(told, 0, all, order.length, told.length);
-        told = new byte[0];
+        byte[] all = Arrays.copyOf(order, order.length + ghostValues.length);
+        System.arraycopy(ghostValues, 0, all, order.length, ghostValues.length);
+        ghostValues = new byte[0];
         return all;
     }
 
@@ -256,13 +256,13 @@ public final class Host implements AutoCloseable {
         return await(call, notices);
     }
 
-    /** @param told notified when the host falls silent, once per silence */
-    <T> T await(FutureTask<T> call, Consumer<String> told) throws HostLostException {
+    /** @param lines gets a line when the host falls silent, once per silence */
+    <T> T await(FutureTask<T> call, Consumer<String> lines) throws HostLostException {
         while (true) {
             try {
                 return call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException e) {
-                checkSilence(told);
+                checkSilence(lines);
             } catch (ExecutionException e) {
                 throw HostFailure.because(e.getCause());
             } catch (InterruptedException e) {
@@ -271,7 +271,7 @@ public final class Host implements AutoCloseable {
         }
     }
 
-    private void checkSilence(Consumer<String> told) throws HostLostException {
+    private void checkSilence(Consumer<String> lines) throws HostLostException {
         long since = heard;
         double silent = (System.nanoTime() - since) * 1e-9;
         if (silent > RetryPolicy.LOST_SECONDS) {
@@ -279,7 +279,7 @@ public final class Host implements AutoCloseable {
         }
         if (silent > NOTICED && noticed != since) {
             noticed = since;
-            told.accept("host " + name() + " silent for " + Math.round(silent) + " s");
+            lines.accept("host " + name() + " silent for " + Math.round(silent) + " s");
         }
     }
 
