@@ -23,6 +23,8 @@ public final class LightSources {
     private static final double MOUNTED = 1e-4;
     /** Most points of a luminaire along an edge. */
     private static final int MOST_POINTS = 16;
+    /** Points at which the flux of lights is measured, about. */
+    private static final int FLUX_POINTS = 1 << 16;
     /** How far away a distant light is, of the scene's size. */
     private static final double FAR = 4;
 
@@ -52,14 +54,52 @@ public final class LightSources {
      * @param to    modified: irradiance, one per channel from {@code first}, W/m²
      */
     public void add(float[] place, int at, int face, double[] to, int first) {
-        Vec3 x = new Vec3(place[at], place[at + 1], place[at + 2]);
-        Vec3 n = new Vec3(faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
+        add(new Vec3(place[at], place[at + 1], place[at + 2]),
+                new Vec3(faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2)), to, first);
+    }
+
+    /**
+     * The same at any point.
+     *
+     * @param x of the scene brought to size 1
+     * @param n unit direction of the side that receives
+     */
+    public void add(Vec3 x, Vec3 n, double[] to, int first) {
         for (int i = 0; i < lights.size(); i++) {
             double share = irradiance(lights.get(i), x, n);
             for (int c = 0; c < faces.channels(); c++) {
                 to[first + c] += share * faces.power(i, c);
             }
         }
+    }
+
+    /**
+     * Flux that arrives of all lights, at points spread over all faces: whatever the mesh, one per channel, W.
+     */
+    public double[] flux() {
+        double[] flux = new double[faces.channels()];
+        double[] sum = new double[faces.channels()];
+        for (int f = 0; f < faces.count(); f++) {
+            Vec3 a = corner(f, 0);
+            Vec3 ab = corner(f, 1).minus(a);
+            Vec3 ac = corner(f, 2).minus(a);
+            Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
+            int points = (int) Math.max(1, Math.ceil(FLUX_POINTS * faces.area(f) / faces.area()));
+            for (int i = 1; i <= points; i++) {
+                double r = Math.sqrt(PointSequence.u(i));
+                double s = PointSequence.v(i);
+                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0);
+            }
+            for (int c = 0; c < sum.length; c++) {
+                flux[c] += sum[c] / points * faces.area(f) * faces.size() * faces.size();
+                sum[c] = 0;
+            }
+        }
+        return flux;
+    }
+
+    private Vec3 corner(int face, int k) {
+        return new Vec3(faces.corner(face, k, 0), faces.corner(face, k, 1), faces.corner(face, k, 2));
     }
 
     /** Irradiance at x where the light's power is 1. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import radiosity.formfactor.FormFactorCalculators;
+import radiosity.formfactor.LightSources;
 import radiosity.mesh.Block;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
@@ -133,6 +134,11 @@ public final class InitialMesh {
      */
     public boolean gathersOnce() {
         return (predicts() || settings.schedule() == Schedule.PAPER) && Double.isInfinite(settings.meshing());
+    }
+
+    /** Flux of sources without geometry that arrives, whatever the mesh, one per channel, W. */
+    public double[] lightFlux() {
+        return new LightSources(faces, bounds()).flux();
     }
 
     /** Whether all flux that is shot must be received. */

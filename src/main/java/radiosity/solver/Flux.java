@@ -36,10 +36,17 @@ final class Flux {
         emitted = mesh.emitted.clone();
     }
 
-    /** Before the first shot of a patch, what was received came from lights. */
+    /**
+     * Before the first shot of a patch, what was received came from lights. Where all flux must be received, the first
+     * mesh is not fine enough to say how much that is.
+     */
     void countLights(Answer first) {
-        for (int c = 0; c < shot.length && !mesh.scene.lights().isEmpty(); c++) {
-            shot[c] = first.received[c].value();
+        if (mesh.scene.lights().isEmpty()) {
+            return;
+        }
+        double[] exact = mesh.conserves() ? mesh.lightFlux() : new double[0];
+        for (int c = 0; c < shot.length; c++) {
+            shot[c] = exact.length > 0 ? exact[c] : first.received[c].value();
             emitted[c] = mesh.emitted[c] + shot[c];
         }
     }

@@ -124,7 +124,7 @@ class CommandLineTest {
             --map x a b            | --map: expected <prefix=dir>, got x
             --content              | --content: expected <dir>, got nothing
             --size 640 a b         | --size: expected a size such as 640x480, each at most 16384, got 640
-            --size 64x48 a b       | --size: expected with --picture or -sn, got it without
+            --size 64x48 a b       | --size: expected with --picture, --false-colour or -sn, got it without
             --size 0x480 a b       | --size: expected a size such as 640x480, each at most 16384, got 0x480
             --size 640x480x3 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x480x3
             --size 640x99999 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x99999

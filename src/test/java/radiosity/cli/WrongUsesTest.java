@@ -69,6 +69,19 @@ class WrongUsesTest {
             RadiosityRenderer --picture @/a.lws @/o.scene          | 2 | --picture: expected a name that ends in .png, .jpg or .hdr, got @/a.lws
             RadiosityRenderer --picture @/o.png --report @/o.png @/a.lws @/o.scene | 2 | @/o.png: expected a file of its own for each output, got one twice
             RadiosityRenderer --report @/o.scene.journal @/a.lws @/o.scene | 2 | @/o.scene.journal: expected a file of its own for each output, got the journal of @/o.scene
+            RadiosityRenderer --grid white @/g.csv @/a.lws @/o.scene | 2 | --grid: expected with --spacing, got it without
+            RadiosityRenderer --spacing 5 @/a.lws @/o.scene        | 2 | --spacing: expected with --grid, got it without
+            RadiosityRenderer --grid floor @/g.csv --spacing 50 @/a.lws @/o.scene | 2 | --grid: expected a surface of the scene (white, green, red, light) or a plane like y=0.85, got floor
+            RadiosityRenderer --grid y=900 @/g.csv --spacing 50 @/a.lws @/o.scene | 2 | --grid: expected a plane from y=0.0 to 548.7999877929688, got y=900
+            RadiosityRenderer --grid white @/a.lws @/o.scene       | 2 | --grid: expected a surface or plane and a table to write, got white @/a.lws
+            RadiosityRenderer --grid white @/g.csv --spacing 1e-3 @/a.lws @/o.scene | 2 | --grid: expected a spacing that gives at most 1000000 points, got 0.001
+            RadiosityRenderer --false-colour @/o.jpg @/a.lws @/o.scene | 2 | --false-colour: expected a name that ends in .png, got @/o.jpg
+            RadiosityRenderer --unit km @/a.lws @/o.scene          | 2 | --unit: expected mm, cm, m, in or ft, got km
+            RadiosityRenderer --luminaire Lamp @/a.lws @/o.scene   | 2 | --luminaire: expected <name=file>, got Lamp
+            RadiosityRenderer --luminaire Lamp=@/no.ies @/a.lws @/o.scene | 3 | @/no.ies: expected a readable file, got none
+            RadiosityRenderer --luminaire 1,1,1=@/poem.txt @/a.lws @/o.scene | 3 | a.lws: expected a unit of length (--unit) for luminaires, whose intensity is in cd, got none
+            RadiosityRenderer --unit mm --luminaire 1,1,1=@/poem.txt @/a.lws @/o.scene | 3 | @/poem.txt, line 3: expected a number (symmetry), got the end of the file
+            RadiosityRenderer --unit mm --luminaire Bulb=@/poem.txt @/a.lws @/o.scene | 3 | a.lws: expected a light that is called Bulb (--luminaire), or three coordinates x,y,z, got no lights
             RadiosityRenderer -tf @/a.lws @/a.lws @/o.scene        | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
             RadiosityRenderer -tf @/lit.scene 7 @/a.lws @/o.scene  | 2 | -tf: expected 0, with which @/lit.scene was saved, got 7
             RadiosityRenderer -tf @/lit.scene -pa 7 @/a.lws @/o.scene | 2 | -pa: expected none, with which @/lit.scene was made, got 7.0

@@ -10,6 +10,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import radiosity.input.SceneReader;
+import radiosity.settings.ReadOptions;
 
 /**
  * A valid choice of RadiosityRenderer's options.
@@ -20,8 +22,8 @@ final class RandomCommand {
 
     /** The options that a campaign uses, each by the first name that --help has for it. */
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
-            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--info", "--report", "-sn", "--lightmap",
-            "--lightmap-texels",
+            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info", "--report",
+            "-sn", "--lightmap", "--lightmap-texels", "--false-colour",
             "--picture", "--size", "--exposure", "--tone-mapping", "--frame", "--content", "--map", "--emission",
             "--lights", "--srgb", "--unit", "--photometric", "--luminaire", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
@@ -206,6 +208,10 @@ final class RandomCommand {
             rest("--picture", dice.of("picture.png", "picture.jpg", "picture.hdr"));
             pictures = true;
         }
+        if (!large && is("--false-colour", .06)) {
+            rest("--false-colour", "lux.png");
+            pictures = true;
+        }
         if (pictures) {
             rest("--size", dice.of("40x30", "64x64", "7x90"));
             if (is("--exposure", .3)) {
@@ -217,6 +223,10 @@ final class RandomCommand {
         }
         if (is("--points", .12)) {
             rest("--points", points().toString(), "points.csv");
+        }
+        if (!large && (is("--grid", .06) || wanted.equals("--spacing"))) {
+            rest("--grid", surface(), "grid.csv");
+            rest("--spacing", text(scene.size() / 8));
         }
         if (is("--report", .15)) {
             rest("--report", "report.json");
@@ -251,6 +261,12 @@ final class RandomCommand {
                     dice.of(0.0, 0.0, s / 3), s * dice.between(-1, .1)));
         }
         return Files.writeString(directory.resolve("in.csv"), text);
+    }
+
+    private String surface() throws IOException {
+        ReadOptions options = ReadOptions.defaults();
+        return SceneReader.read(scene.file(), scene.library() == null ? options
+                : options.withContent(List.of(scene.library())), line -> { }).surface(0).name();
     }
 
     /** What the run was made of, for the table. */

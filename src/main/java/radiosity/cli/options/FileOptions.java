@@ -1,6 +1,7 @@
 package radiosity.cli.options;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
@@ -41,14 +42,28 @@ public final class FileOptions {
             description = "Texels of the lightmap per scene unit. Chosen from the scene without it.")
     public Double lightmapTexels;
 
+    @Option(names = "--grid", paramLabel = "<where> <out.csv>", arity = "2", hideParamSyntax = true,
+            parameterConsumer = GridConsumer.class,
+            description = "Write illuminance on a grid of points, with average, minimum, maximum and uniformity: on a"
+                    + " surface, by its name, or on a plane like y=0.85 (-y=0.85: from below). Repeatable.")
+    public List<GridFile> grids = new ArrayList<>();
+
+    @Option(names = "--spacing", paramLabel = "<length>", converter = Values.Positive.class,
+            description = "With --grid: about how far apart its points are, scene units.")
+    public Double spacing;
+
     @Option(names = "--info", paramLabel = "<file>", description = "Print what a scene file holds, and exit.")
     public Path info;
 
     @Option(names = "--report", paramLabel = "<file>", description = "Write figures about the solution as JSON.")
     public Path report;
 
-    /** Fails where the options of the lightmap do not fit. */
+    /** Fails where the options of lightmap or grids do not fit. */
     void check() {
+        if (grids.isEmpty() != (spacing == null)) {
+            throw spacing == null ? Failure.commandLine("--grid", "expected with --spacing, got it without")
+                    : Failure.commandLine("--spacing", "expected with --grid, got it without");
+        }
         if (lightmap != null && !lightmap.toString().toLowerCase(Locale.ROOT).endsWith(".glb")) {
             throw Failure.commandLine("--lightmap", "expected a name that ends in .glb, got " + lightmap);
         }
@@ -72,6 +87,32 @@ public final class FileOptions {
      * @param out to be written
      */
     public record PointFiles(Path in, Path out) { }
+
+    /**
+     * A grid that is wanted ({@code --grid}).
+     *
+     * @param where a surface's name or a plane
+     * @param out   to be written
+     */
+    public record GridFile(String where, Path out) { }
+
+    /** Takes {@code where out.csv}. */
+    static final class GridConsumer implements IParameterConsumer {
+
+        private static final String TWO = "a surface or plane and a table to write";
+
+        @Override
+        public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
+            String where = Arguments.next(arguments, option, TWO);
+            String out = Arguments.next(arguments, option, TWO);
+            if (out.startsWith("-") || Arguments.isModel(out)) {
+                throw Arguments.wrong(option, "expected " + TWO + ", got " + where + " " + out);
+            }
+            List<GridFile> all = new ArrayList<>(option.<List<GridFile>>getValue());
+            all.add(new GridFile(where, Arguments.path(out, option)));
+            option.setValue(all);
+        }
+    }
 
     /** Takes {@code f n}. */
     static final class ResumeConsumer implements IParameterConsumer {

@@ -23,6 +23,11 @@ public final class PictureOptions {
             description = "Picture of the solution, .png, .jpg or (unclamped radiosities) .hdr. Repeatable.")
     public List<Path> pictures = new ArrayList<>();
 
+    @Option(names = "--false-colour", paramLabel = "<file.png>",
+            description = "Picture of illuminance in colours, with a legend and lines of equal illuminance."
+                    + " Repeatable.")
+    public List<Path> falseColours = new ArrayList<>();
+
     @Option(names = "--size", paramLabel = "<WxH>", converter = PictureSize.Parser.class,
             description = "Size of pictures in pixels. Default: " + USUAL_WIDTH + " wide, as high as the scene's"
                     + " camera has it.")
@@ -59,7 +64,7 @@ public final class PictureOptions {
 
     /** Whether any picture is to be made. */
     public boolean isWanted() {
-        return !pictures.isEmpty() || snapshotInterval != null;
+        return !pictures.isEmpty() || !falseColours.isEmpty() || snapshotInterval != null;
     }
 
     /** Pixels. */
@@ -74,7 +79,12 @@ public final class PictureOptions {
     /** Fails where a picture's name says no kind of picture. */
     void check() {
         if (size != null && !isWanted()) {
-            throw Failure.commandLine("--size", "expected with --picture or -sn, got it without");
+            throw Failure.commandLine("--size", "expected with --picture, --false-colour or -sn, got it without");
+        }
+        for (Path picture : falseColours) {
+            if (!picture.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
+                throw Failure.commandLine("--false-colour", "expected a name that ends in .png, got " + picture);
+            }
         }
         for (Path picture : pictures) {
             if (!picture.toString().toLowerCase(Locale.ROOT).matches(".*\\.(png|jpg|jpeg|hdr)")) {

@@ -11,12 +11,15 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.Failure;
+import radiosity.cli.options.FileOptions;
 import radiosity.cli.options.RendererOptions;
 import radiosity.cli.options.TimeLimit;
 import radiosity.gltf.GltfModel;
 import radiosity.input.SceneReader;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.gltf.SceneFile;
+import radiosity.output.grid.Grid;
+import radiosity.output.image.FalseColour;
 import radiosity.output.image.Snapshot;
 import radiosity.output.lightmap.Lightmap;
 import radiosity.output.model.LightmapModel;
@@ -76,9 +79,11 @@ public final class OutputFiles {
             checks.reserveSnapshots(options.output());
         }
         options.picture.pictures.forEach(checks::output);
+        options.picture.falseColours.forEach(checks::output);
         if (options.file.points != null) {
             checks.output(options.file.points.out());
         }
+        options.file.grids.forEach(grid -> checks.output(grid.out()));
         if (options.file.report != null) {
             checks.output(options.file.report);
         }
@@ -88,8 +93,15 @@ public final class OutputFiles {
         }
     }
 
-    /** Fails where an output would overwrite an image of the scene, before any work. */
+    /** Fails where an output would overwrite an image of the scene, or a grid has no points, before any work. */
     public void check(Scene scene) {
+        for (FileOptions.GridFile grid : options.file.grids) {
+            try {
+                Grid.check(scene, grid.where(), options.file.spacing);
+            } catch (IllegalArgumentException e) {
+                throw Failure.commandLine("--grid", e.getMessage());
+            }
+        }
         scene.surfaces().stream().flatMap(surface -> surface.textures().stream()).map(ImageMap::image)
                 .filter(image -> image.content().isEmpty()).map(ImageSource::name).distinct().map(Path::of)
                 .forEach(checks::partOfScene);
@@ -123,6 +135,10 @@ public final class OutputFiles {
         for (Path picture : options.picture.pictures) {
             failures.tried(() -> savePicture(solution, picture));
         }
+        for (Path picture : options.picture.falseColours) {
+            failures.tried(() -> write(picture, file -> FalseColour.write(file, solution,
+                    options.picture.camera(solution), options.picture.width())));
+        }
         if (options.file.points != null) {
             failures.tried(() -> write(options.file.points.out(),
                     out -> new Points(solution).write(options.file.points.in(), out)));
@@ -130,10 +146,19 @@ public final class OutputFiles {
         if (options.file.lightmap != null) {
             failures.tried(() -> write(options.file.lightmap, file -> saveLightmap(file, solution)));
         }
+        for (FileOptions.GridFile grid : options.file.grids) {
+            failures.tried(() -> saveGrid(solution, grid));
+        }
         if (options.file.report != null) {
             failures.tried(() -> write(options.file.report, file -> AtomicFile.write(file,
                     new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(summary.asJson()))));
         }
+    }
+
+    private void saveGrid(Solution solution, FileOptions.GridFile file) throws IOException {
+        Grid grid = Grid.of(solution, file.where(), options.file.spacing);
+        write(file.out(), grid::write);
+        System.out.println(SceneFormatException.escape(grid.summary()));
     }
 
     private void savePicture(Solution solution, Path file) throws IOException {

@@ -42,22 +42,21 @@ public final class Luminaires {
         Set<String> names = new TreeSet<>(options.luminaires().keySet());
         for (String name : names) {
             Path file = options.luminaires().get(name);
+            Vec3 place = place(name);
+            boolean found = lights.stream().anyMatch(light -> light.name().equals(name));
+            if (!found && place == null) {
+                String there = scene.lights().stream().map(Light::name).distinct().limit(20)
+                        .collect(Collectors.joining(", "));
+                throw new SceneFormatException(scene.name(), "", "a light that is called " + name
+                        + " (--luminaire), or three coordinates x,y,z", there.isEmpty() ? "no lights" : there);
+            }
             Photometry luminaire = Photometry.read(file, options.maxBytes());
-            boolean found = false;
             for (int i = 0; i < lights.size(); i++) {
                 if (lights.get(i).name().equals(name)) {
                     lights.set(i, at(lights.get(i), luminaire, scene, file));
-                    found = true;
                 }
             }
             if (!found) {
-                Vec3 place = place(name);
-                if (place == null) {
-                    String there = scene.lights().stream().map(Light::name).distinct().limit(20)
-                            .collect(Collectors.joining(", "));
-                    throw new SceneFormatException(scene.name(), "", "a light that is called " + name
-                            + " (--luminaire), or three coordinates x,y,z", there.isEmpty() ? "no lights" : there);
-                }
                 lights.add(luminaire(luminaire, name, place, DOWN, Vec3.ZERO, Rgb.grey(1), scene, file));
             }
         }

@@ -2,6 +2,7 @@ package radiosity.output.image;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import radiosity.output.mesh.Aabb;
@@ -9,6 +10,7 @@ import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.ArraySize;
@@ -96,6 +98,42 @@ public final class Snapshot {
         return new Picture(width, height, rgb);
     }
 
+    /**
+     * What arrives at the surfaces that are seen.
+     *
+     * @param value irradiance or illuminance, one per sample, from the upper left; not a number where nothing is seen
+     * @param plane one per sample: equal where they lie in one plane
+     */
+    record Values(int width, int height, float[] value, int[] plane) { }
+
+    /** One sample per pixel. */
+    static Values irradiance(Solution solution, Camera camera, int width) {
+        int height = (int) height(camera, width);
+        int size = ArraySize.of("picture of " + width + "x" + height + " pixels", width, height);
+        Values values = new Values(width, height, new float[size], new int[size]);
+        Snapshot snapshot = new Snapshot(solution, camera.position());
+        Units units = solution.scene().units();
+        IntStream.range(0, height).parallel().forEach(row -> {
+            float[] hit = new float[3];
+            for (int column = 0; column < width; column++) {
+                int element = snapshot.element(camera.direction(2 * (column + 0.5) / width - 1,
+                        1 - 2 * (row + 0.5) / height), hit);
+                int i = row * width + column;
+                values.value[i] = element < 0 ? Float.NaN
+                        : (float) units.total(snapshot.irradiance(element, hit[1], hit[2]));
+                values.plane[i] = element < 0 ? 0 : snapshot.plane(element);
+            }
+        });
+        return values;
+    }
+
+    private int plane(int element) {
+        Vec3 n = Elements.normal(solution, element);
+        double offset = n.dot(Elements.corner(solution, element, 0).minus(centre).times(scale));
+        return Arrays.hashCode(new long[] {Math.round(n.x() * 64), Math.round(n.y() * 64), Math.round(n.z() * 64),
+            Math.round(offset * 1024)});
+    }
+
     private Rgb pixel(Camera camera, int column, int row, int width, int height, UnaryOperator<Rgb> film) {
         double r = 0;
         double g = 0;
@@ -111,23 +149,36 @@ public final class Snapshot {
         return new Rgb(r, g, b).times(1.0 / (SAMPLES * SAMPLES));
     }
 
-    /** Radiosity of what a ray from the eye meets. From far away it begins near the scene, where floats are exact. */
+    /** Radiosity of what a ray from the eye meets. */
     private Rgb along(Vec3 direction) {
+        float[] hit = new float[3];
+        int element = element(direction, hit);
+        return element < 0 ? Rgb.BLACK : radiosity(element, hit[1], hit[2]);
+    }
+
+    /**
+     * The element that a ray from the eye meets, or -1. From far away it begins near the scene, where floats are exact.
+     *
+     * @param hit modified: distance, weights of corners 1 and 2
+     */
+    private int element(Vec3 direction, float[] hit) {
         Vec3 from = eye.minus(centre).times(scale);
         double skipped = Math.max(0, from.length() - SIZE);
         Vec3 o = from.plus(direction.times(skipped));
-        float[] hit = new float[3];
         int found = bounds.nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) direction.x(),
                 (float) direction.y(), (float) direction.z(), 4 * (float) SIZE, hit);
-        return found < 0 ? Rgb.BLACK : radiosity(facing[found], hit[1], hit[2]);
+        return found < 0 ? -1 : facing[found];
+    }
+
+    private Rgb irradiance(int element, double v, double w) {
+        int[] corners = solution.corners();
+        return solution.irradianceAt(corners[3 * element]).times(1 - v - w)
+                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
+                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
     }
 
     private Rgb radiosity(int element, double v, double w) {
-        int[] corners = solution.corners();
-        Rgb h = solution.irradianceAt(corners[3 * element]).times(1 - v - w)
-                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
-                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
         return solution.scene().look(solution.faceOf()[element] >> 1, Elements.point(solution, element, v, w))
-                .radiosity(h);
+                .radiosity(irradiance(element, v, w));
     }
 }

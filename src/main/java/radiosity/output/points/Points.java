@@ -70,6 +70,11 @@ public final class Points {
         return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
     }
 
+    /** Irradiance on a surface; not a number inside of a solid, and where no element is. */
+    public Rgb outsideSolids(Vec3 point, Vec3 normal) {
+        return isInSolid(point, normal.unit()) ? Rgb.grey(Double.NaN) : at(point, normal).irradiance();
+    }
+
     private boolean isInSolid(Vec3 point, Vec3 n) {
         Vec3 p = faces.unit(point);
         return solids.hold((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());

@@ -1,0 +1,133 @@
+package radiosity.output.grid;
+
+import radiosity.formfactor.ContourFactor;
+import radiosity.formfactor.LightSources;
+import radiosity.formfactor.PointSequence;
+import radiosity.mesh.face.Faces;
+import radiosity.output.points.Points;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
+
+/**
+ * The light that arrives at points in the air, where a meter would be held.
+ *
+ * <p>What surfaces emit arrives by the contour formula (Lambert) times the part of rays that is free; what they reflect
+ * by rays uniform in the circle below the hemisphere (W. Nusselt, 1928), each of which finds the radiosity at its end.
+ */
+final class FreeIrradiance {
+
+    /** Rays along each side of the square that becomes the circle. */
+    private static final int SIDE = 64;
+    /** Rays to a lamp that fills the hemisphere; at least one to any. */
+    private static final int LAMP_RAYS = 1024;
+    /** Of the scene's size. */
+    private static final double LIFT = 1e-5;
+    private static final float FAR = 4;
+
+    private final Scene scene;
+    private final Points points;
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final float[] fronts;
+    private final Solids solids;
+    private final LightSources lights;
+
+    FreeIrradiance(Solution solution, Points points) {
+        scene = solution.scene();
+        this.points = points;
+        faces = new Faces(scene);
+        bounds = new RadiosityBounds(faces.occluders());
+        fronts = faces.fronts();
+        solids = new Solids(bounds, fronts);
+        lights = new LightSources(faces, bounds);
+    }
+
+    /** Irradiance of a side at a point; not a number inside a solid, and where nothing lies behind: out of a room. */
+    Rgb at(Vec3 point, Vec3 n) {
+        Vec3 x = faces.unit(point);
+        if (solids.hold((float) x.x(), (float) x.y(), (float) x.z(), (float) n.x(), (float) n.y(), (float) n.z())
+                || look(x, n.times(-1), false) == null) {
+            return Rgb.grey(Double.NaN);
+        }
+        double[] direct = new double[faces.channels()];
+        lights.add(x, n, direct, 0);
+        Rgb sum = direct.length == 1 ? Rgb.grey(direct[0]) : new Rgb(direct[0], direct[1], direct[2]);
+        for (int t = 0; t < scene.triangles(); t++) {
+            if (scene.surface(t).emits()) {
+                sum = sum.plus(emitted(t, 0, x, n));
+                sum = scene.surface(t).twoSided() ? sum.plus(emitted(t, 1, x, n)) : sum;
+            }
+        }
+        return sum.plus(reflected(x, n));
+    }
+
+    private Rgb reflected(Vec3 x, Vec3 n) {
+        Vec3 u = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+        Vec3 v = n.cross(u);
+        Rgb sum = Rgb.BLACK;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            double r = Math.sqrt((i / SIDE + 0.5) / SIDE);
+            double angle = 2 * Math.PI * ((i % SIDE + PointSequence.u(i / SIDE + 1)) / SIDE);
+            Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
+                    .plus(n.times(Math.sqrt(1 - r * r)));
+            Rgb light = look(x, d, true);
+            sum = light == null ? sum : sum.plus(light);
+        }
+        return sum.times(1.0 / (SIDE * SIDE));
+    }
+
+    /**
+     * What a ray finds: reflected radiosity, W/m².
+     *
+     * @param valued whether that is asked for; otherwise black
+     * @return null where it finds nothing, or a back side
+     */
+    private Rgb look(Vec3 x, Vec3 d, boolean valued) {
+        float[] hit = new float[3];
+        int t = bounds.nearest((float) x.x(), (float) x.y(), (float) x.z(), (float) d.x(), (float) d.y(), (float) d.z(),
+                FAR, hit);
+        if (t < 0 || fronts[3 * t] * d.x() + fronts[3 * t + 1] * d.y() + fronts[3 * t + 2] * d.z() > 0) {
+            return null;
+        }
+        if (!valued || scene.look(t, scene.corner(t, 0)).reflectance().max() == 0 && !scene.isMapped(t)) {
+            return Rgb.BLACK;
+        }
+        Vec3 at = scene.corner(t, 0).times(1 - hit[1] - hit[2]).plus(scene.corner(t, 1).times(hit[1]))
+                .plus(scene.corner(t, 2).times(hit[2]));
+        Vec3 normal = scene.cross(t).unit();
+        Rgb irradiance = points.at(at, normal.dot(d) <= 0 ? normal : normal.times(-1)).irradiance();
+        return Double.isNaN(irradiance.r()) ? Rgb.BLACK : irradiance.times(scene.look(t, at).reflectance());
+    }
+
+    /** What a side of a triangle emits that arrives. */
+    private Rgb emitted(int t, int side, Vec3 x, Vec3 n) {
+        Vec3[] c = {faces.unit(scene.corner(t, 0)), faces.unit(scene.corner(t, 1 + side)),
+            faces.unit(scene.corner(t, 2 - side))};
+        double factor = ContourFactor.factor(x.x(), x.y(), x.z(), n.x(), n.y(), n.z(), new double[] {c[0].x(), c[0].y(),
+            c[0].z(), c[1].x(), c[1].y(), c[1].z(), c[2].x(), c[2].y(), c[2].z()});
+        if (!(factor > 0)) {
+            return Rgb.BLACK;
+        }
+        Vec3 normal = c[1].minus(c[0]).cross(c[2].minus(c[0]));
+        int rays = (int) Math.max(1, Math.ceil(factor * LAMP_RAYS));
+        double all = 0;
+        double free = 0;
+        for (int i = 1; i <= rays; i++) {
+            double r = Math.sqrt(PointSequence.u(i));
+            double s = PointSequence.v(i);
+            Vec3 y = c[0].times(1 - r).plus(c[1].times(r * (1 - s))).plus(c[2].times(r * s));
+            Vec3 d = y.minus(x);
+            double kernel = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(normal)) / (d.dot(d) * d.dot(d));
+            Vec3 end = y.minus(d.times(LIFT / d.length()));
+            all += kernel;
+            free += kernel > 0 && !bounds.blocked((float) x.x(), (float) x.y(), (float) x.z(), (float) end.x(),
+                    (float) end.y(), (float) end.z()) ? kernel : 0;
+        }
+        return all == 0 ? Rgb.BLACK : scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2))
+                .exitance().times(factor * free / all);
+    }
+}

@@ -1,0 +1,96 @@
+package radiosity.output.grid;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import radiosity.output.file.AtomicFile;
+import radiosity.output.points.Points;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Units;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+/**
+ * Illuminance, or irradiance, on a grid of points, and what EN 12464-1 asks of it.
+ *
+ * @param where    what it lies on
+ * @param rows     x, y, z, nx, ny, nz and the illuminance of each point
+ * @param mean     average illuminance
+ * @param minimum  illuminance
+ * @param maximum  illuminance
+ * @param left     number of points left out: inside solids, or outside of rooms
+ * @param quantity what they are called, and their unit
+ */
+public record Grid(String where, double[][] rows, double mean, double minimum, double maximum, int left,
+                   String[] quantity) {
+
+    /**
+     * Whether there can be such a grid, to know before a long render.
+     *
+     * @throws IllegalArgumentException where there is no such surface, or no point on it, or too many
+     */
+    public static void check(Scene scene, String where, double spacing) {
+        GridPlaces.of(scene, where, spacing);
+    }
+
+    /**
+     * @param where   the name of a surface, whose visible side is meant; or a plane, x, y or z = a number, whose side
+     *                towards larger numbers is meant, or with - before it the other one
+     * @param spacing about the distance of neighbouring points, scene units, above 0
+     * @throws IllegalArgumentException as {@link #check}
+     */
+    public static Grid of(Solution solution, String where, double spacing) {
+        GridPlaces places = GridPlaces.of(solution.scene(), where, spacing);
+        Units units = solution.scene().units();
+        Points points = new Points(solution);
+        FreeIrradiance free = places.onSurface() ? null : new FreeIrradiance(solution, points);
+        double[][] rows = IntStream.range(0, places.points().size()).parallel().mapToObj(i -> {
+            Vec3 p = places.points().get(i);
+            Vec3 n = places.normals().get(i);
+            Rgb light = free == null ? points.outsideSolids(p, n) : free.at(p, n);
+            return new double[] {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), units.total(light)};
+        }).toArray(double[][]::new);
+        double[][] lit = Arrays.stream(rows).filter(row -> !Double.isNaN(row[6])).toArray(double[][]::new);
+        double[] values = Arrays.stream(lit).mapToDouble(row -> row[6]).sorted().toArray();
+        int n = values.length;
+        String[] quantity = {units.isPhotometric() ? "illuminance" : "irradiance", units.irradiance()};
+        return n == 0 ? new Grid(where, lit, 0, 0, 0, rows.length, quantity)
+                : new Grid(where, lit, Arrays.stream(values).sum() / n, values[0], values[n - 1], rows.length - n,
+                quantity);
+    }
+
+    /** Uniformity U0, minimum / average; 0 where all is dark. */
+    public double uniformity() {
+        return mean > 0 ? minimum / mean : 0;
+    }
+
+    /** The figures in a line. */
+    public String summary() {
+        return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
+                + " points", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length)
+                + (left > 0 ? " (" + left + " inside solids or outside are left out)" : "");
+    }
+
+    /** Writes a table: a line per point, after lines that begin with # and have the figures of all. */
+    public void write(Path file) throws IOException {
+        StringBuilder text = new StringBuilder();
+        text.append("# ").append(where.replaceAll("\\p{Cntrl}", " ")).append('\n');
+        text.append("# average ").append(quantity[0]).append(',').append(mean).append(',').append(quantity[1]);
+        text.append("\n# minimum ").append(quantity[0]).append(',').append(minimum).append(',').append(quantity[1]);
+        text.append("\n# maximum ").append(quantity[0]).append(',').append(maximum).append(',').append(quantity[1]);
+        text.append("\n# uniformity U0 (minimum / average),").append(uniformity()).append("\n# diversity (minimum /"
+                + " maximum),").append(maximum > 0 ? minimum / maximum : 0).append("\n# points,").append(rows.length);
+        text.append("\nx,y,z,nx,ny,nz,E_").append(quantity[1].replace("/", "_")).append('\n');
+        for (double[] row : rows) {
+            for (int i = 0; i < row.length; i++) {
+                text.append(i == 0 ? "" : ",").append(row[i] == 0 ? 0.0 : row[i]);
+            }
+            text.append('\n');
+        }
+        AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+    }
+}

@@ -1,0 +1,158 @@
+package radiosity.output.grid;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/**
+ * Where a grid's points lie: in the middle of cells of about one size, in rows and columns.
+ *
+ * <p>On a surface they lie on its triangles, plane by plane, at least one; on a plane like {@code y=0.85} all over the
+ * scene's box.
+ *
+ * @param onSurface whether they lie on a surface; otherwise in the air
+ * @param points    scene units
+ * @param normals   unit directions of the side whose light is meant, one per point
+ */
+record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
+
+    private static final Pattern PLANE = Pattern.compile("([+-]?)([xyz])=([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)");
+    private static final int MOST = 1_000_000;
+    /** Cosine above which triangles lie in one direction; distance below which in one plane, of the scene's size. */
+    private static final double PLANE_ROUNDING = 1e-4;
+
+    /** Triangles in one plane. */
+    private record Plane(Vec3 normal, double offset, List<Integer> triangles) { }
+
+    /**
+     * @param where   a surface's name, or a plane: x, y or z = a number, with - before it if its light from below is
+     *                meant
+     * @param spacing about the distance of neighbouring points, scene units, above 0
+     * @throws IllegalArgumentException where there is no such surface or plane, or more than a million points
+     */
+    static GridPlaces of(Scene scene, String where, double spacing) {
+        GridPlaces places = new GridPlaces(!isPlane(where), new ArrayList<>(), new ArrayList<>());
+        Matcher plane = PLANE.matcher(where);
+        if (plane.matches()) {
+            places.inTheAir(scene, plane, spacing);
+        } else {
+            places.on(scene, where, spacing);
+        }
+        return places;
+    }
+
+    private static boolean isPlane(String where) {
+        return PLANE.matcher(where).matches();
+    }
+
+    private void inTheAir(Scene scene, Matcher plane, double spacing) {
+        int axis = plane.group(2).charAt(0) - 'x';
+        double at = Double.parseDouble(plane.group(3));
+        double[] low = {1 / 0.0, 1 / 0.0, 1 / 0.0};
+        double[] high = {-1 / 0.0, -1 / 0.0, -1 / 0.0};
+        for (int p : scene.corners()) {
+            for (int a = 0; a < 3; a++) {
+                low[a] = Math.min(low[a], scene.points()[3 * p + a]);
+                high[a] = Math.max(high[a], scene.points()[3 * p + a]);
+            }
+        }
+        if (!(at >= low[axis] && at <= high[axis])) {
+            throw new IllegalArgumentException(String.format(Locale.ROOT, "expected a plane from %s=%s to %s, got %s",
+                    plane.group(2), low[axis], high[axis], plane.group()));
+        }
+        int u = (axis + 1) % 3;
+        int v = (axis + 2) % 3;
+        low[axis] = at;
+        Vec3 normal = unit(axis).times(plane.group(1).equals("-") ? -1 : 1);
+        fill(new Vec3(low[0], low[1], low[2]), unit(u), unit(v),
+                new double[] {0, high[u] - low[u], 0, high[v] - low[v]}, spacing, normal, null, null);
+    }
+
+    private static Vec3 unit(int axis) {
+        return new Vec3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    }
+
+    private void on(Scene scene, String name, double spacing) {
+        Map<String, Plane> planes = new LinkedHashMap<>();
+        double size = Math.sqrt(scene.area());
+        for (int t = 0; t < scene.triangles(); t++) {
+            if (scene.surface(t).name().equals(name)) {
+                Vec3 normal = scene.cross(t).unit();
+                double offset = normal.dot(scene.corner(t, 0));
+                String key = Math.round(normal.x() / PLANE_ROUNDING) + " " + Math.round(normal.y() / PLANE_ROUNDING)
+                        + " " + Math.round(normal.z() / PLANE_ROUNDING) + " "
+                        + Math.round(offset / (size * PLANE_ROUNDING));
+                planes.computeIfAbsent(key, k -> new Plane(normal, offset, new ArrayList<>())).triangles.add(t);
+            }
+        }
+        if (planes.isEmpty()) {
+            throw new IllegalArgumentException("expected a surface of the scene (" + scene.surfaces().stream()
+                    .map(Surface::name).distinct().limit(20).collect(Collectors.joining(", "))
+                    + ") or a plane like y=0.85, got " + name);
+        }
+        planes.values().forEach(plane -> on(scene, plane, spacing));
+        if (points.isEmpty()) {
+            Plane first = planes.values().iterator().next();
+            int t = first.triangles.get(0);
+            points.add(scene.corner(t, 0).plus(scene.corner(t, 1)).plus(scene.corner(t, 2)).times(1 / 3.0));
+            normals.add(first.normal);
+        }
+    }
+
+    private void on(Scene scene, Plane plane, double spacing) {
+        Vec3 n = plane.normal;
+        Vec3 u = (Math.abs(n.y()) > 0.999 ? unit(0) : unit(1).cross(n)).unit();
+        Vec3 v = n.cross(u).unit();
+        double[] extent = {1 / 0.0, -1 / 0.0, 1 / 0.0, -1 / 0.0};
+        for (int t : plane.triangles) {
+            for (int k = 0; k < 3; k++) {
+                Vec3 p = scene.corner(t, k);
+                extent[0] = Math.min(extent[0], p.dot(u));
+                extent[1] = Math.max(extent[1], p.dot(u));
+                extent[2] = Math.min(extent[2], p.dot(v));
+                extent[3] = Math.max(extent[3], p.dot(v));
+            }
+        }
+        fill(n.times(plane.offset), u, v, extent, spacing, n, scene, plane);
+    }
+
+    /** @param plane on whose triangles points must lie; null for none */
+    private void fill(Vec3 origin, Vec3 u, Vec3 v, double[] extent, double spacing, Vec3 normal, Scene scene,
+                      Plane plane) {
+        double columns = Math.max(1, Math.rint((extent[1] - extent[0]) / spacing));
+        double rows = Math.max(1, Math.rint((extent[3] - extent[2]) / spacing));
+        if (!(columns * rows + points.size() <= MOST)) {
+            throw new IllegalArgumentException("expected a spacing that gives at most " + MOST + " points, got "
+                    + spacing);
+        }
+        for (int j = 0; j < rows; j++) {
+            for (int i = 0; i < columns; i++) {
+                Vec3 p = origin.plus(u.times(extent[0] + (extent[1] - extent[0]) * (i + 0.5) / columns))
+                        .plus(v.times(extent[2] + (extent[3] - extent[2]) * (j + 0.5) / rows));
+                if (plane == null || plane.triangles.stream().anyMatch(t -> holds(scene, t, p, normal))) {
+                    points.add(p);
+                    normals.add(normal);
+                }
+            }
+        }
+    }
+
+    private static boolean holds(Scene scene, int triangle, Vec3 p, Vec3 normal) {
+        for (int k = 0; k < 3; k++) {
+            Vec3 a = scene.corner(triangle, k);
+            Vec3 edge = scene.corner(triangle, (k + 1) % 3).minus(a);
+            if (edge.cross(p.minus(a)).dot(normal) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,136 @@
+package radiosity.output.grid;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.Light;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Units;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+import radiosity.testkit.Cells;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+
+/**
+ * Grids on surfaces and in the air.
+ *
+ * <p>In a closed room in which every surface emits M and reflects rho, B = M / (1 - rho) everywhere, and so is what arrives
+ * anywhere, on surfaces or in the air. A point source of intensity I gives I h / d³ on a plane h below it.
+ */
+@Tag("slow")
+class GridTest {
+
+    private static final double[] SIDE = {0, 4};
+    private static final Units LUX = new Units(1, true);
+
+    private static Scene room(double exitance, double reflectance) {
+        return room(exitance, reflectance, reflectance);
+    }
+
+    private static Scene room(double exitance, double reflectance, double ofFloor) {
+        Surface wall = RoomScenes.grey("wall", exitance, reflectance);
+        Surface floor = RoomScenes.grey("floor", exitance, ofFloor);
+        return new Cells(SIDE, new double[] {0, 3}, SIDE).room("room", (i, j, k) -> true,
+                (i, j, k, side) -> side == 2 ? floor : wall).with(LUX);
+    }
+
+    private static Scene withBulb() {
+        Scene dark = room(0, 0, .5);
+        return dark.with(dark.surfaces(), List.of(new Light("bulb", Light.Kind.POINT, Rgb.grey(1000), new Vec3(2, 2.5, 2),
+                Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1, 0, 0)));
+    }
+
+    private static double ofBulb(double[] row) {
+        double h = 2.5 - row[1];
+        double x = row[0] - 2;
+        double z = row[2] - 2;
+        return 1000 * h / Math.pow(x * x + h * h + z * z, 1.5);
+    }
+
+    @Test
+    void surface_hasAMeanAndAUniformity() {
+        Grid grid = Grid.of(Solve.byDefault().solution(withBulb()), "floor", .5);
+        assertEquals(64, grid.rows().length);
+        double sum = 0;
+        double least = Double.MAX_VALUE;
+        for (double[] row : grid.rows()) {
+            assertEquals(ofBulb(row), row[6], .1);
+            assertEquals(.25, row[0] % .5, 1e-9, "in the middle of a cell");
+            sum += ofBulb(row);
+            least = Math.min(least, ofBulb(row));
+        }
+        assertEquals(sum / 64, grid.mean(), .05);
+        assertEquals(least, grid.minimum(), .1);
+        assertEquals(ofBulb(new double[] {1.75, 0, 1.75}), grid.maximum(), .1);
+        assertEquals(least / (sum / 64), grid.uniformity(), .002);
+        assertTrue(grid.summary().matches("floor: average illuminance 100\\.\\d lx, minimum .*, uniformity U0 0\\.\\d\\d,"
+                + " 64 points"), grid.summary());
+    }
+
+    @Test
+    void planeInTheAir_receivesLight_fromLights() {
+        Grid grid = Grid.of(Solve.byDefault().solution(withBulb()), "y=0.85", 1);
+        assertEquals(16, grid.rows().length);
+        for (double[] row : grid.rows()) {
+            assertEquals(.85, row[1]);
+            assertEquals(ofBulb(row), row[6], 1e-3 * ofBulb(row));
+        }
+        Grid below = Grid.of(Solve.byDefault().solution(withBulb()), "-y=0.85", 1);
+        assertEquals(50, below.mean(), 25, "what the floor reflects");
+    }
+
+    @Test
+    void planeInTheAir_receivesLight_fromAllThatEmitsAndReflects() {
+        Solution solution = Solve.byDefault().solution(room(3, .4));
+        for (String plane : List.of("y=1", "-y=1", "x=1.3", "-z=3.9")) {
+            Grid grid = Grid.of(solution, plane, 1.5);
+            for (double[] row : grid.rows()) {
+                assertEquals(5, row[6], .02, plane);
+            }
+        }
+    }
+
+    /** An L-shaped room, with a box on its floor: 12 of 16 cells are air, and one of them is in the box. */
+    @Test
+    void pointsInSolidsAndOutside_areLeftOut() {
+        Surface wall = RoomScenes.grey("wall", 1, .5);
+        double[] x = {0, 1, 2, 3, 4};
+        Scene room = new Cells(x, new double[] {0, 1, 3}, x).room("L", (i, j, k) -> !(i > 1 && k > 1)
+                && !(i == 0 && k == 0 && j == 0), wall).with(LUX);
+        Grid grid = Grid.of(Solve.byDefault().solution(room), "y=0.5", 1);
+        assertEquals(11, grid.rows().length);
+        assertEquals(5, grid.left());
+        assertEquals(2, grid.mean(), .02);
+    }
+
+    @Test
+    void table_hasItsFiguresAndPoints(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("floor.csv");
+        Grid.of(Solve.byDefault().solution(room(3, .4)), "floor", 2).write(file);
+        List<String> lines = Files.readAllLines(file);
+        assertEquals("# floor", lines.get(0));
+        assertTrue(lines.get(1).matches("# average illuminance,[45]\\.\\d+,lx"), lines.get(1));
+        assertTrue(lines.get(4).matches("# uniformity U0 \\(minimum / average\\),(1\\.0|0\\.99\\d+)"), lines.get(4));
+        assertEquals("x,y,z,nx,ny,nz,E_lx", lines.get(7));
+        assertEquals(8 + 4, lines.size());
+    }
+
+    @Test
+    void whatCannotBe_isRefused() {
+        for (String where : List.of("ceiling", "y=4", "y=", "floor,wall")) {
+            assertThrows(IllegalArgumentException.class, () -> Grid.check(room(1, 0), where, 1), where);
+        }
+        assertThrows(IllegalArgumentException.class, () -> Grid.check(room(1, 0), "floor", 1e-3));
+    }
+}
