@@ -28,7 +28,7 @@ import radiosity.scene.Lamp;
  */
 final class ControlPanel {
 
-    private static final int WIDTH = 220;
+    private static final int WIDTH = 280;
     private static final int EDGE = 8;
     /** Steps of the exposure per EV, and how many EV either way. */
     private static final int STEPS = 3;
@@ -150,7 +150,7 @@ final class ControlPanel {
         for (int i = 0; i < shown.size(); i++) {
             int lamp = i;
             LampControl control = new LampControl(i, shown.get(i).name(),
-                    factor -> act(() -> display.lamp(lamp, factor)));
+                    factor -> act(() -> display.lamp(lamp, factor)), () -> display.onlyLamp(lamp));
             lampControls.add(control);
             control.parts().forEach(part -> add(lamps, part));
         }

@@ -32,6 +32,8 @@ public final class Display {
     private boolean wireframe;
     private boolean textures;
     private boolean help;
+    /** Where the probe was set, as long as one stands still. */
+    private Optional<Overlay.Label> mark = Optional.empty();
     private List<String> status = List.of();
 
     /** What only the window can do. */
@@ -139,6 +141,10 @@ public final class Display {
 
     void look() {
         stage.look(camera(), lighting.scene().origin(), extent);
+        if (mark.isPresent()) {
+            mark = Optional.empty();
+            overlay();
+        }
     }
 
     /** Puts everything where it belongs in a window of another size. */
@@ -189,6 +195,12 @@ public final class Display {
     /** Dims or colours a lamp; the light of textures is as it was rendered, so that of vertices is shown. */
     public void lamp(int lamp, Rgb factor) {
         lighting.lamp(lamp, factor);
+        lampsChanged();
+    }
+
+    /** Puts out all other lamps. */
+    void onlyLamp(int lamp) {
+        lighting.only(lamp);
         lampsChanged();
     }
 
@@ -245,6 +257,8 @@ public final class Display {
                 .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position()
                         .plus(direction.times(hit.distance()))));
         status(probe.map(Probe::lines).orElse(List.of()));
+        mark = probe.map(hit -> new Overlay.Label(Overlay.mark(), x - Overlay.MARK / 2, y - Overlay.MARK / 2));
+        overlay();
         return probe;
     }
 
@@ -254,6 +268,7 @@ public final class Display {
 
     private void status(List<String> lines) {
         status = lines;
+        mark = Optional.empty();
         overlay();
     }
 
@@ -265,6 +280,7 @@ public final class Display {
             BufferedImage text = Overlay.text(status);
             labels.add(new Overlay.Label(text, EDGE, height - text.getHeight() - EDGE));
         }
+        mark.ifPresent(labels::add);
         if (lighting.falseColour()) {
             BufferedImage scale = Overlay.scale(lighting.toneMapping());
             labels.add(new Overlay.Label(scale, width - scale.getWidth() - EDGE, EDGE));

@@ -1,6 +1,7 @@
 package radiosity.viewer;
 
 import java.awt.Color;
+import java.awt.FlowLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -8,6 +9,7 @@ import javax.swing.JButton;
 import javax.swing.JColorChooser;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.JSlider;
 import radiosity.scene.Rgb;
 import radiosity.scene.Srgb;
@@ -23,12 +25,17 @@ final class LampControl {
     private final Consumer<Rgb> changed;
     private final JLabel label = new JLabel();
     private final JSlider slider = new JSlider(0, MOST, PERCENT);
-    private final JButton button = new JButton("colour");
+    private final JButton button = new JButton("    ");
+    private final JButton off = new JButton("off");
+    private final JButton solo = new JButton("solo");
     /** Linear, its largest channel 1. */
     private Rgb colour = Rgb.grey(1);
 
-    /** @param changed is told the factor of the lamp's light */
-    LampControl(int number, String name, Consumer<Rgb> changed) {
+    /**
+     * @param changed is told the factor of the lamp's light
+     * @param alone   puts out all other lamps
+     */
+    LampControl(int number, String name, Consumer<Rgb> changed, Runnable alone) {
         this.name = name;
         this.changed = changed;
         slider.setName("lamp" + number);
@@ -38,10 +45,20 @@ final class LampControl {
             changed.accept(colour.times((double) slider.getValue() / PERCENT));
         });
         button.addActionListener(e -> choose());
+        off.setName("off" + number);
+        off.addActionListener(e -> changed.accept(Rgb.BLACK));
+        solo.setName("solo" + number);
+        solo.addActionListener(e -> alone.run());
     }
 
     List<JComponent> parts() {
-        return List.of(label, slider, button);
+        JPanel row = new JPanel(new FlowLayout(FlowLayout.LEFT, 2, 0));
+        for (JButton one : List.of(button, solo, off)) {
+            one.setFocusable(false);
+            row.add(one);
+        }
+        row.setMaximumSize(row.getPreferredSize());
+        return List.of(label, slider, row);
     }
 
     private String text() {

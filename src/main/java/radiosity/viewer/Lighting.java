@@ -80,6 +80,14 @@ final class Lighting {
         mix();
     }
 
+    /** Puts out all other lamps; one that is out itself is as it was rendered. */
+    void only(int lamp) {
+        List<Rgb> changed = new ArrayList<>(Collections.nCopies(factors.size(), Rgb.BLACK));
+        changed.set(lamp, factors.get(lamp).max() > 0 ? factors.get(lamp) : Rgb.grey(1));
+        factors = changed;
+        mix();
+    }
+
     /** All lamps as they were rendered. */
     void reset() {
         factors = asRendered(scene);

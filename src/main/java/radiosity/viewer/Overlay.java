@@ -1,5 +1,6 @@
 package radiosity.viewer;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
@@ -21,6 +22,8 @@ final class Overlay {
     private static final int SCALE_WIDTH = 120;
     private static final int SCALE_HEIGHT = 240;
     private static final int BAR = 22;
+    /** Of a mark, pixels across; odd. */
+    static final int MARK = 17;
 
     private Overlay() { }
 
@@ -64,6 +67,21 @@ final class Overlay {
         for (int i = 0; i < lines.size(); i++) {
             g.drawString(lines.get(i), EDGE, EDGE + metrics.getAscent() + i * metrics.getHeight());
         }
+        g.dispose();
+        return image;
+    }
+
+    /** A ring that can be seen on light and on dark. */
+    static BufferedImage mark() {
+        BufferedImage image = new BufferedImage(MARK, MARK, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = graphics(image);
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setStroke(new BasicStroke(4));
+        g.setColor(Color.BLACK);
+        g.drawOval(3, 3, MARK - 7, MARK - 7);
+        g.setStroke(new BasicStroke(2));
+        g.setColor(Color.WHITE);
+        g.drawOval(3, 3, MARK - 7, MARK - 7);
         g.dispose();
         return image;
     }

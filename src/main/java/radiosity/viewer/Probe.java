@@ -39,9 +39,16 @@ record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irrad
         return List.of("surface      " + surface.name() + (back ? " (back)" : ""),
                 "radiosity    " + text(radiosity) + " W/m²",
                 "irradiance   " + text(irradiance) + " W/m²",
+                String.format(Locale.ROOT, "luminance Y  %.4g W/m², irradiance %.4g W/m²", luminance(radiosity),
+                        luminance(irradiance)),
                 "reflectance  " + text(reflectance),
                 "exitance     " + text(surface.exitance()) + " W/m²",
                 "at           " + text(new Rgb(point.x(), point.y(), point.z())));
+    }
+
+    /** Y of linear sRGB (IEC 61966-2-1). */
+    private static double luminance(Rgb light) {
+        return 0.2126 * light.r() + 0.7152 * light.g() + 0.0722 * light.b();
     }
 
     private static String text(Rgb v) {

@@ -1,5 +1,6 @@
 package radiosity.viewer;
 
+import com.formdev.flatlaf.FlatDarkLaf;
 import java.awt.AWTError;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -133,6 +134,7 @@ public final class Walkthrough {
             }
             AtomicReference<Walkthrough> opened = new AtomicReference<>();
             SwingUtilities.invokeAndWait(() -> {
+                FlatDarkLaf.setup();
                 opened.set(new Walkthrough(scene, settings));
                 opened.get().start();
             });

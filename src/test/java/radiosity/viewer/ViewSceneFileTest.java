@@ -142,7 +142,8 @@ class ViewSceneFileTest {
     void brokenForeignAndNewerFiles_getOneLineAndExitCode3() throws Exception {
         byte[] whole = Files.readAllBytes(scene);
         refused(Files.write(folder.resolve("cut.scene"), Arrays.copyOf(whole, whole.length / 2)), "bytes");
-        refused(Files.writeString(folder.resolve("foreign.scene"), "A poem of more than twenty bytes"), "glTF");
+        refused(Files.writeString(folder.resolve("foreign.scene"), "A poem of more than twenty bytes"),
+                "RadiosityRenderer wrote");
         String newer = new String(whole, StandardCharsets.ISO_8859_1).replace("\"formatVersion\":1",
                 "\"formatVersion\":9");
         refused(Files.writeString(folder.resolve("newer.scene"), newer, StandardCharsets.ISO_8859_1),

@@ -1,6 +1,7 @@
 package radiosity.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -76,6 +77,8 @@ class WebPageTest {
     void browser_showsTheSamePictureAndWalksByKey() throws Exception {
         try (Browser browser = new Browser(Files.createDirectory(folder.resolve("profile")), Rendered.SIZE)) {
             browser.open(page.address());
+            assertFalse(browser.value("document.getElementById('hint').hidden").asBoolean(), "the keys are hinted at");
+            browser.tap("Space", " ");
             BufferedImage start = browser.screenshot();
             double difference = Rendered.difference(start, Rendered.picture(folder.resolve("box.png")));
             assertTrue(difference <= 3, "mean difference " + difference + " of 255");
@@ -83,6 +86,11 @@ class WebPageTest {
             assertTrue(Rendered.difference(start, browser.screenshot()) > 3, "walked ahead");
             browser.tap("Home", "Home");
             assertEquals(0, Rendered.difference(start, browser.screenshot()), 0.01);
+            browser.tap("KeyC", "c");
+            assertEquals(4, browser.value("document.querySelectorAll('#scale li').length").asInt());
+            assertTrue(browser.value("document.getElementById('scale').textContent").asText().startsWith("W/m"));
+            browser.tap("KeyC", "c");
+            assertTrue(browser.value("document.getElementById('scale').hidden").asBoolean(), "no scale without colours");
             browser.tap("KeyT", "t");
             assertTrue(browser.value("document.getElementById('text').textContent").asText().endsWith("filmic"));
             browser.tap("Minus", "-");
@@ -106,17 +114,29 @@ class WebPageTest {
         try (WebPage two = new WebPage(lamps, ToneMapping.Operator.REINHARD, 0, 0);
                 Browser browser = new Browser(Files.createDirectory(folder.resolve("second")), Rendered.SIZE)) {
             browser.open(two.address());
+            browser.tap("Space", " ");
             BufferedImage start = browser.screenshot();
             double[] both = probe(browser, "radiosity");
+            assertFalse(browser.value("document.getElementById('mark').hidden").asBoolean(), "a mark at the probe");
+            assertEquals(Rendered.SIZE / 10, browser.value("parseFloat(document.getElementById('mark').style.left)")
+                    .asDouble(), 1);
             double[] reflectance = probe(browser, "reflectance");
             double[] irradiance = probe(browser, "irradiance");
             browser.set("lamp1", "0");
             double[] ceiling = probe(browser, "radiosity");
+            browser.value("document.getElementById('solo1').click()");
+            double[] other = probe(browser, "radiosity");
+            browser.value("document.getElementById('off1').click()");
+            assertEquals(0, probe(browser, "irradiance")[0], "both are out");
+            browser.set("lamp0", "100");
+            double[] again = probe(browser, "radiosity");
             browser.set("lamp1", "100");
             browser.set("lamp0", "30");
             double[] mixed = probe(browser, "radiosity");
             for (int c = 0; c < 3; c++) {
                 assertEquals(both[c], reflectance[c] * irradiance[c], 2e-3 * both[c]);
+                assertEquals(both[c], ceiling[c] + other[c], 2e-3 * both[c]);
+                assertEquals(ceiling[c], again[c], 1e-9);
                 assertEquals(both[c] - 0.7 * ceiling[c], mixed[c], 2e-3 * both[c]);
             }
             browser.set("colour0", "#ff0000");

@@ -63,7 +63,7 @@ export function listen(walk, picture) {
         'p': () => walk.panel.toggle(),
         'h': () => walk.help(),
         'f1': () => walk.help(),
-        ' ': () => walk.say(''),
+        ' ': () => walk.quiet(),
         'home': () => walk.home(),
     };
 

@@ -16,6 +16,13 @@ export class Lamps {
         this.meshes.forEach(mesh => mix(mesh, this.factors));
     }
 
+    /** Puts out all other lamps; one that is out itself is as it was rendered. */
+    only(lamp) {
+        this.factors = this.factors.map((factor, i) => i !== lamp ? [0, 0, 0]
+            : Math.max(...factor) > 0 ? factor : [1, 1, 1]);
+        this.meshes.forEach(mesh => mix(mesh, this.factors));
+    }
+
     reset() {
         this.lamps.forEach((_, lamp) => { this.factors[lamp] = [1, 1, 1]; });
         this.meshes.forEach(mesh => mix(mesh, this.factors));
@@ -60,14 +67,27 @@ export function linear(code) {
     return most > 0 ? rgb.map(x => x / most) : [1, 1, 1];
 }
 
-/** A slider and a colour for each lamp; changed is called after each. */
+function code(linear) {
+    const byte = x => Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
+    return `#${linear.map(x => byte(Math.max(0, Math.min(1, x))).toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** A slider, a colour, solo and off for each lamp; changed is called after each. */
 export function controls(lamps, changed) {
-    const box = document.createElement('div');
+    const box = document.createElement('div'), shows = [];
     lamps.lamps.forEach((lamp, i) => {
         const label = document.createElement('label'), slider = document.createElement('input');
         const colour = document.createElement('input');
         Object.assign(slider, {type: 'range', min: 0, max: 300, value: 100, id: `lamp${i}`});
         Object.assign(colour, {type: 'color', value: '#ffffff', id: `colour${i}`});
+        const show = () => {
+            const most = Math.max(...lamps.factors[i]);
+            slider.value = Math.round(100 * most);
+            if (most > 0) {
+                colour.value = code(lamps.factors[i].map(x => x / most));
+            }
+            label.textContent = `${lamp.name} ${slider.value} %`;
+        };
         const apply = () => {
             label.textContent = `${lamp.name} ${slider.value} %`;
             lamps.set(i, linear(colour.value).map(x => x * slider.value / 100));
@@ -75,8 +95,20 @@ export function controls(lamps, changed) {
         };
         slider.addEventListener('input', apply);
         colour.addEventListener('input', apply);
-        label.textContent = `${lamp.name} 100 %`;
-        box.append(label, slider, colour);
+        const button = (text, action) => {
+            const part = Object.assign(document.createElement('button'), {textContent: text, id: `${text}${i}`});
+            part.addEventListener('click', () => {
+                action();
+                shows.forEach(one => one());
+                changed();
+                part.blur();
+            });
+            return part;
+        };
+        shows.push(show);
+        show();
+        box.append(label, slider, colour, button('solo', () => lamps.only(i)),
+            button('off', () => lamps.set(i, [0, 0, 0])));
     });
     return box;
 }

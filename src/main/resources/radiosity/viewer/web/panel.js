@@ -20,7 +20,8 @@ export function panel(walk) {
     });
     stops.addEventListener('input', () => walk.tone(stops.value / STEPS, walk.light.curve.value));
     curve.addEventListener('change', () => walk.tone(walk.stops(), curve.selectedIndex));
-    box.append('exposure', stops, curve, ...checks.map(check => check.part));
+    const exposure = element('<label id="exposure"></label>');
+    box.append(exposure, stops, curve, ...checks.map(check => check.part));
     if (walk.lamps.lamps.length > 0) {
         box.append(lamps(walk));
     }
@@ -28,6 +29,7 @@ export function panel(walk) {
 
     function refresh() {
         stops.value = Math.round(STEPS * walk.stops());
+        exposure.textContent = `exposure ${walk.stops() >= 0 ? '+' : ''}${walk.stops().toFixed(2)} EV`;
         curve.selectedIndex = walk.light.curve.value;
         checks.forEach(check => check.refresh());
     }

@@ -87,6 +87,19 @@ class Walk {
         this.camera.position.copy(this.eye);
         this.camera.rotation.set(this.pitch, this.heading, 0, 'YXZ');
         this.renderer.render(this.shown, this.camera);
+        this.placeMark();
+        scale(document.getElementById('scale'), this.light);
+    }
+
+    /** Where the probe was set, as long as what it tells is shown. */
+    placeMark() {
+        const mark = document.getElementById('mark');
+        const at = this.mark?.clone().project(this.camera);
+        mark.hidden = !at || at.z > 1 || !text.textContent.startsWith('surface ');
+        if (!mark.hidden) {
+            mark.style.left = `${(at.x + 1) / 2 * innerWidth}px`;
+            mark.style.top = `${(1 - at.y) / 2 * innerHeight}px`;
+        }
     }
 
     home() {
@@ -100,6 +113,14 @@ class Walk {
 
     say(line) {
         text.textContent = line;
+        document.getElementById('hint').hidden ||= line !== '';
+        this.placeMark();
+    }
+
+    /** Nothing but the picture. */
+    quiet() {
+        this.say('');
+        document.getElementById('hint').hidden = true;
     }
 
     help() {
@@ -179,6 +200,7 @@ class Walk {
         const at = new THREE.Vector3(2 * (x + 0.5) / innerWidth - 1, 1 - 2 * (y + 0.5) / innerHeight, 0.5);
         const direction = at.unproject(this.camera).sub(this.eye).normalize();
         const hit = this.obstacles?.hit(this.eye, direction, 4 * this.size + this.eye.length());
+        this.mark = hit && this.eye.clone().addScaledVector(direction, hit.distance);
         this.say(hit ? this.told(hit, direction) : '');
     }
 
@@ -190,9 +212,45 @@ class Walk {
         const line = (name, values, unit = '') => name.padEnd(13) + values.map(x => x.toPrecision(4)).join('  ') + unit;
         const place = this.eye.clone().addScaledVector(direction, distance);
         return [`surface      ${light.surface}`, line('radiosity', mean(i => b.array[i]), ' W/m²'),
-            line('irradiance', mean(i => h.array[i]), ' W/m²'), line('reflectance', mean(light.rho)),
+            line('irradiance', mean(i => h.array[i]), ' W/m²'), `luminance Y  ${luminance(mean(i => b.array[i]))} W/m², irradiance ${luminance(mean(i => h.array[i]))} W/m²`,
+            line('reflectance', mean(light.rho)),
             line('at', place.toArray())].join('\n');
     }
+}
+
+/** Y of linear sRGB. */
+function luminance([r, g, b]) {
+    return (0.2126 * r + 0.7152 * g + 0.0722 * b).toPrecision(4);
+}
+
+const WHITE = 4, DECADES = 3;
+
+/** What the colours of false colour mean, as radiosity.viewer.Overlay. */
+function scale(box, light) {
+    box.hidden = light.falseColour.value === 0;
+    if (box.hidden) {
+        return;
+    }
+    const bar = Object.assign(document.createElement('canvas'), {width: 1, height: 100});
+    const context = bar.getContext('2d');
+    for (let y = 0; y < bar.height; y++) {
+        context.fillStyle = `rgb(${turbo(1 - y / (bar.height - 1)).join()})`;
+        context.fillRect(0, y, 1, 1);
+    }
+    const list = document.createElement('ol');
+    for (let decade = 0; decade <= DECADES; decade++) {
+        const value = WHITE / light.exposure.value * 10 ** -decade;
+        list.append(Object.assign(document.createElement('li'), {textContent: value.toPrecision(3)}));
+    }
+    box.replaceChildren('W/m² (Y)', document.createElement('br'), bar, list);
+}
+
+/** A. Mikhailov, Turbo, an improved rainbow colormap, 2019: its published polynomial. */
+function turbo(x) {
+    return [[0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943],
+        [0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604],
+        [0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973]]
+        .map(p => Math.round(255 * Math.max(0, Math.min(1, p.reduceRight((y, c) => y * x + c, 0)))));
 }
 
 function meshesOf(scene) {
