@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import radiosity.output.gltf.LitScene;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
@@ -91,7 +92,7 @@ public final class Display {
     void show(LitScene other) {
         lighting.show(other);
         extent = Extent.of(other);
-        obstacles = CompletableFuture.supplyAsync(() -> new Obstacles(other)).handle(Display::orNothing);
+        obstacles = orNothing(CompletableFuture.supplyAsync(() -> new Obstacles(other)));
         surfaces();
         look();
     }
@@ -126,12 +127,15 @@ public final class Display {
     }
 
     /** Says once where obstacles cannot be made, as in too little memory: the user then walks without them. */
-    private static Optional<Obstacles> orNothing(Obstacles made, Throwable failure) {
-        if (failure != null) {
-            System.err.println("viewer: expected memory for what is in the way, got " + failure.getMessage()
-                    + "; walls let you through, and a click tells nothing");
-        }
-        return Optional.ofNullable(made);
+    static CompletableFuture<Optional<Obstacles>> orNothing(CompletableFuture<Obstacles> making) {
+        return making.handle((made, failure) -> {
+            if (failure != null) {
+                Throwable cause = failure instanceof CompletionException ? failure.getCause() : failure;
+                System.err.println("viewer: expected memory for what is in the way, got " + cause.getMessage()
+                        + "; walls let you through, and a click tells nothing");
+            }
+            return Optional.ofNullable(made);
+        });
     }
 
     /** Until the obstacles of a large scene are known nothing is in the way. */

@@ -22,10 +22,10 @@ final class RandomCommand {
 
     /** The options that a campaign uses, each by the first name that --help has for it. */
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
-            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info", "--report",
-            "-sn", "--lightmap", "--lightmap-texels", "--false-colour",
-            "--picture", "--size", "--exposure", "--tone-mapping", "--frame", "--content", "--map", "--emission",
-            "--lights", "--srgb", "--unit", "--photometric", "--luminaire", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
+            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info",
+            "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size", "--exposure",
+            "--tone-mapping", "--frame", "--content", "--map", "--emission", "--lights", "--srgb", "--unit",
+            "--photometric", "--luminaire", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
     private static final Set<String> RUN = Set.of("-t", "-tf", "--info", "-h", "-key", "--statistics", "--help",
@@ -307,7 +307,8 @@ final class RandomCommand {
     List<String> restIn(Path directory, Set<String> without) {
         List<String> words = new ArrayList<>();
         rest.forEach((option, values) -> {
-            if (!without.contains(option)) {
+            boolean unused = option.equals("--size") && without.contains("-sn") && !rest.containsKey("--picture");
+            if (!without.contains(option) && !unused) {
                 words.add(option);
                 for (String value : values) {
                     words.add(value.matches("picture\\..*|points.csv|report.json")

@@ -28,6 +28,8 @@ final class Running implements AutoCloseable {
     private final Thread reader = new Thread(this::read, "reads a process");
     private volatile long end;
     private volatile double waited;
+    /** Seconds that those threads waited that had not ended when that was asked last. */
+    private double alive;
     private volatile double computed;
 
     /**
@@ -96,14 +98,16 @@ final class Running implements AutoCloseable {
     }
 
     /**
-     * Seconds that threads were ready so far and got no processor, summed over those that have not ended and over the
-     * processes that it started; 0 where the system does not say. After the end as it was before.
+     * Seconds that threads were ready so far and got no processor, summed over threads and over the processes that it
+     * started, as far as that was looked at; 0 where the system does not say.
      */
-    double waitingTime() {
+    synchronized double waitingTime() {
         if (process.isAlive()) {
-            waited = Stream.concat(Stream.of(process.toHandle()), process.descendants())
+            double now = Stream.concat(Stream.of(process.toHandle()), process.descendants())
                     .map(each -> new File("/proc/" + each.pid() + "/task").listFiles()).filter(Objects::nonNull)
                     .flatMap(Stream::of).mapToDouble(Running::waitingTime).sum();
+            waited += Math.max(0, now - alive);
+            alive = now;
         }
         return waited;
     }

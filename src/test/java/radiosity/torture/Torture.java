@@ -69,6 +69,8 @@ public final class Torture {
     private boolean run() throws IOException, InterruptedException {
         Path directory = Files.createTempDirectory("torture");
         System.out.println("seed " + seed + ", files in " + directory);
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> ProcessHandle.current().descendants()
+                .forEach(ProcessHandle::destroyForcibly), "ends what the campaign started"));
         Campaign campaign = new Campaign(subject, Menu.all(), directory, System.out, keep);
         long end = System.nanoTime() + (long) (minutes * 60e9);
         AtomicInteger runs = new AtomicInteger();
