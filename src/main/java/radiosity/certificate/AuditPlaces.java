@@ -12,8 +12,8 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
+import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
-import radiosity.solution.Certificate;
 import radiosity.util.ParallelFor;
 
 /** At which points a solution is looked at: most where errors are to be expected. */
@@ -103,7 +103,7 @@ final class AuditPlaces {
         Arrays.sort(corner);
         double mean = (corner[0] + corner[1] + corner[2]) / 3;
         double differs = DIFFERENCE * (of.isPoint(node) ? mean : corner[2] - corner[0]);
-        double unit = Math.max(reflected[colour], mean / Certificate.BRIGHT);
+        double unit = Math.max(reflected[colour], mean / Accuracy.BRIGHT);
         return ratio(mean + differs, unit) + ratio(emitted, shining[colour]);
     }
 

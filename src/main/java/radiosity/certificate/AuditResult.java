@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Surface;
+import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
@@ -133,7 +134,7 @@ final class AuditResult {
 
     /** What an error counts by, W/m²: the mean, and where it is far brighter than that, what is there. */
     private static double unit(double radiosity, double mean) {
-        return Math.max(mean, radiosity / Certificate.BRIGHT);
+        return Math.max(mean, radiosity / Accuracy.BRIGHT);
     }
 
     /** Standard error of the mean square error, relative to it. */

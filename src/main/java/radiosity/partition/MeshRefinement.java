@@ -3,6 +3,7 @@ package radiosity.partition;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
+import radiosity.settings.Accuracy;
 import radiosity.util.ParallelFor;
 
 /**
@@ -157,25 +158,31 @@ final class MeshRefinement {
     }
 
     /**
-     * An original triangle has no parent: a quarter of the difference between its corners. Where light was looked at in
-     * the middle only, it may be dark at a corner.
+     * An original triangle has no parent: a quarter of its light, as nothing is known of what lies between its corners,
+     * even if these are lit alike.
      */
     private double ofFace(int node) {
         double largest = 0;
         for (int c = 0; c < nodes.channels(); c++) {
-            double low = nodes.isPoint(node) ? 0 : Double.POSITIVE_INFINITY;
             double high = 0;
             for (int k = 0; k < 3; k++) {
-                low = Math.min(low, nodes.light().irradiance(node, k, c));
                 high = Math.max(high, nodes.light().irradiance(node, k, c));
             }
-            largest = Math.max(largest, weigh(node, c, (high - low) / 4));
+            largest = Math.max(largest, weigh(node, c, high / 4));
         }
         return largest;
     }
 
+    /** Relative to the mean radiosity, or, where a place is far brighter than that, to a part of what is there. */
     private double weigh(int node, int c, double irradiance) {
-        return irradiance * faces.importance(nodes.face(node), c) * weights.at(nodes.face(node), c);
+        int face = nodes.face(node);
+        double own = 0;
+        for (int k = 0; k < 3; k++) {
+            own += nodes.light().irradiance(node, k, c) / 3;
+        }
+        double weight = weights.at(face, c);
+        double radiosity = weight * (own * faces.importance(face, c) + faces.exitance(face, c));
+        return irradiance * faces.importance(face, c) * weight / Math.max(1, radiosity / Accuracy.BRIGHT);
     }
 
     private double at(int vertex, int c) {

@@ -9,6 +9,12 @@ public final class Accuracy {
 
     /** What is aimed at where nothing is asked for. */
     public static final double DEFAULT = 0.02;
+    /**
+     * So many times the mean radiosity is bright: where there is more, errors are relative to this part of what is
+     * there. A lampshade is hundreds of times as bright as its room, and a hundredth of that is no error of several
+     * means.
+     */
+    public static final double BRIGHT = 3;
     /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
     private static final double TOLERANCE = 0.04;
     private static final double MESH_ERROR = 8e-4;

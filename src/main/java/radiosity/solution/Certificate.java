@@ -28,13 +28,6 @@ public record Certificate(int points, Double missingFlux, double factors, double
                           double expected, double sampling, double meshing, double bias,
                           List<SurfaceError> surfaces) {
 
-    /**
-     * So many times the mean radiosity is bright: where there is more, errors are relative to this part of what is
-     * there. A lampshade is hundreds of times as bright as its room, and a hundredth of that is no error of several
-     * means.
-     */
-    public static final double BRIGHT = 3;
-
     /** Only numbers leave the solver. */
     public Certificate {
         NoNumberException.unlessNumbers("certificate", missingFlux == null ? 0 : missingFlux, factors, mostFactors,
