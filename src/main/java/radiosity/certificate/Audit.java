@@ -68,12 +68,12 @@ public final class Audit {
      * @param states of all blocks, by id
      * @param ledger of the same moment
      */
-    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, int threads) {
+    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, ParallelFor crew) {
         this.mesh = mesh;
         this.states = states;
         this.ledger = ledger;
         faces = mesh.faces;
-        crew = new ParallelFor(threads);
+        this.crew = crew;
         places = new AuditPlaces(mesh, this::nodes, reflected(), shining(), crew);
         isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
                 > MOSTLY * Arrays.stream(ledger.emitted()).sum();
@@ -104,13 +104,14 @@ public final class Audit {
 
     /*---- Looking ----*/
 
-    /** As long as a few points make up most of the error, more are looked at. */
+    /** As long as a few points make up most of the error, or it is not what was asked for, more are looked at. */
     public Certificate certificate(double unshotFlux) throws IOException {
         List<AuditPoint> first = places.pick(wanted, START[0], 0);
         UniformRadiosity ambient = ambient(first);
         look(first, ambient);
         AuditResult result = result();
-        while (!isBegun && batches < START.length && result.uncertainty() > ENOUGH) {
+        while (!isBegun && batches < START.length
+                && (result.uncertainty() > ENOUGH || result.expected() > mesh.accuracy())) {
             look(places.pick(wanted, START[batches], points.size()), ambient);
             result = result();
         }

@@ -32,6 +32,11 @@ final class AuditResult {
         Arrays.setAll(bias, c -> new AuditBias(mesh, all, batches, ledger, c));
     }
 
+    /** Expected error, relative. */
+    double expected() {
+        return Math.sqrt(errors(reflecting()).total);
+    }
+
     Certificate certificate(double unshotFlux, double reciprocity) {
         double most = points.stream().mapToDouble(p -> p.factors).max().orElse(0);
         List<AuditPoint> reflecting = reflecting();

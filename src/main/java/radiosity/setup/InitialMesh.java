@@ -188,13 +188,18 @@ public final class InitialMesh {
                 + (settings.layers() ? " --layers" : "")
                 + (settings.factors() == FormFactors.RAYCAST ? ""
                 : " --form-factors " + settings.factors().name().toLowerCase(Locale.ROOT))
-                + (predicts() ? accuracy() : "");
+                + (predicts() ? accuracyText() : "");
     }
 
     /** In per cent, and as the two numbers that follow from that. */
-    private String accuracy() {
+    private String accuracyText() {
         return String.format(Locale.ROOT, " --accuracy %.6g%% (first tolerance %s, first mesh error %s)",
                 100 * Accuracy.of(settings.tolerance()), tolerance(), meshError());
+    }
+
+    /** With prediction: relative error of radiosity that is asked for. */
+    public double accuracy() {
+        return Accuracy.of(tolerance());
     }
 
     /** With prediction: irradiance that one ray may carry, relative to the mean. */

@@ -5,6 +5,7 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -15,6 +16,8 @@ import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
+import radiosity.settings.StopRule;
+import radiosity.solution.Certificate;
 
 /**
  * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
@@ -44,7 +47,12 @@ final class Prediction implements Planner {
     }
 
     /** What the last round was. */
-    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE }
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE }
+
+    /** Looks at the solution anew; nothing where there is no light to look at. */
+    interface Audit {
+        Optional<Certificate> certificate() throws IOException;
+    }
 
     private final World world;
     private final double wanted;
@@ -52,8 +60,8 @@ final class Prediction implements Planner {
     private final double area;
     /** Null where the scene is too large for it. */
     private final CoarseSystem coarse;
-    private final double tolerance;
-    private final double meshError;
+    private final AccuracyLoop loop;
+    private final Audit audit;
     /** See {@link Weights}: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
@@ -67,12 +75,12 @@ final class Prediction implements Planner {
     private double left = Double.POSITIVE_INFINITY;
 
     /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
-    Prediction(World world, double wanted) {
+    Prediction(World world, double wanted, Audit audit) {
+        this.audit = audit;
         this.wanted = wanted;
         this.world = world;
         area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
-        tolerance = world.mesh.tolerance();
-        meshError = world.mesh.meshError();
+        loop = new AccuracyLoop(world.mesh);
         weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
         coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN
@@ -107,10 +115,16 @@ final class Prediction implements Planner {
             case REGATHER -> {
                 return average();
             }
-            case AVERAGE -> {
-                if (world.mesh.conserves()) {
+            case AVERAGE, BALANCE -> {
+                if (stage == Stage.AVERAGE && world.mesh.conserves()) {
                     return balance();
                 }
+                if (isExact()) {
+                    stage = Stage.DONE;
+                    return null;
+                }
+                refined = false;
+                splits = 0;
             }
             default -> { }
         }
@@ -140,6 +154,12 @@ final class Prediction implements Planner {
         stage = Stage.RENEW;
         left = unsent <= wanted ? unsent : 0;
         return order(Order.Kind.RENEW, world.unshot(), new double[0]);
+    }
+
+    /** Where more is left unshot than usual, that is most of the error, and dividing elements would not help. */
+    private boolean isExact() throws IOException {
+        Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
+        return certificate.isEmpty() || !loop.goesOn(certificate.get());
     }
 
     private Order regather() throws IOException {
@@ -272,7 +292,8 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
-        return new Order(kind, shots, new Order.Rules(tolerance, weight, meshError, even, new double[0]),
+        return new Order(kind, shots, new Order.Rules(loop.tolerance(), weight, loop.meshError(), even,
+                new double[0]),
                 Order.Question.candidates(0));
     }
 
@@ -282,15 +303,16 @@ final class Prediction implements Planner {
         return 0;
     }
 
-    /** Until all vertices have gathered anew, what they have may be negative. */
+    /** The accuracy that was asked for is reached, or cannot be. */
     @Override
     public boolean isEnough(Answer last, double unsent, double wanted) {
-        return stage == (world.mesh.conserves() ? Stage.BALANCE : Stage.AVERAGE) && left <= wanted;
+        return stage == Stage.DONE;
     }
 
     @Override
     public void write(DataOutput out) throws IOException {
         out.writeByte(stage.ordinal());
+        loop.write(out);
         out.writeInt(splits);
         out.writeInt(elements);
         out.writeBoolean(refined);
@@ -303,6 +325,7 @@ final class Prediction implements Planner {
     @Override
     public void read(DataInput in) throws IOException {
         stage = Stage.values()[in.readByte()];
+        loop.read(in);
         splits = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();

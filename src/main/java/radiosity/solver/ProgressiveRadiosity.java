@@ -20,6 +20,7 @@ import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
+import radiosity.util.ParallelFor;
 
 /**
  * The loop of figure 7: who has unshot flux shoots, everybody receives, until little enough is left.
@@ -40,6 +41,10 @@ public final class ProgressiveRadiosity {
     private final StepSizer pace;
     private final LatestStatus last;
     private Planner planner;
+    /** What was found by looking at the solution after that round, and that many shots. */
+    private Optional<Certificate> certificate = Optional.empty();
+    private int certifiedRound = -1;
+    private int certifiedShots;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this(world, stop, StepSizer.STEP_SECONDS);
@@ -108,7 +113,7 @@ public final class ProgressiveRadiosity {
 
     private void prepare() {
         if (planner == null) {
-            planner = planner(world, stop);
+            planner = planner();
         }
     }
 
@@ -127,9 +132,9 @@ public final class ProgressiveRadiosity {
         last.know();
     }
 
-    private static Planner planner(World world, StopRule stop) {
+    private Planner planner() {
         return switch (world.settings().schedule()) {
-            case PREDICT -> new Prediction(world, stop.unsent());
+            case PREDICT -> new Prediction(world, stop.unsent(), () -> certificate(world.crew));
             case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new CyclicSchedule(world.channels(), false);
             case GATHERING -> new CyclicSchedule(world.channels(), true);
@@ -282,13 +287,22 @@ public final class ProgressiveRadiosity {
      * @return nothing where some vertices have not gathered yet, nobody has shot, or all is dark
      */
     public Optional<Certificate> certificate(int threads) throws IOException {
+        return certificate(new ParallelFor(threads));
+    }
+
+    private Optional<Certificate> certificate(ParallelFor crew) throws IOException {
         if (tally.dark() != 0 || tally.shots() == 0) {
             return Optional.empty();
         }
         know();
-        Answer now = last.newest();
-        return Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements, threads)
-                .certificate(Flux.sum(tally.shown(now).unshotFlux))).filter(certificate -> certificate.points() > 0);
+        if (certifiedRound != tally.rounds() || certifiedShots != tally.shots()) {
+            Answer now = last.newest();
+            certificate = Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements,
+                    crew).certificate(Flux.sum(tally.shown(now).unshotFlux))).filter(found -> found.points() > 0);
+            certifiedRound = tally.rounds();
+            certifiedShots = tally.shots();
+        }
+        return certificate;
     }
 
     /**

@@ -209,14 +209,14 @@ class RenderTest {
     void accuracyThatIsNotReached_isExitCode5AndTheRenderIsDone() throws IOException {
         Path report = directory.resolve("report.json");
         Path journal = Files.writeString(directory.resolve("box.scene.journal"), "what another render left behind");
-        ProgramRun run = ProgramRun.of("-q", "--accuracy", "20%", "-pa", 100_000, "--form-factors", "plain", "-nr", 1,
+        ProgramRun run = ProgramRun.of("-q", "--accuracy", "5%", "-pa", 100_000, "--form-factors", "plain", "-nr", 1,
                 "--report", report, BOX, output);
         assertEquals(5, run.exitCode(), run.err());
         assertTrue(run.err().matches("warning: .*; it is replaced\\R"
-                + "accuracy: expected an error of 20 %, reached \\S+ %; .*\\R"), run.err());
+                + "accuracy not reached: expected an error of 5.0 %, got \\S+ %; .*\\R"), run.err());
         assertTrue(run.out().contains("radiosity +- "), run.out());
         assertTrue(SavedCalculation.read(output).shots() > 0);
-        assertTrue(new ObjectMapper().readTree(report.toFile()).get("certificate").get("expected").doubleValue() > .2);
+        assertTrue(new ObjectMapper().readTree(report.toFile()).get("certificate").get("expected").doubleValue() > .05);
         assertFalse(Files.exists(journal), "the next render would find it");
     }
 

@@ -22,7 +22,7 @@ class SummaryTest {
     private static Optional<String> shortfall(double asked) throws IOException {
         RadiositySettings defaults = RadiositySettings.defaults();
         RadiositySettings settings = new RadiositySettings(0, 0, defaults.meshing(), defaults.schedule(),
-                Accuracy.tolerance(asked), 1);
+                Accuracy.tolerance(asked), Double.POSITIVE_INFINITY);
         try (LocalWorld world = new LocalWorld(RoomScenes.withBlocks(RoomScenes.grey("wall", 0, .5),
                 RoomScenes.grey("lamp", 1, .5)), settings, 2)) {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world,

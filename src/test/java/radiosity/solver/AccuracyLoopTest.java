@@ -1,0 +1,58 @@
+package radiosity.solver;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import radiosity.settings.RadiositySettings;
+import radiosity.setup.InitialMesh;
+import radiosity.solution.Certificate;
+import radiosity.testkit.RoomScenes;
+
+/** When the mesh and the rays become finer after points have looked at the solution, and when that ends. */
+class AccuracyLoopTest {
+
+    /** For an error of 2 %. */
+    private static AccuracyLoop loop() {
+        return new AccuracyLoop(new InitialMesh(RoomScenes.cube(RoomScenes.grey("wall", 1, .5)),
+                RadiositySettings.defaults()));
+    }
+
+    private static Certificate certificate(double expected, double sampling, double meshing) {
+        return new Certificate(400, 0.0, 1, 1, 0, expected, sampling, meshing, 0, List.of());
+    }
+
+    @Test
+    void exactEnough_ends() {
+        assertFalse(loop().goesOn(certificate(.019, .01, .01)));
+    }
+
+    @Test
+    void mesh_isRefinedWhereTheErrorIsItsOwn() {
+        AccuracyLoop loop = loop();
+        double tolerance = loop.tolerance();
+        double meshError = loop.meshError();
+        assertTrue(loop.goesOn(certificate(.04, .01, .039)));
+        assertEquals(tolerance, loop.tolerance());
+        assertTrue(loop.meshError() < .5 * meshError, meshError + " became " + loop.meshError());
+    }
+
+    @Test
+    void rays_carryLessWhereTheErrorIsTheirs() {
+        AccuracyLoop loop = loop();
+        double tolerance = loop.tolerance();
+        double meshError = loop.meshError();
+        assertTrue(loop.goesOn(certificate(.04, .06, .01)));
+        assertTrue(loop.tolerance() < .7 * tolerance, tolerance + " became " + loop.tolerance());
+        assertEquals(meshError, loop.meshError());
+    }
+
+    @Test
+    void noProgress_ends() {
+        AccuracyLoop loop = loop();
+        assertTrue(loop.goesOn(certificate(.04, .01, .038)));
+        assertFalse(loop.goesOn(certificate(.039, .01, .037)));
+    }
+}
