@@ -112,7 +112,8 @@ public final class RadiosityRenderer {
 
     private Scene scene() throws IOException {
         user.phase("reading " + options.input().getFileName());
-        Scene scene = SceneReader.read(options.input(), options.scene.lightWave(), warnings::print);
+        Scene scene = options.scene.daylight(SceneReader.read(options.input(), options.scene.lightWave(),
+                warnings::print));
         options.scene.check(scene);
         files.check(scene);
         return SurfaceMaps.read(scene, options.scene.srgb, warnings::accept);

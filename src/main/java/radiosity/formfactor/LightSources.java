@@ -1,6 +1,8 @@
 package radiosity.formfactor;
 
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
@@ -31,6 +33,7 @@ public final class LightSources {
     private final Faces faces;
     private final RadiosityBounds bounds;
     private final List<Light> lights;
+    private final Map<Light, Sky> skies = new ConcurrentHashMap<>();
 
     public LightSources(Faces faces, RadiosityBounds bounds) {
         this.faces = faces;
@@ -65,7 +68,14 @@ public final class LightSources {
      * @param n unit direction of the side that receives
      */
     public void add(Vec3 x, Vec3 n, double[] to, int first) {
+        add(x, n, to, first, true);
+    }
+
+    private void add(Vec3 x, Vec3 n, double[] to, int first, boolean fromOutside) {
         for (int i = 0; i < lights.size(); i++) {
+            if (!fromOutside && lights.get(i).kind().isOutside()) {
+                continue;
+            }
             double share = irradiance(lights.get(i), x, n);
             for (int c = 0; c < faces.channels(); c++) {
                 to[first + c] += share * faces.power(i, c);
@@ -74,10 +84,14 @@ public final class LightSources {
     }
 
     /**
-     * Flux that arrives of all lights, at points spread over all faces: whatever the mesh, one per channel, W.
+     * Flux that arrives of all lights inside of closed rooms, at points spread over all faces: whatever the mesh, one
+     * per channel, W.
      */
     public double[] flux() {
         double[] flux = new double[faces.channels()];
+        if (lights.stream().allMatch(light -> light.kind().isOutside())) {
+            return flux;
+        }
         double[] sum = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             Vec3 a = corner(f, 0);
@@ -88,7 +102,7 @@ public final class LightSources {
             for (int i = 1; i <= points; i++) {
                 double r = Math.sqrt(PointSequence.u(i));
                 double s = PointSequence.v(i);
-                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0);
+                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0, false);
             }
             for (int c = 0; c < sum.length; c++) {
                 flux[c] += sum[c] / points * faces.area(f) * faces.size() * faces.size();
@@ -109,6 +123,8 @@ public final class LightSources {
             case POINT, SPOT -> light.luminaire().isPresent() ? luminaire(light, light.luminaire().get(), x, n)
                     : point(light, x, n);
             case AREA -> area(light, x, n);
+            case SKY_UNIFORM, SKY_OVERCAST, SKY_CLEAR -> skies.computeIfAbsent(light, Sky::new)
+                    .irradiance(x, n, d -> sees(x, x.plus(d.times(FAR))));
         };
     }
 

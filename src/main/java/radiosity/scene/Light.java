@@ -7,12 +7,13 @@ import java.util.Optional;
  *
  * @param name      for messages and layers
  * @param kind      what it is
- * @param power     distant: irradiance at normal incidence (W/m²); point and spot: irradiance at distance
+ * @param power     distant: irradiance at normal incidence (W/m²); sky: of a level place that sees all of it; point
+ *                  and spot: irradiance at distance
  *                  {@code range} (W/m²), falling with 1/r²; area: exitance (W/m²)
  * @param position  of a point, spot or (centre of) area light, scene units
  * @param direction unit direction in which it shines (not used by a point light)
  * @param right     half edge of an area light, scene units; of others a direction to its right, or zero
- * @param up        other half edge of an area light
+ * @param up        other half edge of an area light; of a sky, unit direction of its zenith
  * @param range     distance at which a point or spot light has its nominal irradiance, scene units, above 0
  * @param cone      half angle of a spot's cone, radians
  * @param edge      width of the soft edge inside that cone, radians
@@ -28,7 +29,45 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
     }
 
     /** The kinds of light that are evaluated. */
-    public enum Kind { DISTANT, POINT, SPOT, AREA }
+    public enum Kind {
+        DISTANT, POINT, SPOT, AREA,
+        /** Skies all around, behind everything: equally bright everywhere. */
+        SKY_UNIFORM,
+        /** Three times as bright above as at the horizon (CIE standard overcast sky, CIE S 003, 1996). */
+        SKY_OVERCAST,
+        /** Brightest about the sun (CIE standard clear sky, low turbidity: type 12 of CIE S 011, 2003). */
+        SKY_CLEAR;
+
+        /** Whether it comes from behind everything, and so into no closed room. */
+        public boolean isOutside() {
+            return this == DISTANT || ordinal() >= SKY_UNIFORM.ordinal();
+        }
+    }
+
+    /**
+     * A sky.
+     *
+     * @param kind        one of the skies
+     * @param illuminance of a level place from which all of it is seen, lx or W/m²
+     * @param up          where its zenith is
+     * @param sun         direction towards the sun, which must be above the horizon, for a clear sky; else not used
+     */
+    public static Light sky(Kind kind, double illuminance, Vec3 up, Vec3 sun) {
+        check("sky", kind != Kind.SKY_CLEAR || sun.dot(up) > 0, "a sun above the horizon", sun);
+        Vec3 down = kind == Kind.SKY_CLEAR ? sun.unit().times(-1) : up.unit().times(-1);
+        return new Light("sky", kind, Rgb.grey(illuminance), Vec3.ZERO, down, Vec3.ZERO, up.unit(), 1, 0, 0);
+    }
+
+    /**
+     * The sun.
+     *
+     * @param towards     direction towards it
+     * @param illuminance of a place that faces it, lx or W/m²
+     */
+    public static Light sun(Vec3 towards, double illuminance) {
+        return new Light("sun", Kind.DISTANT, Rgb.grey(illuminance), Vec3.ZERO, towards.unit().times(-1), Vec3.ZERO,
+                Vec3.ZERO, 1, 0, 0);
+    }
 
     /**
      * Checks itself.

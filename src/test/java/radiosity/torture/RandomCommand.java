@@ -25,7 +25,8 @@ final class RandomCommand {
             "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info",
             "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size", "--exposure",
             "--tone-mapping", "--frame", "--content", "--map", "--emission", "--lights", "--srgb", "--unit",
-            "--photometric", "--luminaire", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
+            "--photometric", "--luminaire", "--sky", "--sun",
+            "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
     private static final Set<String> RUN = Set.of("-t", "-tf", "--info", "-h", "-key", "--statistics", "--help",
@@ -116,6 +117,10 @@ final class RandomCommand {
         }
         if (light.containsKey("--luminaire") || is("--unit", .1)) {
             light("--unit", dice.of("mm", "cm", "m", "in", "ft"));
+        }
+        if (wanted.equals("--sky") || wanted.equals("--sun")) {
+            light("--sky", dice.of("uniform", "cie-overcast", "cie-clear") + "=1e-6"); // adds next to nothing to the rest
+            light("--sun", "1,2,3", "1e-6");
         }
         if (is("--strict", .03)) {
             light("--strict");
