@@ -29,7 +29,7 @@ import radiosity.util.ParallelFor;
 /** Looks at a solution anew, at some points of every surface, and writes its {@link Certificate}. */
 public final class Audit {
 
-    /** Points: one for so many elements, but no less and no more than that. */
+    /** Points: one per this number of elements, and the least and the most. */
     private static final int ELEMENTS_PER_POINT = 100;
     private static final int LEAST_POINTS = 192;
     private static final int MOST_POINTS = 400;
@@ -57,7 +57,7 @@ public final class Audit {
     private final Faces faces;
     private final List<byte[]> states;
     private final EnergyLedger ledger;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     private final AuditPlaces places;
     private final boolean isBegun;
     private final int wanted;
@@ -68,13 +68,13 @@ public final class Audit {
      * @param states of all blocks, by id
      * @param ledger of the same moment
      */
-    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, ParallelFor crew) {
+    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, ParallelFor parallel) {
         this.mesh = mesh;
         this.states = states;
         this.ledger = ledger;
         faces = mesh.faces;
-        this.crew = crew;
-        places = new AuditPlaces(mesh, this::nodes, reflected(), shining(), crew);
+        this.parallel = parallel;
+        places = new AuditPlaces(mesh, this::nodes, reflected(), leaving(), parallel);
         isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
                 > MOSTLY * Arrays.stream(ledger.emitted()).sum();
         wanted = isBegun ? LEAST_POINTS
@@ -96,7 +96,7 @@ public final class Audit {
     }
 
     /** The same of all that leaves surfaces. */
-    private double[] shining() {
+    private double[] leaving() {
         double[] mean = new double[faces.channels()];
         Arrays.setAll(mean, c -> ledger.shot()[c] / (faces.area() * faces.size() * faces.size()));
         return mean;
@@ -125,7 +125,7 @@ public final class Audit {
     private void look(List<AuditPoint> batch, UniformRadiosity ambient) {
         LightSources lights = new LightSources(faces, mesh.bounds());
         Escape escape = new Escape(faces, mesh.bounds());
-        crew.run(batch.size(), i -> {
+        parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
             point.light(lights, ambient);
             point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
@@ -157,19 +157,19 @@ public final class Audit {
         return new UniformRadiosity(mesh.rooms, channels, sum);
     }
 
-    /** What a block's elements shine with, and then as if all shone with 1. */
+    /** What leaves a block's elements is gathered, and then 1 W/m² from all. */
     private void gather(List<AuditPoint> batch, Block block, UniformRadiosity ambient) {
         RadiosityNodes nodes = nodes(block.id());
         int corners = 3 * nodes.channels();
         ElementLight all = nodes.light();
-        ShooterHierarchy light = Shot.of(nodes, nodes.tops(), 0, all::shining)
+        ShooterHierarchy light = Shot.of(nodes, nodes.tops(), 0, all::leaving)
                 .shooter(faces, Weights.of(weight()), ambient);
         ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
                 (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
                 .shooter(faces, Weights.of(ones()));
         FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, tolerance());
         FormFactorCalculator few = few();
-        crew.run(batch.size(), i -> {
+        parallel.run(batch.size(), i -> {
             if (!batch.get(i).isBuried) {
                 batch.get(i).gather(many, light);
                 batch.get(i).addFactors(few, ones);
@@ -204,7 +204,7 @@ public final class Audit {
         List<AuditPoint> seen = points.stream().filter(p -> !p.isBuried).toList();
         double[] difference = new double[PARTNERS * seen.size()];
         double[] sum = new double[difference.length];
-        crew.run(difference.length, i -> {
+        parallel.run(difference.length, i -> {
             AuditPoint p = seen.get(i / PARTNERS);
             AuditPoint q = seen.get((i / PARTNERS + seen.size() / (2 + i % PARTNERS)) % seen.size());
             double there = exchange(p, q);

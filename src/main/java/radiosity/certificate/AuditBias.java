@@ -15,7 +15,7 @@ import radiosity.solution.EnergyLedger;
  * at every point.
  *
  * <p>What the points tell of it is uncertain, in white rooms 10,000 times as uncertain. But it is known in another way
- * too: what the solution has received is counted, and all that it shines with arrives, but for what escapes; in a room
+ * too: what the solution has received is counted, and all that leaves it arrives, but for what escapes; in a room
  * that is proven closed nothing does. So the mean of the points' errors is corrected by as much as the mean of what
  * they have received is found to be off from what is counted.
  */
@@ -32,7 +32,7 @@ final class AuditBias {
     private final int colour;
     /** 1 per point: area, which they have in common between them, of the scene's squared size. */
     private final double[] area;
-    /** All flux that is shining, of the scene's squared size: what all others are relative to. */
+    /** All flux that leaves surfaces, of the scene's squared size: what all others are relative to. */
     private final double unit;
     /**
      * 1 per point each: flux too much that it reflects, that it has received, and that is not to be expected elsewhere.
@@ -52,19 +52,19 @@ final class AuditBias {
         this.ledger = ledger;
         this.colour = colour;
         double squared = faces.size() * faces.size();
-        double shining = (sum(ledger.shot()) + sum(ledger.unshot())) / squared;
-        unit = shining > 0 ? shining : 1;
+        double leaving = (sum(ledger.shot()) + sum(ledger.unshot())) / squared;
+        unit = leaving > 0 ? leaving : 1;
         area = points.stream().mapToDouble(p -> p.area / batches).toArray();
         reflected = each(i -> points.get(i).reflectance(colour) * points.get(i).excess(colour));
         received = each(i -> points.get(i).excess(colour));
         unaccounted = each(i -> points.get(i).unaccounted(colour));
         double strongest = IntStream.range(0, area.length).filter(i -> !isClosed(mesh, points.get(i)))
-                .mapToDouble(i -> area[i] * points.get(i).shining(colour) / unit / Escape.RAYS).max().orElse(0);
+                .mapToDouble(i -> area[i] * points.get(i).leaving(colour) / unit / Escape.RAYS).max().orElse(0);
         // that no ray escapes does not tell that none would: the strongest might
         double uncertain = moment(unaccounted, unaccounted) + strongest * strongest;
         double spread = moment(received, received) + uncertain;
         double slope = spread > 0 ? moment(reflected, received) / spread : 0;
-        double counted = sum(ledger.received()) / squared / unit - shining / unit + Arrays.stream(unaccounted).sum();
+        double counted = sum(ledger.received()) / squared / unit - leaving / unit + Arrays.stream(unaccounted).sum();
         flux = Arrays.stream(reflected).sum() - slope * (Arrays.stream(received).sum() - counted);
         error = Math.sqrt(Math.max(0, moment(reflected, reflected) - slope * moment(reflected, received)));
         reflecting = IntStream.range(0, area.length).mapToDouble(i -> area[i] * points.get(i).reflectance(colour))

@@ -39,7 +39,7 @@ final class AuditPlaces {
     private final IntFunction<RadiosityNodes> nodes;
     /** 1 per colour, W/m². */
     private final double[] reflected;
-    private final double[] shining;
+    private final double[] leaving;
     private final InteriorTest burial;
     private final Weighed[] weighed;
 
@@ -49,18 +49,18 @@ final class AuditPlaces {
     /**
      * @param nodes     of a block with their light
      * @param reflected 1 per channel: mean radiosity that is reflected, W/m²
-     * @param shining   the same of all that leaves
+     * @param leaving   the same of all that leaves
      */
-    AuditPlaces(InitialMesh mesh, IntFunction<RadiosityNodes> nodes, double[] reflected, double[] shining,
-            ParallelFor crew) {
+    AuditPlaces(InitialMesh mesh, IntFunction<RadiosityNodes> nodes, double[] reflected, double[] leaving,
+            ParallelFor parallel) {
         this.mesh = mesh;
         this.nodes = nodes;
         faces = mesh.faces;
         this.reflected = ofAllLayers(reflected);
-        this.shining = ofAllLayers(shining);
+        this.leaving = ofAllLayers(leaving);
         burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
-        crew.run(weighed.length, b -> weighed[b] = weigh(nodes.apply(b)));
+        parallel.run(weighed.length, b -> weighed[b] = weigh(nodes.apply(b)));
     }
 
     private double[] ofAllLayers(double[] channels) {
@@ -104,7 +104,7 @@ final class AuditPlaces {
         double mean = (corner[0] + corner[1] + corner[2]) / 3;
         double differs = DIFFERENCE * (of.isPoint(node) ? mean : corner[2] - corner[0]);
         double unit = Math.max(reflected[colour], mean / Accuracy.BRIGHT);
-        return ratio(mean + differs, unit) + ratio(emitted, shining[colour]);
+        return ratio(mean + differs, unit) + ratio(emitted, leaving[colour]);
     }
 
     private static double ratio(double a, double b) {

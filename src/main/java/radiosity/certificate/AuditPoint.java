@@ -16,7 +16,7 @@ import radiosity.util.Hash;
 /** A point at which a solution is looked at, what the solution has there, and what is found anew. */
 final class AuditPoint {
 
-    /** So often the light is found anew, each time by rays of their own: how they differ tells how far they are off. */
+    /** How often the light is found anew, each time by rays of their own: their differences give their error. */
     static final int TIMES = 2;
 
     final int face;
@@ -41,7 +41,7 @@ final class AuditPoint {
     /** One per channel: W/m², and as a part. */
     private final double[] exitance;
     private final double[] reflectance;
-    /** One per channel: irradiance that the solution has, W/m²; by how much it shines as if there were more. */
+    /** One per channel: irradiance that the solution has, W/m²; how much more it reflects than that. */
     final double[] interpolated;
     final double[] bulge;
     final double[] atVertex;
@@ -122,7 +122,7 @@ final class AuditPoint {
                 faces.normal(face, 2), key, shooter, to);
     }
 
-    /** Adds the light of sources without geometry, and what all of a closed room shines with. */
+    /** Adds the light of sources without geometry, and the uniform light of a closed room. */
     void light(LightSources lights, UniformRadiosity ambient) {
         for (int i = 0; i <= TIMES; i++) {
             double[] to = i < TIMES ? anew[i].value : anewAtVertex.value;
@@ -165,7 +165,7 @@ final class AuditPoint {
         return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * (atVertex[c] - anewAtVertex.value[c]));
     }
 
-    /** Irradiance that the solution shines as if it had, less what arrives, W/m². */
+    /** Irradiance that the solution reflects, less what arrives, W/m². */
     double excess(int colour) {
         return sum(colour, c -> interpolated[c] + bulge[c] - (isBuried ? 0 : anew(c)));
     }
@@ -182,11 +182,11 @@ final class AuditPoint {
 
     /** By how much more was received here than what leaves here brings elsewhere, W/m²: what escapes, and lights. */
     double unaccounted(int colour) {
-        return lost * shining(colour) + (isBuried ? 0 : sum(colour, c -> fromLights[c]));
+        return lost * leaving(colour) + (isBuried ? 0 : sum(colour, c -> fromLights[c]));
     }
 
-    /** What the solution shines with, W/m². */
-    double shining(int colour) {
+    /** What leaves the surfaces of the solution, W/m². */
+    double leaving(int colour) {
         return sum(colour, c -> exitance[c] + reflectance[c] * (interpolated[c] + bulge[c]));
     }
 

@@ -147,7 +147,7 @@ public final class RadiosityRenderer {
     /** As exactly as can be done in a time. */
     private void calculate(TimeCourse course, TimeLimit limit, SaveBeforeExit ending) throws IOException {
         RenderResult result;
-        String told;
+        String inTime;
         try (user) {
             Scene scene = scene();
             RadiositySettings settings = checked(scene, null);
@@ -155,9 +155,9 @@ public final class RadiosityRenderer {
             TimedCalculation timed = new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
                     settings, limit, course, user, stop, files);
             result = timed.run();
-            told = timed.told();
+            inTime = timed.summary();
         }
-        finish(result, write(result, Optional.of(told), true, new Failures()));
+        finish(result, write(result, Optional.of(inTime), true, new Failures()));
     }
 
     /** What {@code -tf} names, or null. */

@@ -15,7 +15,7 @@ public interface FormFactorCalculator {
      * @param px         receiving point, of the scene brought to size 1, and so on
      * @param nx         its normal, length 1, and so on
      * @param key        what the receiving point is, whoever owns it
-     * @param gathering  told of every sample point that is visible
+     * @param gathering  receives every sample point that is visible
      */
     void gather(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
                 GatherSink gathering);

@@ -19,7 +19,7 @@ public final class LightSources {
 
     /** Sample points of an area light for its visible share, by a plastic-number sequence as in the ray caster. */
     private static final int SAMPLES = 32;
-    /** So many times its size away, a part of a luminaire is a point. */
+    /** Distance, in sizes of a part of a luminaire, from which on the part is a point. */
     private static final double SMALL = 12;
     /** A luminaire may stand in the plane of a ceiling, which does not hide it: part of the distance. */
     private static final double MOUNTED = 1e-4;

@@ -140,7 +140,7 @@ public final class ShooterHierarchy {
         face[top] = tree.face();
         Arrays.fill(face, nodes, before + count, tree.face());
         path[top] = tree.path();
-        shine(tree, top, before);
+        setRadiosity(tree, top, before);
         nodes = before + count;
         for (int i = 0; i < 9; i++) {
             corner[9 * top + i] = faces.corner(tree.face(), i / 3, i % 3);
@@ -154,7 +154,7 @@ public final class ShooterHierarchy {
     }
 
     /** What the nodes of a tree shoot; the top's own place is not among theirs. */
-    private void shine(PatchTree tree, int top, int before) {
+    private void setRadiosity(PatchTree tree, int top, int before) {
         int n = 3 * channels;
         System.arraycopy(tree.radiosity(), 0, radiosity, n * top, n);
         System.arraycopy(tree.radiosity(), n, radiosity, n * (before + 1), tree.radiosity().length - n);

@@ -248,7 +248,7 @@ public final class RemoteWorld extends World {
         for (byte[] bytes : round(Order.asking(Order.Kind.TREES, 0))) {
             trees.addAll(Wire.trees(Wire.input(bytes)));
         }
-        return log.totals(joined(trees), crew);
+        return log.totals(joined(trees), parallel);
     }
 
     /*---- Losing hosts, and finding them again ----*/

@@ -163,7 +163,7 @@ public final class ElementLight {
     }
 
     /** What was shot and what is unshot, at all corners, W/m²; see {@link PatchTree.Quantity}. */
-    public void shining(int node, double[] values, int at) {
+    public void leaving(int node, double[] values, int at) {
         unshot(node, values, at);
         for (int i = 0; i < 3 * channels; i++) {
             values[at + i] += shot[3 * channels * tree.place(node) + i];

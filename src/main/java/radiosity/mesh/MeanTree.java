@@ -3,7 +3,7 @@ package radiosity.mesh;
 import java.util.Arrays;
 import radiosity.mesh.face.NodePath;
 
-/** A tree that goes no deeper than so many levels below its face: what lies below is told by its mean. */
+/** A tree cut off at a number of levels below its face: deeper elements are replaced by their mean. */
 public final class MeanTree {
 
     private MeanTree() { }

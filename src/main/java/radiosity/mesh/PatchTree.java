@@ -11,7 +11,7 @@ import radiosity.mesh.face.Subdivision;
  * @param face      face on which it lies
  * @param path      its top node below the face, see {@link NodePath}
  * @param child     1 per node, breadth first: first of four consecutive children, or -1
- * @param radiosity 3 x channels per node, corner by corner; 0 for inner nodes. Empty where only the tree is told. W/m²
+ * @param radiosity 3 x channels per node, corner by corner; 0 for inner nodes. Empty where it is left out. W/m²
  */
 public record PatchTree(int face, long path, int[] child, double[] radiosity) {
 

@@ -20,7 +20,7 @@ public final class Patcher {
     private static final double POINT = 0x1p-16;
     /** Largest of {@link #slack}. */
     public static final int MOST_SLACK = 3;
-    /** In a part of so many faces or more they have fewer shared corners than middles. */
+    /** In a part of this number of faces or more they have fewer shared corners than middles. */
     private static final int SHARED = 6;
 
     private final Faces faces;
@@ -68,7 +68,7 @@ public final class Patcher {
         return points;
     }
 
-    /** A mesh of about so many patches or of fewer, but with all the subtrees of these blocks. */
+    /** A mesh of about this number of patches or of fewer, but with all the subtrees of these blocks. */
     public Patcher coarser(List<Block> blocks, int patches) {
         double largest = Math.max(patchArea, areaFor(faces, patches));
         byte[] coarse = levels(faces, largest);
@@ -81,7 +81,7 @@ public final class Patcher {
         return new Patcher(faces, largest, coarse, point);
     }
 
-    /** A patch area that gives about so many patches. */
+    /** A patch area that gives about this number of patches. */
     public static double areaFor(Faces faces, int patches) {
         return Math.max(faces.area() / patches, Double.MIN_NORMAL);
     }
@@ -102,7 +102,7 @@ public final class Patcher {
 
     /**
      * Whether a face is a patch that receives at its middle only: what was modelled finer than light needs, and shares
-     * no corners in one plane with others, would have three points where one tells as much.
+     * no corners in one plane with others, would have three points where one is as good.
      */
     public boolean isPoint(int face) {
         return level[face] == 0 && point.get(face);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Small faces that are neighbours and look the same way, of which one stands for all where light is only foreseen: of
+ * Small faces that are neighbours and look the same way, of which one stands for all where light is predicted: of
  * what was modelled finer than light needs, there are too many to ask each.
  */
 public final class RepresentativeFaces {

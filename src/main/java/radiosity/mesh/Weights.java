@@ -28,7 +28,7 @@ public record Weights(ClosedRooms rooms, int channels, double[] value) {
         return value[at(rooms, face, channel, channels, value.length)];
     }
 
-    /** Where the value of a face's channel stands among so many. */
+    /** Where the value of a face's channel stands among all. */
     public static int at(ClosedRooms rooms, int face, int channel, int channels, int count) {
         return count == channels ? channel : channels * (rooms.room(face) + 1) + channel;
     }

@@ -22,7 +22,7 @@ public final class BlockCosts {
     private final int[][] tops;
     private final int[] elements;
     private final int[] points;
-    private final int[] told;
+    private final int[] gathered;
     /** 1 per block: processor time since it was reported, ns. */
     private final AtomicLongArray time;
     /** 1 per vertex: a block that has it. */
@@ -34,11 +34,11 @@ public final class BlockCosts {
         tops = blocks.stream().map(nodes::tops).toArray(int[][]::new);
         elements = new int[tops.length];
         points = new int[tops.length];
-        told = new int[tops.length];
+        gathered = new int[tops.length];
         time = new AtomicLongArray(tops.length);
     }
 
-    /** Processor time of this thread, ns; 0 where the machine does not tell. */
+    /** Processor time of this thread, ns; 0 where the machine does not say. */
     public static long now() {
         return THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime() : 0;
     }
@@ -47,7 +47,7 @@ public final class BlockCosts {
     void begin(int[] vertices) {
         recount();
         for (int v : vertices) {
-            told[blockOf[v]]++;
+            gathered[blockOf[v]]++;
         }
     }
 
@@ -110,8 +110,8 @@ public final class BlockCosts {
         BlockWork[] report = new BlockWork[tops.length];
         for (int b = 0; b < tops.length; b++) {
             double seconds = time.getAndSet(b, 0) * 1e-9 + rest * elements[b];
-            report[b] = new BlockWork(elements[b], points[b], told[b], (float) seconds);
-            told[b] = 0;
+            report[b] = new BlockWork(elements[b], points[b], gathered[b], (float) seconds);
+            gathered[b] = 0;
         }
         return report;
     }

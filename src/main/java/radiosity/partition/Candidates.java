@@ -23,7 +23,7 @@ final class Candidates {
     private final double squaredSize;
     private final RadiosityNodes nodes;
     private final int[][] shooters;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
     /** Over all shooters; null where something has changed since. */
@@ -32,13 +32,13 @@ final class Candidates {
     private Shot[] shots;
 
     /** @param shooters nodes that shoot together */
-    Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, ParallelFor crew) {
+    Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, ParallelFor parallel) {
         this.mesh = mesh;
         faces = mesh.faces;
         squaredSize = faces.size() * faces.size();
         this.nodes = nodes;
         this.shooters = shooters;
-        this.crew = crew;
+        this.parallel = parallel;
         flux = new double[shooters.length];
     }
 
@@ -51,7 +51,7 @@ final class Candidates {
         Answer answer = new Answer(faces, mesh.fluxScale());
         answer.addSums(sums);
         int[] named = largest(asked.most(), asked.flux());
-        crew.run(named.length, i -> find(named[i]));
+        parallel.run(named.length, i -> find(named[i]));
         boolean means = kind == Order.Kind.MEANS;
         IntStream.of(named).mapToObj(p -> means ? shots[p].mean(mesh.coarse) : shots[p])
                 .forEach(answer.candidates::add);
@@ -73,7 +73,7 @@ final class Candidates {
 
     private Answer measure() {
         Answer all = new Answer(faces, mesh.fluxScale());
-        crew.run(shooters.length, RUN, (from, to) -> {
+        parallel.run(shooters.length, RUN, (from, to) -> {
             Answer some = measure(from, to);
             synchronized (all) {
                 all.addSums(some);

@@ -24,20 +24,20 @@ final class CoarseReceivers {
 
     private final InitialMesh mesh;
     private final Gatherer receivers;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     private final RadiosityNodes nodes;
     /** Vertices whose rows are made here: of those that stand for themselves. */
     private final int[] asked;
 
-    CoarseReceivers(InitialMesh mesh, List<Block> blocks, Gatherer receivers, ParallelFor crew) {
+    CoarseReceivers(InitialMesh mesh, List<Block> blocks, Gatherer receivers, ParallelFor parallel) {
         this.mesh = mesh;
         this.receivers = receivers;
-        this.crew = crew;
+        this.parallel = parallel;
         nodes = new RadiosityNodes(mesh.coarse, mesh.clusters.clusters);
         BitSet mine = new BitSet();
         blocks.forEach(block -> mine.set(block.id()));
         asked = IntStream.range(0, nodes.vertices())
-                .filter(v -> mesh.fellows.leader(nodes.vertexFace(v)) == nodes.vertexFace(v))
+                .filter(v -> mesh.representatives.leader(nodes.vertexFace(v)) == nodes.vertexFace(v))
                 .filter(v -> mine.get((int) ((long) v * mesh.blocks.size() / nodes.vertices()))).toArray();
         receivers.bury(nodes, asked);
     }
@@ -48,7 +48,7 @@ final class CoarseReceivers {
         FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]
                 : new RayCaster(mesh.bounds(), 1, order.rules().tolerance(), 1);
         byte[][] row = new byte[asked.length][];
-        crew.run(row.length, i -> row[i] = row(asked[i], all, calculator));
+        parallel.run(row.length, i -> row[i] = row(asked[i], all, calculator));
         return Wire.bytes(out -> {
             out.writeInt(row.length);
             for (byte[] bytes : row) {

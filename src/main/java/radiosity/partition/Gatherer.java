@@ -24,24 +24,24 @@ final class Gatherer {
 
     private final InitialMesh mesh;
     private final Faces faces;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     private final InteriorTest burial;
 
-    Gatherer(InitialMesh mesh, ParallelFor crew) {
+    Gatherer(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
-        this.crew = crew;
+        this.parallel = parallel;
         faces = mesh.faces;
         burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
     }
 
     /** Marks which vertices lie inside a solid, from the first on that has not been looked at. */
     void bury(RadiosityNodes nodes, int first) {
-        crew.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
+        parallel.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
     }
 
     /** The same for some vertices. */
     void bury(RadiosityNodes nodes, int[] vertices) {
-        crew.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
+        parallel.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
     }
 
     UniformRadiosity ambient(Order order) {
@@ -56,7 +56,7 @@ final class Gatherer {
         UniformRadiosity ambient = ambient(order);
         Weights weights = weights(order);
         ShooterHierarchy[] made = new ShooterHierarchy[order.shots().size()];
-        crew.run(made.length, i -> made[i] = order.shots().get(i).shooter(faces, weights, ambient));
+        parallel.run(made.length, i -> made[i] = order.shots().get(i).shooter(faces, weights, ambient));
         return made;
     }
 

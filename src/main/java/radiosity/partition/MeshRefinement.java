@@ -46,9 +46,9 @@ final class MeshRefinement {
      *
      * @param round what the new vertices are shared by
      */
-    void splitAll(int round, ParallelFor crew) {
+    void splitAll(int round, ParallelFor parallel) {
         byte[] wanted = new byte[nodes.nodes()];
-        crew.run(wanted.length, RUN, (from, to) -> {
+        parallel.run(wanted.length, RUN, (from, to) -> {
             for (int node = from; node < to; node++) {
                 wanted[node] = nodes.isElement(node) ? UNKNOWN : wanted(node);
             }

@@ -34,7 +34,7 @@ public final class PartitionImpl implements Partition {
     private final Faces faces;
     private final int channels;
     private final List<Block> mine;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     private final Gatherer receivers;
     private final LightSources lights;
     private final AdaptiveMeshing meshing;
@@ -60,15 +60,15 @@ public final class PartitionImpl implements Partition {
         this.mine = mine;
         faces = mesh.faces;
         channels = faces.channels();
-        crew = new ParallelFor(threads);
-        receivers = new Gatherer(mesh, crew);
+        parallel = new ParallelFor(threads);
+        receivers = new Gatherer(mesh, parallel);
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         lights = new LightSources(faces, mesh.bounds());
         nodes = new RadiosityNodes(mesh.patcher, mine);
         costs = new BlockCosts(nodes, mine);
         shooters = mesh.shootsClusters() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();
         parts = mesh.clusters.parts(nodes);
-        candidates = new Candidates(mesh, nodes, shooters, crew);
+        candidates = new Candidates(mesh, nodes, shooters, parallel);
         ghosts = new GhostVertices(nodes);
         if (!restored) {
             receivers.bury(nodes, 0);
@@ -135,7 +135,7 @@ public final class PartitionImpl implements Partition {
         return ghosts.take(values);
     }
 
-    /** Does what an order says where other hosts gather: they have not told what they have gathered. */
+    /** Gathers by an order where other hosts should have: their ghost values have not come. */
     public void gatherAtGhosts(Order order) {
         candidates.changed();
         gather(work(order), ghosts.taken(points(order)));
@@ -150,7 +150,8 @@ public final class PartitionImpl implements Partition {
     /** Subdivide where it pays. */
     private void split(Order order) {
         int known = nodes.vertices();
-        new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError()).splitAll(order.number(), crew);
+        new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError())
+                .splitAll(order.number(), parallel);
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(IntStream.range(known, nodes.vertices()).toArray());
@@ -167,7 +168,7 @@ public final class PartitionImpl implements Partition {
     /** What has no geometry shoots first. */
     private void light(int[] vertices) {
         if (!lights.isEmpty()) {
-            crew.run(vertices.length, i -> {
+            parallel.run(vertices.length, i -> {
                 if (!nodes.isBuried(vertices[i])) {
                     lights.light(nodes, vertices[i]);
                 }
@@ -182,7 +183,7 @@ public final class PartitionImpl implements Partition {
 
     private List<Shot> all(PatchTree.Quantity quantity) {
         Shot[] shots = new Shot[shooters.length];
-        crew.run(shots.length, i -> shots[i] = Shot.of(nodes, shooters[i], 0, quantity));
+        parallel.run(shots.length, i -> shots[i] = Shot.of(nodes, shooters[i], 0, quantity));
         return List.of(shots);
     }
 
@@ -224,7 +225,7 @@ public final class PartitionImpl implements Partition {
         }
         receivers.receiveAmbient(work.order, nodes, vertices);
         costs.begin(vertices);
-        crew.run(vertices.length, Gatherer.RUN, (from, to) -> {
+        parallel.run(vertices.length, Gatherer.RUN, (from, to) -> {
             int[] run = Arrays.copyOfRange(vertices, from, to);
             long begin = BlockCosts.now();
             for (ShooterHierarchy shooter : work.shooters) {
@@ -236,7 +237,7 @@ public final class PartitionImpl implements Partition {
 
     /** Rows of the coarse system for the vertices that this partition's blocks have in it, or parts of them. */
     private byte[] rows(Order order) {
-        CoarseReceivers asked = coarse == null ? new CoarseReceivers(mesh, mine, receivers, crew) : coarse;
+        CoarseReceivers asked = coarse == null ? new CoarseReceivers(mesh, mine, receivers, parallel) : coarse;
         coarse = order.more() ? asked : null;
         return asked.rows(order);
     }

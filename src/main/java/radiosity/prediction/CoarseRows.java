@@ -25,7 +25,7 @@ public final class CoarseRows {
 
     private final Faces faces;
     private final RadiosityNodes nodes;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     private final int channels;
     /** Number of a vertex by its key. */
     private final LongIndex index;
@@ -40,11 +40,11 @@ public final class CoarseRows {
     /** Per vertex: the one that stands for it. */
     private final int[] unknown;
 
-    /** @param nodes the coarse mesh; vertices that are told to be buried are marked in it */
-    CoarseRows(RadiosityNodes nodes, RepresentativeFaces fellows, ParallelFor crew) {
+    /** @param nodes the coarse mesh; vertices that partitions report as buried are marked in it */
+    CoarseRows(RadiosityNodes nodes, RepresentativeFaces representatives, ParallelFor parallel) {
         this.nodes = nodes;
-        this.crew = crew;
-        unknown = IntStream.range(0, nodes.vertices()).map(v -> leader(v, fellows)).toArray();
+        this.parallel = parallel;
+        unknown = IntStream.range(0, nodes.vertices()).map(v -> leader(v, representatives)).toArray();
         faces = nodes.faces();
         channels = faces.channels();
         index = new LongIndex(nodes.vertices());
@@ -58,9 +58,10 @@ public final class CoarseRows {
         parts = new int[nodes.vertices()];
     }
 
-    private int leader(int v, RepresentativeFaces fellows) {
+    private int leader(int v, RepresentativeFaces representatives) {
         int f = nodes.vertexFace(v);
-        return fellows.leader(f) == f ? v : nodes.corner(nodes.find(fellows.leader(f), NodePath.FACE), 0);
+        int leader = representatives.leader(f);
+        return leader == f ? v : nodes.corner(nodes.find(leader, NodePath.FACE), 0);
     }
 
     /** The vertex whose irradiance stands for that of a vertex. */
@@ -136,7 +137,7 @@ public final class CoarseRows {
     /** What arrives at each vertex from unshot radiosity. */
     double[] direct(double[] unshot) {
         double[] sum = new double[channels * column.length];
-        crew.run(column.length, RUN, (from, to) -> {
+        parallel.run(column.length, RUN, (from, to) -> {
             for (int v = from; v < to; v++) {
                 direct(v, unshot, sum);
             }
@@ -161,7 +162,7 @@ public final class CoarseRows {
     GaussSeidel equations(double enough) {
         int[][] columns = new int[column.length][];
         float[][] value = new float[column.length][];
-        crew.run(column.length, EQUATIONS, (from, to) -> {
+        parallel.run(column.length, EQUATIONS, (from, to) -> {
             int[] place = new int[column.length];
             for (int v = from; v < to; v++) {
                 equation(v, place, columns, value);

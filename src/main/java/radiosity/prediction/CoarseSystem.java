@@ -17,7 +17,7 @@ import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
 /**
- * The linear system of a coarse mesh (equation 2), by which is foreseen what light will become of unshot light.
+ * The linear system of a coarse mesh (equation 2), by which the light that unshot light will become is predicted.
  *
  * <p>Unknowns are irradiances at vertices: H = K (U + rho H), where U is given on patches. Each row of K is made by the
  * partition that owns the vertex, once; the system is solved here as often as there is a round.
@@ -29,7 +29,7 @@ public final class CoarseSystem {
     private static final double EXACTLY = 1e-9;
 
     private final InitialMesh mesh;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
     private final Faces faces;
     private final ClosedRooms rooms;
     private final List<Block> blocks;
@@ -40,16 +40,16 @@ public final class CoarseSystem {
     /** Of irradiance by reflected irradiance; null until it is needed. */
     private GaussSeidel equations;
 
-    public CoarseSystem(InitialMesh mesh, ParallelFor crew) {
+    public CoarseSystem(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
-        this.crew = crew;
+        this.parallel = parallel;
         faces = mesh.faces;
         rooms = mesh.rooms;
         channels = faces.channels();
         blocks = mesh.clusters.clusters;
         single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
-        rows = new CoarseRows(nodes, mesh.fellows, crew);
+        rows = new CoarseRows(nodes, mesh.representatives, parallel);
     }
 
     /**
@@ -141,7 +141,7 @@ public final class CoarseSystem {
      * @param first whether nothing was shot before
      */
     public List<Shot> with(List<Shot> shots, double[] h, boolean first) {
-        return new ShotsOnDemand(shots.size(), i -> with(shots.get(i), h, first), crew);
+        return new ShotsOnDemand(shots.size(), i -> with(shots.get(i), h, first), parallel);
     }
 
     private Shot with(Shot shot, double[] h, boolean first) {
@@ -188,7 +188,7 @@ public final class CoarseSystem {
      */
     public double[] unshot(List<Shot> shots) {
         double[] unshot = new double[channels * nodes.nodes()];
-        crew.run(shots.size(), i -> restrict(shots.get(i), unshot));
+        parallel.run(shots.size(), i -> restrict(shots.get(i), unshot));
         return unshot;
     }
 

@@ -174,7 +174,7 @@ public final class GaussSeidel {
         boolean done = true;
         for (int c = 0; c < channels; c++) {
             if (!Double.isFinite(size[c])) {
-                throw new NoNumberException("light that is foreseen: expected numbers, got " + size[c]
+                throw new NoNumberException("predicted light: expected numbers, got " + size[c]
                         + "; surfaces may emit too much");
             }
             done &= change[c] <= enough * size[c];

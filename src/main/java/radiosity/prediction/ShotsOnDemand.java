@@ -13,19 +13,19 @@ public final class ShotsOnDemand extends AbstractList<Shot> {
 
     private final Shot[] made;
     private final IntFunction<Shot> make;
-    private final ParallelFor crew;
+    private final ParallelFor parallel;
 
     /** @param make from any thread */
-    public ShotsOnDemand(int size, IntFunction<Shot> make, ParallelFor crew) {
+    public ShotsOnDemand(int size, IntFunction<Shot> make, ParallelFor parallel) {
         made = new Shot[size];
         this.make = make;
-        this.crew = crew;
+        this.parallel = parallel;
     }
 
     @Override
     public synchronized Shot get(int i) {
         if (made[i] == null) {
-            crew.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = make.apply(i + k));
+            parallel.run(Math.min(AT_A_TIME, made.length - i), k -> made[i + k] = make.apply(i + k));
         }
         return made[i];
     }

@@ -15,7 +15,7 @@ record Quantizer(int channels, double[] unit) {
 
     /** Binary digits of the largest of a run: with its sign it fits into a byte. */
     private static final int DIGITS = 7;
-    /** So many nodes are a run, as a power of two; the four parts of a triangle are in the same. */
+    /** The number of nodes in a run, as a power of two; the four parts of a triangle are in the same. */
     private static final int RUN = 4;
 
     /** Where nothing is counted in them. */

@@ -13,7 +13,7 @@ import java.util.List;
  */
 public record Hierarchy(List<SceneNode> nodes, int[] nodeOf) {
 
-    /** Nodes up to which they are written: each takes some 10 KB of memory meanwhile, and nobody looks at so many. */
+    /** Nodes up to which they are written: each takes some 10 KB of memory meanwhile, and nobody looks at more. */
     public static final int MOST_WRITTEN = 10_000;
 
     /** Triangles that belong to no object. */

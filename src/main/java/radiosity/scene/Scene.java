@@ -86,9 +86,9 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
     public List<Lamp> lamps() {
         Stream<Lamp> emitting = Arrays.stream(surfaceOf).distinct().sorted().filter(s -> surfaces.get(s).emits())
                 .mapToObj(s -> new Lamp(surfaces.get(s).name(), true, s));
-        Stream<Lamp> shining = IntStream.range(0, lights.size())
+        Stream<Lamp> fromLights = IntStream.range(0, lights.size())
                 .mapToObj(l -> new Lamp(lights.get(l).name(), false, l));
-        return Stream.concat(emitting, shining).toList();
+        return Stream.concat(emitting, fromLights).toList();
     }
 
     /** Number of original triangles. */

@@ -16,7 +16,7 @@ package radiosity.settings;
 public record RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
                                 double meshError, boolean layers, FormFactors factors) {
 
-    /** Of so many lamps the light can be kept apart. */
+    /** The number of lamps whose light can be kept apart. */
     public static final int MOST_LAMPS = 256;
 
     public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,

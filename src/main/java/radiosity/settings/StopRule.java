@@ -3,7 +3,7 @@ package radiosity.settings;
 /**
  * When to stop: whichever comes first. In any case where what is unshot is only {@linkplain #ROUNDING rounding}.
  *
- * @param shots  after so many shots, at least 0 ({@code -it}); {@link Integer#MAX_VALUE} for no limit
+ * @param shots  number of shots after which to stop, at least 0 ({@code -it}); {@link Integer#MAX_VALUE} for no limit
  * @param unsent when at most this part of the emitted flux is unshot, in [0, 1] ({@code -se})
  */
 public record StopRule(int shots, double unsent) {

@@ -82,11 +82,11 @@ public final class Clusters {
      * @param shots one of each block, in any order
      * @return one of each cluster, most flux first
      */
-    public List<Shot> join(List<Shot> shots, ParallelFor crew) {
+    public List<Shot> join(List<Shot> shots, ParallelFor parallel) {
         Shot[] ofBlock = new Shot[blocks.size()];
         shots.forEach(shot -> ofBlock[number.get(shot.place())] = shot);
         Shot[] joined = new Shot[clusters.size()];
-        crew.run(joined.length,
+        parallel.run(joined.length,
                 c -> joined[c] = join(clusters.get(c), Arrays.asList(ofBlock).subList(first[c], first[c + 1])));
         List<Shot> sorted = new ArrayList<>(List.of(joined));
         Collections.sort(sorted);

@@ -61,7 +61,7 @@ public final class InitialMesh {
     /** A mesh that goes no deeper than is needed to foresee what light will become. */
     public final Patcher coarse;
     /** Whose light stands for whose in that. */
-    public final RepresentativeFaces fellows;
+    public final RepresentativeFaces representatives;
     /** Flux that surfaces emit, one per channel, W. */
     public final double[] emitted;
 
@@ -85,7 +85,7 @@ public final class InitialMesh {
         clusters = new Clusters(patcher, predicts() ? CLUSTERS : BLOCKS, predicts() ? FINE_BLOCKS : BLOCKS);
         blocks = clusters.blocks;
         coarse = solvesAtOnce() ? patcher : patcher.coarser(clusters.clusters, COARSE_PATCHES);
-        fellows = new RepresentativeFaces(coarse, clusters.clusters);
+        representatives = new RepresentativeFaces(coarse, clusters.clusters);
         boolean white = scene.surfaces().stream()
                 .anyMatch(s -> s.reflectance().max() > WHITE || s.maps().reflectance().isPresent());
         rounding = new Rounding(white, shootsClusters() && !settings.layers());
@@ -123,7 +123,7 @@ public final class InitialMesh {
         return settings.schedule() == Schedule.MATRIX;
     }
 
-    /** Whether the patches of a cluster shoot together; a projection would take long for so many at a time. */
+    /** Whether the patches of a cluster shoot together; a projection would take long for a whole cluster. */
     public boolean shootsClusters() {
         return predicts() && settings.factors() == FormFactors.RAYCAST;
     }
@@ -236,7 +236,7 @@ public final class InitialMesh {
         return NumberOutput.toString(number, true);
     }
 
-    /** By what it shines, not by its name, which hosts are not told. */
+    /** By its light, not by its name, which hosts do not receive. */
     private static long digest(long before, Light light) {
         long digest = Hash.mix(before, light.kind().ordinal());
         Vec3 power = new Vec3(light.power().r(), light.power().g(), light.power().b());

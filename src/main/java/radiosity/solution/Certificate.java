@@ -9,7 +9,7 @@ import radiosity.util.NoNumberException;
  * <p>The bound is one, on what the discrete system still lacks. The errors are estimates: at some points of every
  * surface the light that arrives from the solution is found anew with many more rays, and compared with what the
  * solution has there. Light that is still unshot is found, too, so early in a render it is most of them. {@code
- * docs/CERTIFICATE.md} tells how well they foresee the true error.
+ * docs/CERTIFICATE.md} says how well they foresee the true error.
  *
  * @param points      at how many points it was looked
  * @param missingFlux most flux that could still arrive as unshot flux is shot, all channels, W; null: without a bound

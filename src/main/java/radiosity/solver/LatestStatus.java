@@ -23,7 +23,7 @@ final class LatestStatus {
     private static final double ANSWER_SECONDS = 4;
 
     private final World world;
-    private final StepSizer pace;
+    private final StepSizer sizer;
     /** Answers to orders of this calculation that nobody has read, in the order of the orders. */
     private final Deque<Unread> unread = new ArrayDeque<>();
     private Answer newest;
@@ -35,9 +35,9 @@ final class LatestStatus {
 
     private record Unread(Order order, World.Begun begun) { }
 
-    LatestStatus(World world, StepSizer pace) {
+    LatestStatus(World world, StepSizer sizer) {
         this.world = world;
-        this.pace = pace;
+        this.sizer = sizer;
         known = world.now();
     }
 
@@ -69,7 +69,7 @@ final class LatestStatus {
     /** Reads the first answer that was not read yet. */
     private void read() throws IOException {
         Unread first = unread.remove();
-        newest = first.begun.answer(pace::took);
+        newest = first.begun.answer(sizer::took);
         known = world.now();
         if (!first.order.more()) {
             afterRound = newest;

@@ -20,7 +20,7 @@ final class MatrixSolution implements Planner {
     private final Order.Rules rules;
 
     MatrixSolution(World world) {
-        system = new CoarseSystem(world.mesh, world.crew);
+        system = new CoarseSystem(world.mesh, world.parallel);
         rules = Order.Rules.exact(world.channels());
     }
 

@@ -29,7 +29,7 @@ public sealed interface Planner permits ShootAndSort, Prediction, CyclicSchedule
         return false;
     }
 
-    /** How many candidates it wants to be told, where nothing is known of them. */
+    /** How many candidates partitions are to name where nothing is known of them. */
     default int wanted() {
         return Integer.MAX_VALUE;
     }

@@ -20,7 +20,8 @@ import radiosity.settings.StopRule;
 import radiosity.solution.Certificate;
 
 /**
- * Every patch shoots once what it will have in the end, as far as that can be foreseen, then what was foreseen wrongly.
+ * Every patch shoots once what it will have in the end, as far as that can be predicted, then what the prediction
+ * lacked.
  *
  * <p>The linear system of a coarse mesh is made once; it turns unshot radiosity into the radiosity that will come of
  * it. What is shot is both together (overshooting: M. Feda, W. Purgathofer, Accelerating radiosity by overshooting,
@@ -35,14 +36,14 @@ final class Prediction implements Planner {
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.02;
 
-    /** Patches of the coarse mesh up to which there is foresight: its system grows with their square. */
-    private static final int MOST_FORESEEN = 20_000;
+    /** Patches of the coarse mesh up to which light is predicted: its system grows with their square. */
+    private static final int MOST_PREDICTED = 20_000;
 
     /** Everybody. */
     private static final Order ALL = Order.asking(Order.Kind.ASK, Integer.MAX_VALUE);
 
-    /** Flux that is foreseen to matter on some of the faces, W. */
-    private interface ForeseenFlux {
+    /** Flux that is predicted to matter on some of the faces, W. */
+    private interface PredictedFlux {
         double of(IntPredicate counts, int channel);
     }
 
@@ -69,7 +70,7 @@ final class Prediction implements Planner {
     private int elements;
     private boolean refined;
     /**
-     * Unshot flux before the last shots, relative to the emitted: where they leave more, foresight is at its end. It is
+     * Unshot flux before the last shots, relative to the emitted: where they leave more, no more is predicted. It is
      * 0 then.
      */
     private double left = Double.POSITIVE_INFINITY;
@@ -83,8 +84,8 @@ final class Prediction implements Planner {
         loop = new AccuracyLoop(world.mesh);
         weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
-        coarse = world.mesh.coarse.patches() - world.mesh.fellows.followers() <= MOST_FORESEEN
-                ? new CoarseSystem(world.mesh, world.crew) : null;
+        coarse = world.mesh.coarse.patches() - world.mesh.representatives.followers() <= MOST_PREDICTED
+                ? new CoarseSystem(world.mesh, world.parallel) : null;
     }
 
     /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
@@ -134,7 +135,7 @@ final class Prediction implements Planner {
         if (coarse != null && !coarse.isMade()) {
             return rows();
         }
-        List<Shot> shots = coarse == null ? unforeseen(last) : foreseen(last, goOn);
+        List<Shot> shots = coarse == null ? withoutPrediction(last) : withPrediction(last, goOn);
         if (shots.isEmpty()) {
             return null;
         }
@@ -199,7 +200,7 @@ final class Prediction implements Planner {
     }
 
     /**
-     * All that have something to shoot, or will have if that is foreseen; in closed rooms all, as what they have in
+     * All that have something to shoot, or will have if that is predicted; in closed rooms all, as what they have in
      * common is taken off.
      */
     private List<Shot> candidates(Answer answer) {
@@ -215,7 +216,7 @@ final class Prediction implements Planner {
     }
 
     /** With what will become of them, which is reckoned while they are on their way; none where it was not to go on. */
-    private List<Shot> foreseen(Answer last, BooleanSupplier goOn) throws IOException {
+    private List<Shot> withPrediction(Answer last, BooleanSupplier goOn) throws IOException {
         World.Begun means = world.begin(Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
         World.Begun all = world.begin(ALL, World.NOBODY);
         double[] h = coarse.irradiance(coarse.unshot(world.joined(means.answer(World.NOBODY).candidates)), goOn);
@@ -230,7 +231,7 @@ final class Prediction implements Planner {
     }
 
     /** In a scene of too many patches every block shoots what it has. */
-    private List<Shot> unforeseen(Answer last) throws IOException {
+    private List<Shot> withoutPrediction(Answer last) throws IOException {
         List<Shot> candidates = candidates(world.answer(ALL));
         if (stage == Stage.NOTHING) {
             weigh(last, candidates, this::interreflected);
@@ -255,17 +256,17 @@ final class Prediction implements Planner {
         return emitted == 0 ? 0 : emitted * counted / (whole - reflected) * area / faces.area();
     }
 
-    /** By the radiosity that is there and is foreseen, over all area; a channel without light does not count. */
-    private void weigh(Answer last, List<Shot> unshot, ForeseenFlux foreseen) {
+    /** By the radiosity that is there and is predicted, over all area; a channel without light does not count. */
+    private void weigh(Answer last, List<Shot> unshot, PredictedFlux predicted) {
         int channels = world.channels();
         for (int c = 0; c < channels; c++) {
             double received = last.received[c].value();
             double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - last.absorbed[c].value());
-            double lit = foreseen.of(f -> true, c) + reflected;
+            double lit = predicted.of(f -> true, c) + reflected;
             weight[c] = lit > 0 ? area / lit : 0;
         }
         for (int i = weight.length - 1; i >= 0 && weight.length > channels; i--) {
-            weight[i] = weightIn(i / channels - 1, i % channels, unshot, foreseen);
+            weight[i] = weightIn(i / channels - 1, i % channels, unshot, predicted);
         }
     }
 
@@ -273,7 +274,7 @@ final class Prediction implements Planner {
      * The same over the faces of a closed room, or of none; no less than that of the whole, and that where no light was
      * seen.
      */
-    private double weightIn(int room, int c, List<Shot> unshot, ForeseenFlux foreseen) {
+    private double weightIn(int room, int c, List<Shot> unshot, PredictedFlux predicted) {
         Faces faces = world.mesh.faces;
         IntPredicate counts = f -> world.mesh.rooms.room(f) == room;
         double emitted = 0;
@@ -286,7 +287,7 @@ final class Prediction implements Planner {
         unshot.stream().flatMap(shot -> shot.trees().stream()).filter(tree -> counts.test(tree.face()))
                 .forEach(tree -> tree.addFlux(faces, leaving));
         double unit = area / faces.area();
-        double lit = foreseen.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
+        double lit = predicted.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
         return lit > 0 ? Math.max(weight[c], unit * within / lit) : weight[c];
     }
 

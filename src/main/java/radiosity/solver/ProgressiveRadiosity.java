@@ -36,9 +36,9 @@ public final class ProgressiveRadiosity {
     /** Shots after which the listener is to be asked. */
     private final List<Integer> pauses = new ArrayList<>();
     private final StopRule stop;
-    private final SolveCounters tally;
-    private final RoundQueue agenda = new RoundQueue();
-    private final StepSizer pace;
+    private final SolveCounters counters;
+    private final RoundQueue queue = new RoundQueue();
+    private final StepSizer sizer;
     private final LatestStatus last;
     private Planner planner;
     /** What was found by looking at the solution after that round, and that many shots. */
@@ -54,9 +54,9 @@ public final class ProgressiveRadiosity {
     public ProgressiveRadiosity(World world, StopRule stop, double stepSeconds) {
         this.world = world;
         this.stop = stop;
-        pace = new StepSizer(stepSeconds / world.stepsAhead());
-        last = new LatestStatus(world, pace);
-        tally = new SolveCounters(world.mesh);
+        sizer = new StepSizer(stepSeconds / world.stepsAhead());
+        last = new LatestStatus(world, sizer);
+        counters = new SolveCounters(world.mesh);
     }
 
     /**
@@ -68,12 +68,12 @@ public final class ProgressiveRadiosity {
         ask();
         boolean goOn = true;
         while (goOn && !isDone()) {
-            if (agenda.isEmpty()) {
+            if (queue.isEmpty()) {
                 Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
                 if (next == null) {
                     return;
                 }
-                agenda.add(next, unsent());
+                queue.add(next, unsent());
             }
             step();
             goOn = listener.afterRound(progress());
@@ -83,7 +83,7 @@ public final class ProgressiveRadiosity {
 
     /** What was left to shoot after the last round of which the answer was read, relative to what was emitted. */
     private double unsent() {
-        return tally.flux.unsent(last.afterRound());
+        return counters.flux.unsent(last.afterRound());
     }
 
     /** Asks the listener as often as between steps. */
@@ -122,7 +122,7 @@ public final class ProgressiveRadiosity {
         prepare();
         if (last.newest() == null) {
             last.askFirst(Order.asking(Order.Kind.ASK, planner.wanted()));
-            tally.begin(last.newest());
+            counters.begin(last.newest());
         }
     }
 
@@ -134,7 +134,7 @@ public final class ProgressiveRadiosity {
 
     private Planner planner() {
         return switch (world.settings().schedule()) {
-            case PREDICT -> new Prediction(world, stop.unsent(), () -> certificate(world.crew));
+            case PREDICT -> new Prediction(world, stop.unsent(), () -> certificate(world.parallel));
             case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new CyclicSchedule(world.channels(), false);
             case GATHERING -> new CyclicSchedule(world.channels(), true);
@@ -143,22 +143,22 @@ public final class ProgressiveRadiosity {
     }
 
     private boolean isDone() {
-        double left = agenda.isEmpty() ? unsent() : agenda.unsent();
-        return tally.shots() >= stop.shots() || agenda.isBetweenRounds()
-                && planner.isEnough(last.afterRound(), left, Math.max(stop.unsent(), tally.flux.rounding()));
+        double left = queue.isEmpty() ? unsent() : queue.unsent();
+        return counters.shots() >= stop.shots() || queue.isBetweenRounds()
+                && planner.isEnough(last.afterRound(), left, Math.max(stop.unsent(), counters.flux.rounding()));
     }
 
     /** Whether more is unshot than the stop rule asks for, but only as {@linkplain StopRule#ROUNDING rounding}. */
     public boolean isOnlyRoundingLeft() {
-        double left = tally.flux.unsent(tally.shown(last.newest()));
-        return left > stop.unsent() && left <= tally.flux.rounding();
+        double left = counters.flux.unsent(counters.shown(last.newest()));
+        return left > stop.unsent() && left <= counters.flux.rounding();
     }
 
     /*---- Rounds that overlap ----*/
 
     /** All of a round was begun: what comes then may be chosen before the round is over. */
     private void lookAhead(Order done) throws IOException {
-        if (agenda.isEmpty() && done.changes() && planner.looksAhead()) {
+        if (queue.isEmpty() && done.changes() && planner.looksAhead()) {
             last.catchUpToRoundBefore();
             choose();
         }
@@ -167,23 +167,23 @@ public final class ProgressiveRadiosity {
     /** By the answer before the last round; where that names nobody who is left, partitions are asked. */
     private void choose() throws IOException {
         double left = unsent();
-        Answer known = last.afterRound().without(agenda.shooters(), world.mesh.faces, world.mesh.fluxScale());
+        Answer known = last.afterRound().without(queue.shooters(), world.mesh.faces, world.mesh.fluxScale());
         Order next = planner.next(known, left, () -> true);
-        agenda.add(next == null ? Order.asking(Order.Kind.ASK, planner.wanted()) : next, left);
+        queue.add(next == null ? Order.asking(Order.Kind.ASK, planner.wanted()) : next, left);
     }
 
     /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
     private void step() throws IOException {
-        if (agenda.isBetweenRounds()) {
+        if (queue.isBetweenRounds()) {
             begin();
         }
-        Order pending = agenda.round();
+        Order pending = queue.round();
         int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : last.newest().elements;
-        int size = Math.min(pending.shots().size(), pace.size(pending.kind(), receive, pending.shots().size()));
+        int size = Math.min(pending.shots().size(), sizer.size(pending.kind(), receive, pending.shots().size()));
         if (pending.kind() == Order.Kind.SHOOT) {
-            size = Math.min(size, stop.shots() - tally.shots());
+            size = Math.min(size, stop.shots() - counters.shots());
             for (int every : pauses) {
-                size = Math.min(size, every - tally.shots() % every);
+                size = Math.min(size, every - counters.shots() % every);
             }
         }
         Order now = pending.first(size);
@@ -192,8 +192,8 @@ public final class ProgressiveRadiosity {
         }
         Answer before = last.afterRound();
         carryOut(now);
-        tally.count(now, before, last.afterRound());
-        agenda.done(size);
+        counters.count(now, before, last.afterRound());
+        queue.done(size);
         if (!now.more()) {
             lookAhead(now);
         }
@@ -201,10 +201,10 @@ public final class ProgressiveRadiosity {
 
     private void begin() throws IOException {
         if (!planner.looksAhead()) {
-            pace.rest();
+            sizer.rest();
         }
-        Order next = agenda.round();
-        agenda.begin(next.changes() ? next.numbered(tally.nextRound(), missing(next.kind())) : next,
+        Order next = queue.round();
+        queue.begin(next.changes() ? next.numbered(counters.nextRound(), missing(next.kind())) : next,
                 planner.looksAhead());
     }
 
@@ -213,14 +213,14 @@ public final class ProgressiveRadiosity {
             await(now);
             return;
         }
-        last.begun(now, world.begin(now, pace::took));
+        last.begun(now, world.begin(now, sizer::took));
         if (now.isAnswered() && (now.more() || !planner.looksAhead())) {
             last.catchUp();
         }
     }
 
     private void await(Order now) throws IOException {
-        world.finish(pace::took);
+        world.finish(sizer::took);
         last.catchUp();
         long begin = world.now();
         if (now.kind() == Order.Kind.ROWS) {
@@ -228,13 +228,14 @@ public final class ProgressiveRadiosity {
         } else {
             last.ask(now);
         }
-        pace.took(now.shots().size(), (world.now() - begin) * 1e-9);
+        sizer.took(now.shots().size(), (world.now() - begin) * 1e-9);
     }
 
     /** To be given back, where all flux must be received: see {@link Flux#missing}. Empty elsewhere. */
     private double[] missing(Order.Kind kind) {
-        return (kind == Order.Kind.SHOOT || kind == Order.Kind.BALANCE) && world.mesh.conserves() && tally.shots() > 0
-                ? tally.flux.missing(last.afterRound()) : new double[0];
+        boolean receives = kind == Order.Kind.SHOOT || kind == Order.Kind.BALANCE;
+        return receives && world.mesh.conserves() && counters.shots() > 0
+                ? counters.flux.missing(last.afterRound()) : new double[0];
     }
 
     /**
@@ -248,7 +249,7 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return tally.progress(last.newest());
+        return counters.progress(last.newest());
     }
 
     /**
@@ -263,7 +264,7 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return tally.flux.ofAllLayers(tally.shown(last.newest()));
+        return counters.flux.ofAllLayers(counters.shown(last.newest()));
     }
 
     /**
@@ -275,8 +276,8 @@ public final class ProgressiveRadiosity {
     public Solution solution() throws IOException {
         know();
         List<byte[]> blocks = world.blocks();
-        return new Merger(world.mesh, blocks, tally.dark()).solution(tally.shots(), tally.rounds(),
-                Flux.sum(tally.shown(last.newest()).unshotFlux), ledger(), state(blocks));
+        return new Merger(world.mesh, blocks, counters.dark()).solution(counters.shots(), counters.rounds(),
+                Flux.sum(counters.shown(last.newest()).unshotFlux), ledger(), state(blocks));
     }
 
     /**
@@ -290,17 +291,18 @@ public final class ProgressiveRadiosity {
         return certificate(new ParallelFor(threads));
     }
 
-    private Optional<Certificate> certificate(ParallelFor crew) throws IOException {
-        if (tally.dark() != 0 || tally.shots() == 0) {
+    private Optional<Certificate> certificate(ParallelFor parallel) throws IOException {
+        if (counters.dark() != 0 || counters.shots() == 0) {
             return Optional.empty();
         }
         know();
-        if (certifiedRound != tally.rounds() || certifiedShots != tally.shots()) {
+        if (certifiedRound != counters.rounds() || certifiedShots != counters.shots()) {
             Answer now = last.newest();
-            certificate = Optional.of(new Audit(world.mesh, world.blocks(), tally.flux.byChannel(now), now.elements,
-                    crew).certificate(Flux.sum(tally.shown(now).unshotFlux))).filter(found -> found.points() > 0);
-            certifiedRound = tally.rounds();
-            certifiedShots = tally.shots();
+            Audit audit = new Audit(world.mesh, world.blocks(), counters.flux.byChannel(now), now.elements, parallel);
+            certificate = Optional.of(audit.certificate(Flux.sum(counters.shown(now).unshotFlux)))
+                    .filter(found -> found.points() > 0);
+            certifiedRound = counters.rounds();
+            certifiedShots = counters.shots();
         }
         return certificate;
     }
@@ -319,7 +321,7 @@ public final class ProgressiveRadiosity {
 
     /** Whether the round after the present one is chosen by an answer that nobody can be asked for again. */
     private boolean isChosenAhead() {
-        return planner.looksAhead() && agenda.changes();
+        return planner.looksAhead() && queue.changes();
     }
 
     /** @param blocks states of all blocks, by id; not copied */
@@ -327,11 +329,11 @@ public final class ProgressiveRadiosity {
         List<byte[]> pieces = new ArrayList<>();
         pieces.add(Wire.bytes(out -> {
             out.writeUTF(world.mesh.fingerprint());
-            tally.write(out);
+            counters.write(out);
             planner.write(out);
-            agenda.write(out);
+            queue.write(out);
             if (isChosenAhead()) {
-                last.write(out, agenda.shooters());
+                last.write(out, queue.shooters());
             }
         }));
         for (byte[] block : blocks) {
@@ -355,10 +357,10 @@ public final class ProgressiveRadiosity {
         }
         try (DataInputStream in = new DataInputStream(state.open())) {
             world.mesh.checkFingerprint(in.readUTF());
-            tally.read(in);
+            counters.read(in);
             prepare();
             planner.read(in);
-            agenda.read(in);
+            queue.read(in);
             if (isChosenAhead()) {
                 last.read(in);
             }
@@ -374,6 +376,6 @@ public final class ProgressiveRadiosity {
 
     /** Patches that have shot. */
     public int shots() {
-        return tally.shots();
+        return counters.shots();
     }
 }

@@ -75,7 +75,7 @@ final class RoundQueue {
         begun = another ? round.shots() : List.of();
     }
 
-    /** So many of the shots that were left are under way. */
+    /** @param shots number of shots of those left that are under way now */
     void done(int shots) {
         present = shots < present.round.shots().size()
                 ? new Choice(present.round.after(shots), present.unsent) : NONE;

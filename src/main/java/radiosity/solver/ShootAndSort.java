@@ -21,7 +21,7 @@ final class ShootAndSort implements Planner {
     private static final int MOST_IN_ROUND = 64;
     private static final int SHOTS_PER_SHOT = 16;
     private static final int PATCHES_PER_SHOT = 32;
-    /** So many may shoot in any round, of which each has this part of the flux of the first. */
+    /** The number of shooters that may shoot in any round, of which each has this part of the flux of the first. */
     private static final int MOST_ALIKE = 16;
     private static final double ALIKE = 0.5;
     /** Those are named that have this part of the flux of the last one that was chosen. */

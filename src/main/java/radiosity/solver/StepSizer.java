@@ -12,7 +12,7 @@ public final class StepSizer {
 
     /** How long a step is to take, s: a stop is not much farther away. */
     public static final double STEP_SECONDS = 0.25;
-    /** A step holds so many times as many shots as the last one, at most. */
+    /** A step holds at most this many times the shots of the last one. */
     private static final int GROWTH = 4;
     /** What an entry of the coarse system is taken to need at first, s; other kinds of round may need anything. */
     private static final double ENTRY_SECONDS = 5e-8;

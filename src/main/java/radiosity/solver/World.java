@@ -23,14 +23,14 @@ public abstract class World implements AutoCloseable {
 
     public final InitialMesh mesh;
     /** For what is not done by partitions. */
-    public final ParallelFor crew;
+    public final ParallelFor parallel;
 
     /**
      * @param threads of this process, at least 1
      * @throws IllegalArgumentException where the number of threads is below 1
      */
     public World(Scene scene, RadiositySettings settings, int threads) {
-        crew = new ParallelFor(threads);
+        parallel = new ParallelFor(threads);
         mesh = new InitialMesh(scene, settings);
     }
 
@@ -80,7 +80,7 @@ public abstract class World implements AutoCloseable {
         void took(int shots, double seconds);
     }
 
-    /** Is not told. */
+    /** Ignores them. */
     public static final StepTimes NOBODY = (shots, seconds) -> { };
 
     /** What partitions answer to an order that was begun. Nobody else has it than the caller who began the order. */
@@ -89,7 +89,7 @@ public abstract class World implements AutoCloseable {
         /**
          * Waits for the answers of all partitions; not for orders that are not {@linkplain Order#isAnswered answered}.
          *
-         * @param times told about every step that is done by now
+         * @param times receives every step that is done by now
          * @return the answers added up
          */
         Answer answer(StepTimes times) throws IOException;
@@ -98,7 +98,7 @@ public abstract class World implements AutoCloseable {
     /**
      * Begins an order, or a step of a round, that may still be under way afterwards, and others with it.
      *
-     * @param times told about every step that is done by now
+     * @param times receives every step that is done by now
      */
     public abstract Begun begin(Order step, StepTimes times) throws IOException;
 
@@ -119,7 +119,7 @@ public abstract class World implements AutoCloseable {
     public final List<Answer> decode(List<byte[]> encoded) throws IOException {
         Answer[] answers = new Answer[encoded.size()];
         try {
-            crew.run(answers.length, i -> answers[i] = decode(encoded.get(i)));
+            parallel.run(answers.length, i -> answers[i] = decode(encoded.get(i)));
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
@@ -162,7 +162,7 @@ public abstract class World implements AutoCloseable {
 
     /** Those of blocks as those of what shoots together; sorted. */
     public final List<Shot> joined(List<Shot> shots) {
-        return mesh.shootsClusters() ? mesh.clusters.join(shots, crew) : shots.stream().sorted().toList();
+        return mesh.shootsClusters() ? mesh.clusters.join(shots, parallel) : shots.stream().sorted().toList();
     }
 
     /** The states of all blocks, by id. */

@@ -20,7 +20,7 @@ public final class ParallelFor {
         return thread;
     });
 
-    /** At least so many for each thread. */
+    /** The least number of pieces for each thread. */
     private static final int RUNS = 16;
 
     private final int threads;
@@ -72,7 +72,7 @@ public final class ParallelFor {
     }
 
     /**
-     * The same in runs of up to so many neighbouring pieces; of fewer where some threads would soon have no more to do.
+     * Likewise in runs of at most this number of neighbouring pieces; of fewer where threads would soon be idle.
      */
     public void run(int count, int most, Run run) {
         int size = threads == 1 ? most : Math.max(1, Math.min(most, count / (threads * RUNS)));

@@ -48,7 +48,7 @@ final class ControlPanel {
     private final JPanel lamps = new JPanel();
     private final List<LampControl> lampControls = new ArrayList<>();
     private List<Lamp> shown = List.of();
-    /** While components are told how things are, they tell nobody. */
+    /** While components are set to the present values, they notify no listener. */
     private boolean refreshing;
 
     ControlPanel(Display display) {

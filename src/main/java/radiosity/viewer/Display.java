@@ -83,7 +83,7 @@ public final class Display {
         return walker.collides();
     }
 
-    /** @param listener is told whenever something is shown in another way */
+    /** @param listener is called whenever something is shown in another way */
     void whenChanged(Runnable listener) {
         changed = listener;
     }

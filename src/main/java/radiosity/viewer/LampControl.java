@@ -32,7 +32,7 @@ final class LampControl {
     private Rgb colour = Rgb.grey(1);
 
     /**
-     * @param changed is told the factor of the lamp's light
+     * @param changed receives the factor of the lamp's light
      * @param alone   puts out all other lamps
      */
     LampControl(int number, String name, Consumer<Rgb> changed, Runnable alone) {

@@ -183,7 +183,7 @@ public final class Walkthrough {
         return frames(1);
     }
 
-    /** Waits for so many pictures; returns the last. */
+    /** Waits for a number of pictures; returns the last. */
     private BufferedImage frames(int count) throws DisplayException, InterruptedException {
         BufferedImage last = null;
         for (int i = 0; i < count; i++) {

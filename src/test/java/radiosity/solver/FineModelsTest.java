@@ -95,13 +95,13 @@ class FineModelsTest {
         InitialMesh mesh = new InitialMesh(ball(LAMP, DULL), settings());
         RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
         assertTrue(nodes.vertices() < TRIANGLES + 2000, "one vertex per triangle of the ball, got " + nodes.vertices());
-        RepresentativeFaces fellows = mesh.fellows;
-        assertTrue(fellows.followers() > TRIANGLES / 2, "others stand for most, got " + fellows.followers());
+        RepresentativeFaces representatives = mesh.representatives;
+        assertTrue(representatives.followers() > TRIANGLES / 2, "others stand for most, got " + representatives.followers());
         for (int f = 0; f < mesh.faces.count(); f++) {
-            assertEquals(fellows.leader(f), fellows.leader(fellows.leader(f)));
+            assertEquals(representatives.leader(f), representatives.leader(representatives.leader(f)));
             double alike = 0;
             for (int a = 0; a < 3; a++) {
-                alike += (double) mesh.faces.normal(f, a) * mesh.faces.normal(fellows.leader(f), a);
+                alike += (double) mesh.faces.normal(f, a) * mesh.faces.normal(representatives.leader(f), a);
             }
             assertTrue(alike > -1e-6, "they look the same way");
         }

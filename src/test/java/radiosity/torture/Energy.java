@@ -180,7 +180,7 @@ final class Energy {
 
     /**
      * The largest share of a channel's emitted flux that was certainly absorbed or escaped: less three deviations of
-     * what escaped, and less what is unshot, as light that is foreseen is shot before it is there.
+     * what escaped, and less what is unshot, as light that is predicted is shot before it is there.
      */
     double found() {
         double most = 0;

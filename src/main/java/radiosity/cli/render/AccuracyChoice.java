@@ -13,12 +13,12 @@ public final class AccuracyChoice {
     public static final double COARSEST = 0.5;
     /** Finer ones are beyond what is certified. */
     public static final double FINEST = 1e-4;
-    /** What a finer calculation may take of the time that is left: foresight errs. */
+    /** What a finer calculation may take of the time that is left: predictions err. */
     private static final double SHARE = 0.75;
     /** How much finer the next one may be, and must be. */
     private static final double MOST_GAIN = 5;
     private static final double LEAST_GAIN = 1.15;
-    /** Of the first calculation's time, what the JVM takes to get warm: so many seconds, but not more than half. */
+    /** Of the first calculation's time, what the JVM takes to get warm, s; but not more than half. */
     private static final double WARM_UP = 1;
     /** Powers of time in accuracy: after the coarsest one, where what does not depend on it takes most; and finer. */
     private static final double FIRST_POWER = 0.7;
@@ -26,7 +26,7 @@ public final class AccuracyChoice {
     private static final double MOST_POWER = 2;
     /** It grows as accuracy does. */
     private static final double GROWING = 0.2;
-    /** The number of elements grows with this power, and each takes at most so many bytes. */
+    /** The number of elements grows with this power, and each takes at most this number of bytes. */
     private static final double ELEMENTS_POWER = 1.5;
     private static final double ELEMENT_BYTES = 1000;
 

@@ -73,7 +73,7 @@ final class AutosaveListener implements RoundListener {
         }
     }
 
-    /** Whether the calculation was told not to go on. */
+    /** Whether the calculation was asked not to go on. */
     boolean isCut() {
         return cut;
     }

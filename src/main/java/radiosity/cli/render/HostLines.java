@@ -21,7 +21,7 @@ public final class HostLines implements RoundListener {
     private long printed;
 
     /**
-     * @param next  told of every round after this one
+     * @param next  called after every round, after this one
      * @param clock nanoseconds, as {@link System#nanoTime}
      */
     public HostLines(Supplier<WorldStatistics> world, ProgressDisplay display, RoundListener next, LongSupplier clock) {

@@ -61,7 +61,7 @@ public final class RenderJob {
             beginning.of(radiosity);
             user.begin();
             AutosaveListener rounds = new AutosaveListener(radiosity, settings, options, files, journal, user, goOn);
-            radiosity.run(told(world, rounds));
+            radiosity.run(listener(world, rounds));
             user.phase("estimating the error");
             return new RenderResult(radiosity.solution(), settings, radiosity.progress(), world.patchArea(),
                     rounds.isCut() ? Optional.empty() : radiosity.certificate(options.calculation.threads),
@@ -121,7 +121,7 @@ public final class RenderJob {
         T open() throws IOException;
     }
 
-    private RoundListener told(World world, AutosaveListener rounds) {
+    private RoundListener listener(World world, AutosaveListener rounds) {
         return options.statistics && world instanceof RemoteWorld remote
                 ? new HostLines(remote::statistics, user, rounds, System::nanoTime) : rounds;
     }

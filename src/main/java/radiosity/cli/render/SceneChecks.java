@@ -14,10 +14,10 @@ import radiosity.settings.RadiositySettings;
 import radiosity.solution.Solution;
 import radiosity.util.ArraySize;
 
-/** What makes a render pointless or very long, told before it starts. */
+/** What makes a render pointless or very long, reported before it starts. */
 public final class SceneChecks {
 
-    /** From so many elements on, memory and time are worth a word. */
+    /** Number of elements from which on, memory and time are worth a word. */
     static final long MANY = 10_000_000;
     /** An element takes more than this, bytes. */
     private static final double LEAST_BYTES = 128;

@@ -113,7 +113,7 @@ public final class TimedCalculation {
     }
 
     /** For the user: in what time what was done, and how to do it again to the last bit. */
-    public String told() {
+    public String summary() {
         String time = seconds(limit.seconds() - course.left());
         if (isCutOff) {
             return TimeLimit.OPTION + " " + limit.text() + ": too short for this scene, cut off after " + time

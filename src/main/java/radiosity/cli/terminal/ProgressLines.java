@@ -8,7 +8,7 @@ import radiosity.solution.Progress;
 public final class ProgressLines implements ProgressDisplay {
 
     private static final long SECOND = 1_000_000_000L;
-    /** Shorter phases get no line: a file that cannot be read is told by its error alone. */
+    /** Shorter phases get no line: a file that cannot be read is reported by its error alone. */
     private static final long SHORT_MILLISECONDS = 400;
 
     private final PrintStream err;

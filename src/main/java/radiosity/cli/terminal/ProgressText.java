@@ -71,7 +71,7 @@ public final class ProgressText {
         return left > 0 ? ", " + time(left) + " left" : "";
     }
 
-    /** So many of a thing. */
+    /** A number of things. */
     public static String count(int number, String thing) {
         return String.format(Locale.ROOT, "%,d %s%s", number, thing, number == 1 ? "" : "s");
     }

@@ -102,7 +102,7 @@ public final class SceneDraft {
     }
 
     /**
-     * Checks that a scene may have so many triangles and points more than before.
+     * Checks that a scene may have this number of triangles and points more than before.
      *
      * @throws SceneFormatException where it may not
      */

@@ -53,14 +53,14 @@ public final class Diagnostics {
     /**
      * @param place  where in the file; empty for the whole of it
      * @param remark the kind: a fixed text of this program
-     * @param detail what the file says there; only the first one of a kind is told
+     * @param detail what the file says there; only the first one of a kind is reported
      */
     public void note(String place, String remark, String detail) {
         remarks.computeIfAbsent(remark, r -> new Remark(place, shorten(detail))).count++;
     }
 
     /** Tells something that is no fault of the file, so no error under --strict either. */
-    public void tell(String remark) {
+    public void remark(String remark) {
         warnings.accept(line("", remark));
     }
 

@@ -108,7 +108,7 @@ public final class GltfReader {
 
     private Scene scene() throws IOException {
         if (root.optional("animations").isPresent()) {
-            notes.tell("animations are not evaluated: all stands at rest");
+            notes.remark("animations are not evaluated: all stands at rest");
         }
         List<Integer> drafted = new ArrayList<>();
         for (Nodes.Placed at : nodes.all()) {

@@ -86,7 +86,7 @@ final class Meshes {
         }
     }
 
-    /** Checks that there is memory for so many triangles and changed vertices more. */
+    /** Checks that there is memory for this number of triangles and changed vertices more. */
     private void reserve(JsonCursor where, long more) throws SceneFormatException {
         total += more;
         if (total > options.maxTriangles() || total * TRIANGLE_BYTES > Runtime.getRuntime().maxMemory() / 2) {

@@ -183,11 +183,11 @@ public final class SceneAssembly {
         boolean taken = options.lights() == ReadOptions.Lights.EMITTERS
                 || options.lights() == ReadOptions.Lights.AUTO && !emits;
         if (taken && lights.isEmpty() && !emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
-            notes.tell("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
+            notes.remark("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
         }
         if (!taken && !lights.isEmpty() && options.luminaires().isEmpty()
                 && options.lights() == ReadOptions.Lights.AUTO) {
-            notes.tell("surfaces emit, so the scene's lights are not used: " + lights.size());
+            notes.remark("surfaces emit, so the scene's lights are not used: " + lights.size());
         }
         return lights.stream().filter(light -> taken || options.luminaires().containsKey(light.name())).toList();
     }

@@ -21,7 +21,7 @@ final class CutMesh {
 
     /** A point this near to a line lies on it, of the scene's size. */
     static final double NEAR = 1e-6;
-    /** A triangle is divided in four where an edge is longer than so many times what stands on it. */
+    /** A triangle is divided in four where an edge is longer than this many times what stands on it. */
     private static final double COARSE = 4;
 
     private final Faces faces;

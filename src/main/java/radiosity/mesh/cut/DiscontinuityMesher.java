@@ -40,7 +40,7 @@ public final class DiscontinuityMesher {
 
     /**
      * Cuts large faces along their contacts; leaves all faces as they are where nothing stands on them or comes
-     * through, and where so many triangles do that there would be more pieces than elements.
+     * through, and where that many triangles do that there would be more pieces than elements.
      */
     public static Faces cut(Faces faces) {
         DiscontinuityMesher cutting = new DiscontinuityMesher(faces);

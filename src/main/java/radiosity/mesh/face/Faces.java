@@ -40,7 +40,7 @@ public final class Faces {
     public final int[] fan;
     /** 1 per face: bit k where the edge opposite corner k is the part's border. */
     public final byte[] border;
-    private final FaceMaterials shine;
+    private final FaceMaterials materials;
 
     /** All light of a scene as one. */
     public Faces(Scene scene) {
@@ -73,7 +73,7 @@ public final class Faces {
         fan = new int[3 * side.length];
         border = new byte[side.length];
         new CoplanarRegions(this).join(cut);
-        shine = new FaceMaterials(this, kinds);
+        materials = new FaceMaterials(this, kinds);
     }
 
     /** The same scene with some faces replaced by their pieces. */
@@ -201,15 +201,15 @@ public final class Faces {
         return list.points.at(number);
     }
 
-    /** A face's normal as exactly as its corners tell. */
+    /** A face's normal as exactly as its corners give it. */
     public Vec3 exactNormal(int face) {
         Vec3 a = sceneCorner(face, 0);
         return sceneCorner(face, 1).minus(a).cross(sceneCorner(face, 2).minus(a)).unit();
     }
 
-    /** Lets some faces emit nothing, as their light would reach nobody. To be called before anything shines. */
+    /** Lets some faces emit nothing, as their light would reach nobody. To be called before anything is shot. */
     public void darken(IntPredicate hidden) {
-        shine.darken(hidden);
+        materials.darken(hidden);
     }
 
     /**
@@ -221,32 +221,32 @@ public final class Faces {
 
     /** E in W/m², in the mean over a face. */
     public double exitance(int face, int channel) {
-        return shine.exitance(face, channel);
+        return materials.exitance(face, channel);
     }
 
     /** rho in [0, 1), in the mean over a face. */
     public double reflectance(int face, int channel) {
-        return shine.reflectance(face, channel);
+        return materials.reflectance(face, channel);
     }
 
-    /** Whether a picture tells what is where on a face. */
+    /** Whether a picture says what is where on a face. */
     public boolean isMapped(int face) {
-        return shine.isMapped(face);
+        return materials.isMapped(face);
     }
 
     /** E in W/m², in the mean over a node. */
     public double exitance(int face, long path, int channel) {
-        return shine.exitance(face, path, channel);
+        return materials.exitance(face, path, channel);
     }
 
     /** rho in [0, 1), in the mean over a node. */
     public double reflectance(int face, long path, int channel) {
-        return shine.reflectance(face, path, channel);
+        return materials.reflectance(face, path, channel);
     }
 
     /** How much irradiance on a face matters: its reflectance; a little where it is black, for it is a result too. */
     public double importance(int face, int channel) {
-        return Math.max(LEAST_IMPORTANCE, shine.reflectance(face, channel));
+        return Math.max(LEAST_IMPORTANCE, materials.reflectance(face, channel));
     }
 
     /** Height over the longest edge, of the scene's size. */

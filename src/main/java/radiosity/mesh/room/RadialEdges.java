@@ -31,7 +31,7 @@ final class RadialEdges {
 
     /**
      * @param some  sides at the edge from point p to point q: 2 * face, + 1 where it runs that way; not modified
-     * @param alone told of a face that looks at a back
+     * @param alone receives each face that looks at a back
      */
     void pair(int p, int q, int[] some, Meeting meeting, IntConsumer alone) {
         Vec3 along = faces.place(q).minus(faces.place(p)).unit();

@@ -31,7 +31,7 @@ public final class DefaultCamera {
     private static final int[] ELEVATION_TURNED = {0, 25, 50, 89, -89};
     /** A view must be better by this to be taken instead of an earlier one. */
     private static final double BETTER = 1.03;
-    /** Every candidate is looked through by a picture coarser by this, and so many of them by the whole. */
+    /** Every candidate is looked through by a picture coarser by this, and this number of them by the whole. */
     private static final int COARSE = 3;
     private static final int PROMISING = 16;
 

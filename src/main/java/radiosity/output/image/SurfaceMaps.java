@@ -29,7 +29,7 @@ public final class SurfaceMaps {
     }
 
     /**
-     * The scene with its images; an image that cannot be read is told, and leaves the base colour.
+     * The scene with its images; an image that cannot be read is reported, and leaves the base colour.
      *
      * @param srgb whether the images' values are made linear, as the scene's colours
      */

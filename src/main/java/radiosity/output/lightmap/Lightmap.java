@@ -41,7 +41,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
 
     /** Texels along an axis: what every browser can show. */
     public static final int LARGEST = 8192;
-    /** Where the user does not say how fine: so many texels are filled. */
+    /** Number of texels that are filled where the user does not say how fine. */
     private static final double USUAL_TEXELS = 600_000;
 
     /**
