@@ -8,8 +8,8 @@ import radiosity.scene.Vec3;
  * The light of a sky, through openings of any shape.
  *
  * <p>Rays are uniform in the circle below a point's hemisphere (W. Nusselt, 1928), in square cells of angle and squared
- * radius. Where cells that see the sky and cells that do not meet, they are divided: an opening's edge is found to 1/768
- * of the square's side. An opening smaller than a cell may be missed: one of 1 m from 27 m away.
+ * radius. Where cells that see the sky and cells that do not meet, they are divided: an opening's edge is found to
+ * 1/768 of the square's side. An opening smaller than a cell may be missed: one of 1 m from 27 m away.
  *
  * <p>Luminances: CIE S 011/E:2003, Spatial distribution of daylight - CIE standard general sky.
  */
