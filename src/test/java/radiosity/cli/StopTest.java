@@ -49,7 +49,7 @@ class StopTest {
     @CsvSource({"TERM, 143, paper, 1", "INT, 130, paper, 1", "TERM, 143, predict, 0"})
     void signal_savesAndEndsWithItsCode(String signal, int expected, String schedule, int leastShots) throws Exception {
         Process render = program.start(RendererWithPatience.command(RendererWithPatience.ENDLESS,
-                "--schedule " + schedule + " -pa 300 -se 0 foobar.lws foobar.scene"));
+                "--schedule " + schedule + " -pa 60 -se 0 foobar.lws foobar.scene"));
         Program.readUntil(render, WORD);
         new ProcessBuilder("kill", "-" + signal, Long.toString(render.pid())).start().waitFor();
         String rest = Program.rest(render);

@@ -30,6 +30,7 @@ public class DynamicRangeTest {
     private static final double ASKED = 1e-3;
     private static final Vec3 BESIDE = new Vec3(10, 0, 0);
     private static final int PATCHES = 300;
+    private static final double ACCURACY = 0.01;
 
     public static Stream<Claim> claims() {
         return DoubleStream.of(1e9).mapToObj(bright -> new Claim("two rooms, one brighter", "by 1e9",
@@ -39,7 +40,7 @@ public class DynamicRangeTest {
     private static List<Figure> figures(double bright) {
         Scene first = room(bright, Vec3.ZERO);
         Scene second = room(1, BESIDE);
-        Solve solve = Solve.byDefault().unsent(1e-4).patches(first, PATCHES);
+        Solve solve = Solve.byDefault().accurate(ACCURACY).unsent(1e-4).patches(first, PATCHES);
         Solution both = solve.solution(together(first, second));
         return List.of(figure("bright room", solve.solution(first), both, true),
                 figure("dim room", solve.solution(second), both, false));
