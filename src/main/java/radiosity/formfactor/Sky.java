@@ -7,22 +7,26 @@ import radiosity.scene.Vec3;
 /**
  * The light of a sky, through openings of any shape.
  *
- * <p>Rays are uniform in the circle below a point's hemisphere (W. Nusselt, 1928), in square cells of angle and squared
- * radius. Where cells that see the sky and cells that do not meet, they are divided: an opening's edge is found to
- * 1/768 of the square's side. An opening smaller than a cell may be missed: one of 1 m from 27 m away.
+ * <p>Rays are uniform in the circle below a point's hemisphere (W. Nusselt, 1928): at the corners of square cells of
+ * angle and squared radius. Where only some of a cell's corners see the sky, it is divided: an opening's edge is found
+ * to 1/768 of the square's side. An opening smaller than a cell may be missed: one of 1 m from 27 m away.
  *
  * <p>Luminances: CIE S 011/E:2003, Spatial distribution of daylight - CIE standard general sky.
  */
 final class Sky {
 
     private static final int SIDE = 48;
-    private static final int DEEPEST = 4;
+    /** Parts of a cell's side that are looked at at an edge. */
+    private static final int PARTS = 16;
     /** Of the general sky of type 12. */
     private static final double A = -1;
     private static final double B = -0.32;
     private static final double C = 10;
     private static final double D = -3;
     private static final double E = 0.45;
+
+    /** Of the corners of all cells, row by row: what they have of a point's two tangents and of its normal. */
+    private static final double[] CORNERS = corners();
 
     private final Light light;
     private final Vec3 sun;
@@ -33,6 +37,22 @@ final class Sky {
         this.light = light;
         sun = light.direction().unit().times(-1);
         scale = 1 / new Place(light.up(), d -> true).all();
+    }
+
+    private static double[] corners() {
+        double[] corners = new double[3 * (SIDE + 1) * SIDE];
+        for (int i = 0; i < corners.length / 3; i++) {
+            System.arraycopy(direction(i / SIDE * PARTS, i % SIDE * PARTS), 0, corners, 3 * i, 3);
+        }
+        return corners;
+    }
+
+    /** @param row of the squared radius, @param column of the angle, in parts of cells */
+    private static double[] direction(int row, int column) {
+        double square = (double) row / (SIDE * PARTS);
+        double angle = 2 * Math.PI * column / (SIDE * PARTS);
+        double r = Math.sqrt(square);
+        return new double[] {r * StrictMath.cos(angle), r * StrictMath.sin(angle), Math.sqrt(1 - square)};
     }
 
     /**
@@ -65,64 +85,65 @@ final class Sky {
         private final Vec3 u;
         private final Vec3 v;
         private final Predicate<Vec3> free;
+        /** Of the sky's up, along the three. */
+        private final double[] up;
 
         Place(Vec3 n, Predicate<Vec3> free) {
             this.n = n;
             this.free = free;
             u = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
             v = n.cross(u);
+            up = new double[] {u.dot(light.up()), v.dot(light.up()), n.dot(light.up())};
         }
 
         /** Mean luminance over the circle. */
         double all() {
-            double[] seen = new double[SIDE * SIDE];
+            double[] seen = new double[(SIDE + 1) * SIDE];
             for (int i = 0; i < seen.length; i++) {
-                seen[i] = at((i / SIDE + 0.5) / SIDE, (i % SIDE + 0.5) / SIDE);
+                seen[i] = at(CORNERS, 3 * i);
             }
             double sum = 0;
-            for (int i = 0; i < seen.length; i++) {
-                sum += isEdge(seen, i / SIDE, i % SIDE)
-                        ? divided((double) (i / SIDE) / SIDE, (double) (i % SIDE) / SIDE, 1.0 / SIDE, 1) : seen[i];
-            }
-            return sum / seen.length;
-        }
-
-        private boolean isEdge(double[] seen, int row, int column) {
-            boolean here = seen[row * SIDE + column] > 0;
-            for (int r = Math.max(0, row - 1); r <= Math.min(SIDE - 1, row + 1); r++) {
-                for (int c = column - 1; c <= column + 1; c++) {
-                    if (seen[r * SIDE + (c + SIDE) % SIDE] > 0 != here) {
-                        return true;
-                    }
+            for (int row = 0; row < SIDE; row++) {
+                for (int column = 0; column < SIDE; column++) {
+                    int next = (column + 1) % SIDE;
+                    sum += cell(row * PARTS, column * PARTS, PARTS, seen[row * SIDE + column], seen[row * SIDE + next],
+                            seen[(row + 1) * SIDE + column], seen[(row + 1) * SIDE + next]);
                 }
             }
-            return false;
+            return sum / (SIDE * SIDE);
         }
 
-        /** Mean over a cell of which a corner and the size are given. */
-        private double divided(double square, double turn, double size, int depth) {
-            double[] seen = new double[4];
-            int lit = 0;
-            for (int k = 0; k < 4; k++) {
-                seen[k] = at(square + size * (k / 2 + 0.5) / 2, turn + size * (k % 2 + 0.5) / 2);
-                lit += seen[k] > 0 ? 1 : 0;
+        /** Mean luminance over a cell: its first corner, its size in parts, the luminance in its corners. */
+        private double cell(int row, int column, int size, double a, double b, double c, double d) {
+            boolean seesAll = a > 0 && b > 0 && c > 0 && d > 0;
+            double mean = (a + b + c + d) / 4;
+            if (seesAll || mean == 0 || size == 1) {
+                return mean;
             }
-            double sum = 0;
-            for (int k = 0; k < 4; k++) {
-                sum += depth == DEEPEST || lit == 0 || lit == 4 ? seen[k]
-                        : divided(square + size * (k / 2) / 2, turn + size * (k % 2) / 2, size / 2, depth + 1);
-            }
-            return sum / 4;
+            int half = size / 2;
+            double above = at(row, column + half);
+            double left = at(row + half, column);
+            double middle = at(row + half, column + half);
+            double right = at(row + half, column + size);
+            double below = at(row + size, column + half);
+            return (cell(row, column, half, a, above, left, middle)
+                    + cell(row, column + half, half, above, b, middle, right)
+                    + cell(row + half, column, half, left, middle, c, below)
+                    + cell(row + half, column + half, half, middle, right, below, d)) / 4;
         }
 
-        /** @param square of the radius in the circle, 0 to 1; @param turn angle / (2 pi) */
-        private double at(double square, double turn) {
-            double r = Math.sqrt(square);
-            double angle = 2 * Math.PI * turn;
-            Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
-                    .plus(n.times(Math.sqrt(1 - square)));
-            double height = d.dot(light.up());
-            return height > 0 && free.test(d) ? luminance(d, height) : 0;
+        private double at(int row, int column) {
+            return at(direction(row, column), 0);
+        }
+
+        /** Luminance in a direction given by three numbers of {@link #CORNERS}. */
+        private double at(double[] local, int from) {
+            double height = local[from] * up[0] + local[from + 1] * up[1] + local[from + 2] * up[2];
+            if (height <= 0) {
+                return 0;
+            }
+            Vec3 d = u.times(local[from]).plus(v.times(local[from + 1])).plus(n.times(local[from + 2]));
+            return free.test(d) ? luminance(d, height) : 0;
         }
     }
 }
