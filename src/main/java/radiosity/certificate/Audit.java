@@ -57,6 +57,8 @@ public final class Audit {
     private final Faces faces;
     private final List<byte[]> states;
     private final EnergyLedger ledger;
+    /** Relative error that is asked for. */
+    private final double asked;
     private final ParallelFor parallel;
     private final AuditPlaces places;
     private final boolean isBegun;
@@ -68,11 +70,13 @@ public final class Audit {
      * @param states of all blocks, by id
      * @param ledger of the same moment
      */
-    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, ParallelFor parallel) {
+    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, double asked,
+                 ParallelFor parallel) {
         this.mesh = mesh;
         this.states = states;
         this.ledger = ledger;
         faces = mesh.faces;
+        this.asked = asked;
         this.parallel = parallel;
         places = new AuditPlaces(mesh, this::nodes, reflected(), leaving(), parallel);
         isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
@@ -111,7 +115,7 @@ public final class Audit {
         look(first, ambient);
         AuditResult result = result();
         while (!isBegun && batches < START.length
-                && (result.uncertainty() > ENOUGH || result.expected() > mesh.accuracy())) {
+                && (result.uncertainty() > ENOUGH || result.expected() > asked)) {
             look(places.pick(wanted, START[batches], points.size()), ambient);
             result = result();
         }

@@ -58,7 +58,7 @@ public final class RadiosityRenderer {
         this.stop = stop;
         files = new OutputFiles(options, arguments);
         course = options.calculation.time == null
-                ? new StopRuleCourse(RenderJob.stopRule(options), System::nanoTime)
+                ? new StopRuleCourse(RenderJob.stopRule(options), options.calculation.lastAccuracy(), System::nanoTime)
                 : new TimeCourse(options.calculation.time.seconds(), ProcessTime::seconds);
         user = new ConsoleSession(err, display(), stop);
         warnings = new Warnings(user::message, options.scene.strict);
@@ -135,7 +135,7 @@ public final class RadiosityRenderer {
                     radiosity.resume(before.state());
                 }
                 ending.begin(Optional.of(claim.journal()));
-            }, Optional.of(journal), () -> !stop.made());
+            }, RenderJob.Aims.of(options.calculation.aims()), Optional.of(journal), () -> !stop.made());
             user.phase("writing " + options.output().getFileName());
             saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
         }

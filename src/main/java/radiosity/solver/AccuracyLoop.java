@@ -19,21 +19,44 @@ final class AccuracyLoop {
     private static final double LEAST_FOR_MESH = 0.4;
     /** From one look at the solution to the next the mean square error is asked to fall to this part at most. */
     private static final double STEP = 0.25;
-    /** The loop ends where a whole turn of it leaves more than this part of the error. */
+    /**
+     * The mean square error falls as this power of what one element may add: N elements leave 1 / N of the error where
+     * light is smooth, so each of them adds 1 / N^3 to the mean square, the square of what is asked of it.
+     */
+    private static final double MESH_POWER = 4.0 / 3;
+    /** The loop ends where so many times as many elements leave more than this part of the error. */
     private static final double PROGRESS = 0.95;
+    private static final double GROWTH = 1.2;
+    /** And where this part of what is usual for the error that is asked for leaves it: that is not its cause. */
+    private static final double LEAST = 0.01;
 
-    private final double asked;
+    private double asked;
     /** What one ray may carry, relative to the mean irradiance. */
     private double tolerance;
     /** What interpolation on one element may add to the whole error. */
     private double meshError;
-    /** What points found last: relative error. */
+    /** What points found last: relative error; NaN where that was before there was a new aim. */
     private double reached = Double.POSITIVE_INFINITY;
+    /** Elements that there were then. */
+    private int elements;
 
     AccuracyLoop(InitialMesh mesh) {
         asked = mesh.accuracy();
         tolerance = mesh.tolerance();
         meshError = mesh.meshError();
+    }
+
+    /** Relative error. */
+    double asked() {
+        return asked;
+    }
+
+    /** Asks for less error than before. */
+    void aim(double error) {
+        asked = error;
+        tolerance = Math.min(tolerance, Accuracy.tolerance(error));
+        meshError = Math.min(meshError, Accuracy.meshError(error));
+        reached = Double.NaN;
     }
 
     double tolerance() {
@@ -45,17 +68,20 @@ final class AccuracyLoop {
     }
 
     /**
-     * Whether the solution is less exact than was asked for, and the last turn has made it more exact: then rays and
-     * elements may add less from now on, each as far as the error is its own.
+     * Whether the solution is less exact than was asked for, and can become more exact: then rays and elements may add
+     * less from now on, each as far as the error is its own.
      *
      * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster.
      */
-    boolean goesOn(Certificate certificate) {
-        double before = reached;
+    boolean goesOn(Certificate certificate, int elementsNow) {
+        boolean isNewAim = Double.isNaN(reached);
+        boolean hasGrown = elementsNow > GROWTH * elements;
+        boolean isBetter = certificate.expected() <= PROGRESS * reached;
         reached = certificate.expected();
-        if (reached <= asked || reached > PROGRESS * before) {
-            return false;
+        if (isNewAim || reached <= asked || !isBetter && (hasGrown || isFinest())) {
+            return isNewAim && reached > asked;
         }
+        elements = elementsNow;
         double wanted = MARGIN * asked * asked;
         double mesh = certificate.meshing() * certificate.meshing();
         double rest = Math.max(0, reached * reached - mesh);
@@ -64,20 +90,28 @@ final class AccuracyLoop {
             tolerance = Accuracy.tolerance(Accuracy.of(tolerance) * Math.sqrt(Math.max(STEP, forRest / rest)));
         }
         if (mesh > wanted - forRest) {
-            meshError *= Math.max(STEP, (wanted - forRest) / mesh);
+            meshError *= StrictMath.pow(Math.max(STEP, (wanted - forRest) / mesh), 1 / MESH_POWER);
         }
         return true;
     }
 
+    private boolean isFinest() {
+        return meshError < LEAST * Accuracy.meshError(asked) || tolerance < LEAST * Accuracy.tolerance(asked);
+    }
+
     void write(DataOutput out) throws IOException {
+        out.writeDouble(asked);
         out.writeDouble(tolerance);
         out.writeDouble(meshError);
         out.writeDouble(reached);
+        out.writeInt(elements);
     }
 
     void read(DataInput in) throws IOException {
+        asked = in.readDouble();
         tolerance = in.readDouble();
         meshError = in.readDouble();
         reached = in.readDouble();
+        elements = in.readInt();
     }
 }

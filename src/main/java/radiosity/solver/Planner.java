@@ -4,6 +4,7 @@ import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
@@ -44,6 +45,14 @@ public sealed interface Planner permits ShootAndSort, Prediction, CyclicSchedule
     default boolean isEnough(Answer last, double unsent, double wanted) {
         return unsent <= wanted;
     }
+
+    /** Relative error at which the calculation may end; nothing where that is not looked at. */
+    default OptionalDouble aim() {
+        return OptionalDouble.empty();
+    }
+
+    /** Asks for less error than before, if that is looked at. */
+    default void aim(double error) { }
 
     /** What resuming needs beside the elements. */
     default void write(DataOutput out) throws IOException { }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -120,7 +121,7 @@ final class Prediction implements Planner {
                 if (stage == Stage.AVERAGE && world.mesh.conserves()) {
                     return balance();
                 }
-                if (isExact()) {
+                if (isExact(last.elements)) {
                     stage = Stage.DONE;
                     return null;
                 }
@@ -158,9 +159,9 @@ final class Prediction implements Planner {
     }
 
     /** Where more is left unshot than usual, that is most of the error, and dividing elements would not help. */
-    private boolean isExact() throws IOException {
+    private boolean isExact(int present) throws IOException {
         Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
-        return certificate.isEmpty() || !loop.goesOn(certificate.get());
+        return certificate.isEmpty() || !loop.goesOn(certificate.get(), present);
     }
 
     private Order regather() throws IOException {
@@ -302,6 +303,19 @@ final class Prediction implements Planner {
     @Override
     public int wanted() {
         return 0;
+    }
+
+    @Override
+    public OptionalDouble aim() {
+        return OptionalDouble.of(loop.asked());
+    }
+
+    @Override
+    public void aim(double error) {
+        if (error < loop.asked()) {
+            loop.aim(error);
+            stage = stage == Stage.DONE ? Stage.BALANCE : stage;
+        }
     }
 
     /** The accuracy that was asked for is reached, or cannot be. */

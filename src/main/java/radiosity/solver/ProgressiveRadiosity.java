@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import radiosity.certificate.Audit;
 import radiosity.protocol.Answer;
@@ -132,6 +133,27 @@ public final class ProgressiveRadiosity {
         last.know();
     }
 
+    /**
+     * Asks for less error: the next {@link #run} goes on from where the last one ended. Only where light is predicted;
+     * otherwise, and where as little was asked for before, nothing changes.
+     *
+     * @param error relative, above 0; see {@link Certificate#expected}
+     * @throws IllegalArgumentException where the error is not above 0
+     */
+    public void aim(double error) {
+        if (!(error > 0)) {
+            throw new IllegalArgumentException("aim: expected an error above 0, got " + error);
+        }
+        prepare();
+        planner.aim(error);
+    }
+
+    /** The relative error that is asked for; nothing where the schedule looks at no error. */
+    public OptionalDouble aim() {
+        prepare();
+        return planner.aim();
+    }
+
     private Planner planner() {
         return switch (world.settings().schedule()) {
             case PREDICT -> new Prediction(world, stop.unsent(), () -> certificate(world.parallel));
@@ -249,7 +271,7 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return counters.progress(last.newest());
+        return counters.progress(last.newest(), certificate.map(Certificate::expected).orElse(Double.NaN));
     }
 
     /**
@@ -298,7 +320,8 @@ public final class ProgressiveRadiosity {
         know();
         if (certifiedRound != counters.rounds() || certifiedShots != counters.shots()) {
             Answer now = last.newest();
-            Audit audit = new Audit(world.mesh, world.blocks(), counters.flux.byChannel(now), now.elements, parallel);
+            Audit audit = new Audit(world.mesh, world.blocks(), counters.flux.byChannel(now), now.elements,
+                    planner.aim().orElse(world.mesh.accuracy()), parallel);
             certificate = Optional.of(audit.certificate(Flux.sum(counters.shown(now).unshotFlux)))
                     .filter(found -> found.points() > 0);
             certifiedRound = counters.rounds();

@@ -89,8 +89,8 @@ final class SolveCounters {
         return dark != 0 ? beforeDark : beforeRenewal != null ? last.withUnshotFlux(beforeRenewal) : last;
     }
 
-    Progress progress(Answer last) {
-        return new Progress(shots, rounds, flux.unsent(shown(last)), last.elements, dark != 0);
+    Progress progress(Answer last, double error) {
+        return new Progress(shots, rounds, flux.unsent(shown(last)), last.elements, error, dark != 0);
     }
 
     void write(DataOutputStream out) throws IOException {

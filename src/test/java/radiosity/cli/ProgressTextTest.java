@@ -26,7 +26,7 @@ class ProgressTextTest {
     private static final Pattern SHARE = Pattern.compile("(\\d+) %(,|$)");
 
     private final AtomicLong clock = new AtomicLong();
-    private final ProgressText text = new ProgressText(new StopRuleCourse(new StopRule(Integer.MAX_VALUE, 0.001),
+    private final ProgressText text = new ProgressText(new StopRuleCourse(new StopRule(Integer.MAX_VALUE, 0.001), Double.NaN,
             clock::get));
 
     private static Progress progress(int shots, double unsent, boolean gathers) {

@@ -28,7 +28,7 @@ class SummaryTest {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world,
                     new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT));
             radiosity.run(progress -> true);
-            RenderResult result = new RenderResult(radiosity.solution(), settings, radiosity.progress(),
+            RenderResult result = new RenderResult(radiosity.solution(), settings, radiosity.aim(), radiosity.progress(),
                     world.patchArea(), radiosity.certificate(2), Optional.empty(), false, false);
             return new Summary(result, Optional.empty(), 1).shortfall();
         }

@@ -26,7 +26,7 @@ class AccuracyLoopTest {
 
     @Test
     void exactEnough_ends() {
-        assertFalse(loop().goesOn(certificate(.019, .01, .01)));
+        assertFalse(loop().goesOn(certificate(.019, .01, .01), 1000));
     }
 
     @Test
@@ -34,7 +34,7 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertTrue(loop.goesOn(certificate(.04, .01, .039)));
+        assertTrue(loop.goesOn(certificate(.04, .01, .039), 1000));
         assertEquals(tolerance, loop.tolerance());
         assertTrue(loop.meshError() < .5 * meshError, meshError + " became " + loop.meshError());
     }
@@ -44,15 +44,38 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertTrue(loop.goesOn(certificate(.04, .06, .01)));
+        assertTrue(loop.goesOn(certificate(.04, .06, .01), 1000));
         assertTrue(loop.tolerance() < .7 * tolerance, tolerance + " became " + loop.tolerance());
         assertEquals(meshError, loop.meshError());
     }
 
     @Test
-    void noProgress_ends() {
+    void moreElementsWithoutProgress_end() {
         AccuracyLoop loop = loop();
-        assertTrue(loop.goesOn(certificate(.04, .01, .038)));
-        assertFalse(loop.goesOn(certificate(.039, .01, .037)));
+        assertTrue(loop.goesOn(certificate(.04, .01, .038), 1000));
+        assertFalse(loop.goesOn(certificate(.039, .01, .037), 2000));
+    }
+
+    /** Nothing was fine enough to be divided: then more has to be, until that is not the cause of the error. */
+    @Test
+    void sameElements_areDividedMore_untilThatIsEnough() {
+        AccuracyLoop loop = loop();
+        double meshError = loop.meshError();
+        int turns = 0;
+        while (loop.goesOn(certificate(.04, .01, .038), 1000)) {
+            turns++;
+        }
+        assertTrue(turns > 3 && turns < 20, turns + " turns");
+        assertTrue(loop.meshError() < .01 * meshError);
+    }
+
+    @Test
+    void smallerAim_goesOnFromWhatThereIs() {
+        AccuracyLoop loop = loop();
+        Certificate reached = certificate(.019, .005, .018);
+        assertFalse(loop.goesOn(reached, 1000));
+        loop.aim(.01);
+        assertTrue(loop.goesOn(reached, 1000));
+        assertEquals(.01, loop.asked());
     }
 }

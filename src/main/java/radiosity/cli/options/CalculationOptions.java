@@ -1,8 +1,11 @@
 package radiosity.cli.options;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 import radiosity.scene.Scene;
+import radiosity.settings.Accuracy;
 import radiosity.settings.FormFactors;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
@@ -39,9 +42,10 @@ public final class CalculationOptions {
                     + " scenes also shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
     Schedule schedule;
 
-    @Option(names = "--accuracy", paramLabel = "<n>%", converter = Values.PerCent.class,
-            description = "Expected error of the radiosity, of its mean. Default: 2%%. With --schedule predict.")
-    Double accuracy;
+    @Option(names = "--accuracy", paramLabel = "<n>%", converter = Values.PerCent.class, split = ",",
+            description = "Expected error of the radiosity, of its mean. Default: 2%%. With several, as 10%%,2%%, the"
+                    + " later ones go on from the first. With --schedule predict.")
+    List<Double> accuracy;
 
     @Option(names = TimeLimit.OPTION, paramLabel = "<n>s", converter = TimeLimit.Parser.class,
             description = "Wall time of the whole render, like 60s, 500ms or 2m: the best accuracy "
@@ -88,7 +92,8 @@ public final class CalculationOptions {
             throw Failure.commandLine(accuracy != null ? "--accuracy" : TimeLimit.OPTION,
                     "expected --schedule predict, got " + asked.schedule().name().toLowerCase(Locale.ROOT));
         }
-        return accuracy == null ? asked : asked.accurate(accuracy);
+        checkFalls();
+        return accuracy == null ? asked : asked.accurate(accuracy.get(0));
     }
 
     /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */
@@ -101,6 +106,26 @@ public final class CalculationOptions {
         }
         return new RadiositySettings(defaults.patchArea(), defaults.rays(), defaults.meshing(),
                 papers ? Schedule.PAPER : defaults.schedule());
+    }
+
+    /** Relative error with which the calculation ends; NaN where it ends by something else. */
+    public double lastAccuracy() {
+        return accuracy != null ? accuracy.get(accuracy.size() - 1)
+                : defaults().schedule() == Schedule.PREDICT && schedule == null ? Accuracy.DEFAULT : Double.NaN;
+    }
+
+    private void checkFalls() {
+        for (int i = 1; accuracy != null && i < accuracy.size(); i++) {
+            if (accuracy.get(i) >= accuracy.get(i - 1)) {
+                throw Failure.commandLine("--accuracy", "expected each smaller than the one before, like 10%,2%, got "
+                        + accuracy.stream().map(TimeLimit::perCent).collect(Collectors.joining(",")));
+            }
+        }
+    }
+
+    /** What to go on to after the first accuracy. */
+    public List<Double> aims() {
+        return accuracy == null ? List.of() : accuracy.subList(1, accuracy.size());
     }
 
     /** Whether nothing but the accuracy that is asked for ends the calculation. */

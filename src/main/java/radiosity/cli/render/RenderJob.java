@@ -2,8 +2,11 @@ package radiosity.cli.render;
 
 import java.io.IOException;
 import java.util.HashSet;
+import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -41,6 +44,22 @@ public final class RenderJob {
         hostNotices = new HostNotices(user::message);
     }
 
+    /** How exact to become after what there is. */
+    public interface Aims {
+
+        /** Nothing more than what the settings ask for. */
+        Aims NONE = result -> OptionalDouble.empty();
+
+        /** Relative error to go on to; nothing at the end. */
+        OptionalDouble after(RenderResult result) throws IOException;
+
+        /** One after the other. */
+        static Aims of(List<Double> errors) {
+            Iterator<Double> rest = errors.iterator();
+            return result -> rest.hasNext() ? OptionalDouble.of(rest.next()) : OptionalDouble.empty();
+        }
+    }
+
     /** What to go on from, before the first round. */
     public interface Beginning {
         void of(ProgressiveRadiosity radiosity) throws IOException;
@@ -49,9 +68,10 @@ public final class RenderJob {
     /**
      * Calculates until it is done, or is not to go on.
      *
+     * @param aims    asked each time that an error is reached
      * @param journal kept meanwhile, where there is one
      */
-    public RenderResult run(RadiositySettings settings, Beginning beginning, Optional<Journal> journal,
+    public RenderResult run(RadiositySettings settings, Beginning beginning, Aims aims, Optional<Journal> journal,
             BooleanSupplier goOn)
             throws IOException {
         user.phase("setting up");
@@ -61,14 +81,28 @@ public final class RenderJob {
             beginning.of(radiosity);
             user.begin();
             AutosaveListener rounds = new AutosaveListener(radiosity, settings, options, files, journal, user, goOn);
-            radiosity.run(listener(world, rounds));
-            user.phase("estimating the error");
-            return new RenderResult(radiosity.solution(), settings, radiosity.progress(), world.patchArea(),
-                    rounds.isCut() ? Optional.empty() : radiosity.certificate(options.calculation.threads),
-                    world instanceof RemoteWorld remote ? Optional.of(remote.statistics()) : Optional.empty(),
-                    radiosity.isOnlyRoundingLeft(),
-                    rounds.isCut());
+            RoundListener listener = listener(world, rounds);
+            radiosity.run(listener);
+            RenderResult result = result(radiosity, world, settings, rounds.isCut());
+            OptionalDouble next = rounds.isCut() ? OptionalDouble.empty() : aims.after(result);
+            while (next.isPresent()) {
+                radiosity.aim(next.getAsDouble());
+                radiosity.run(listener);
+                result = result(radiosity, world, settings, rounds.isCut());
+                next = rounds.isCut() ? OptionalDouble.empty() : aims.after(result);
+            }
+            return result;
         }
+    }
+
+    private RenderResult result(ProgressiveRadiosity radiosity, World world, RadiositySettings settings, boolean isCut)
+            throws IOException {
+        user.phase("estimating the error");
+        return new RenderResult(radiosity.solution(), settings, radiosity.aim(), radiosity.progress(),
+                world.patchArea(),
+                isCut ? Optional.empty() : radiosity.certificate(options.calculation.threads),
+                world instanceof RemoteWorld remote ? Optional.of(remote.statistics()) : Optional.empty(),
+                radiosity.isOnlyRoundingLeft(), isCut);
     }
 
     private World world(RadiositySettings settings) throws IOException {

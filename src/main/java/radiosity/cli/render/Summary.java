@@ -9,8 +9,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import radiosity.cli.terminal.ProgressText;
-import radiosity.settings.Accuracy;
-import radiosity.settings.Schedule;
 import radiosity.scene.Units;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
@@ -82,9 +80,8 @@ public final class Summary {
      * nothing where it is exact enough, or its error is not known.
      */
     public Optional<String> shortfall() {
-        double asked = Accuracy.of(result.settings().tolerance());
-        return result.certificate().filter(c -> result.settings().schedule() == Schedule.PREDICT
-                && c.expected() > asked).map(c -> String.format(Locale.ROOT,
+        double asked = result.asked().orElse(Double.POSITIVE_INFINITY);
+        return result.certificate().filter(c -> c.expected() > asked).map(c -> String.format(Locale.ROOT,
                 "accuracy not reached: expected an error of %s, got %s%s", ProgressText.perCent(asked),
                 ProgressText.perCent(c.expected()), worst(c)));
     }

@@ -1,8 +1,11 @@
 package radiosity.cli.render;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.TimeLimit;
 import radiosity.cli.options.Values;
@@ -44,8 +47,11 @@ public final class TimedCalculation {
     /** Whether the user knows that the first calculation takes longer than the limit. */
     private boolean isLate;
     private RenderResult best;
-    /** Its accuracy, as the user would write it. */
-    private String reached;
+    /** The accuracies that were reached, as the user would write them. */
+    private final List<String> reached = new ArrayList<>();
+    /** What is being calculated: the relative error that is asked for, and the time that was left when it began, s. */
+    private double aim;
+    private double begin;
 
     public TimedCalculation(RenderJob calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
                      ConsoleSession user, StopRequest stop, OutputFiles files) {
@@ -58,43 +64,57 @@ public final class TimedCalculation {
         this.files = files;
     }
 
-    /** The best that was done: at least the first calculation until there is some light, however long that takes. */
+    /** The best that was done: at least the first solution until there is some light, however long that takes. */
     public RenderResult run() throws IOException {
-        double accuracy = AccuracyChoice.COARSEST;
-        while (accuracy > 0) {
-            accuracy = tried(TimeLimit.perCent(accuracy)) ? choice.next(left()) : 0;
-        }
-        return best;
-    }
-
-    private double left() {
-        return course.left() - RESERVE * limit.seconds();
-    }
-
-    /** Whether a calculation came to its end. */
-    private boolean tried(String perCent) throws IOException {
-        course.at(perCent);
-        double begin = course.left();
-        double accuracy = new Values.PerCent().convert(perCent);
-        RenderResult result;
+        aim(AccuracyChoice.COARSEST);
         try {
-            result = calculation.run(settings.accurate(accuracy), radiosity -> current = radiosity, Optional.empty(),
-                    this::goesOn);
+            RenderResult last = calculation.run(settings.accurate(AccuracyChoice.COARSEST),
+                    radiosity -> current = radiosity, this::after, Optional.empty(), this::goesOn);
+            if (best == null) {
+                keep(last);
+            }
         } catch (NoWorkerException | OutOfMemoryError e) {
             if (best == null) {
                 throw e;
             }
-            user.message(perCent + ": " + ErrorReport.line(e));
-            return false;
+            user.message(TimeLimit.perCent(aim) + ": " + ErrorReport.line(e));
         }
-        if (best == null || !result.isCut()) {
-            best = result;
-            reached = perCent;
-            OutputFiles to = isCutOff ? files.cutOff(perCent, result.progress().shots()) : files.accurate(perCent);
-            to.saveScene(result.solution(), result.settings(), result.certificate());
+        return best;
+    }
+
+    private void aim(double accuracy) {
+        aim = accuracy;
+        begin = course.left();
+        course.at(TimeLimit.perCent(accuracy));
+    }
+
+    /** Told of a solution that is as exact as was asked for: how exact the next one is to be. */
+    private OptionalDouble after(RenderResult result) throws IOException {
+        reached.add(TimeLimit.perCent(aim));
+        keep(result);
+        choice.took(aim, begin - course.left(), result.progress().elements());
+        double next = choice.next(left());
+        if (next == 0) {
+            return OptionalDouble.empty();
         }
-        choice.took(accuracy, begin - course.left(), result.progress().elements());
-        return !result.isCut();
+        aim(new Values.PerCent().convert(TimeLimit.perCent(next)));
+        return OptionalDouble.of(aim);
+    }
+
+    private void keep(RenderResult result) throws IOException {
+        best = result;
+        OutputFiles to = isCutOff ? files.cutOff(TimeLimit.perCent(aim), result.progress().shots())
+                : files.accurate(accuracies());
+        to.saveScene(result.solution(), result.settings(), result.certificate());
+    }
+
+    /** What {@code --accuracy} gives the same with. */
+    private String accuracies() {
+        return reached.isEmpty() ? TimeLimit.perCent(aim) : String.join(",", reached);
+    }
+
+    private double left() {
+        return course.left() - RESERVE * limit.seconds();
     }
 
     private boolean goesOn() {
@@ -117,11 +137,12 @@ public final class TimedCalculation {
         String time = seconds(limit.seconds() - course.left());
         if (isCutOff) {
             return TimeLimit.OPTION + " " + limit.text() + ": too short for this scene, cut off after " + time
-                    + "; the same as with " + String.join(" ", TimeLimit.cutOff(reached, best.progress().shots()));
+                    + "; the same as with "
+                    + String.join(" ", TimeLimit.cutOff(TimeLimit.perCent(aim), best.progress().shots()));
         }
         return TimeLimit.OPTION + " " + limit.text() + ": "
                 + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of --accuracy "
-                : whole(time) + "; the same as with --accuracy ") + reached;
+                : whole(time) + "; the same as with --accuracy ") + accuracies();
     }
 
     private String whole(String time) {

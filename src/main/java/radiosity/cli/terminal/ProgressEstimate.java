@@ -11,6 +11,9 @@ public interface ProgressEstimate {
     /** Seconds that it still takes; 0: not known. */
     double left(Progress now);
 
+    /** Relative error at which the way ends; NaN where it ends by something else. */
+    double asked();
+
     /** Words before the progress; empty: none. */
     String label();
 }

@@ -64,11 +64,16 @@ public final class ProgressText {
 
     private String details() {
         return count(latest.shots(), "shot") + ", " + perCent(latest.unsent()) + " not yet distributed, "
-                + count(latest.elements(), "mesh element");
+                + count(latest.elements(), "mesh element")
+                + (Double.isNaN(latest.error()) ? "" : ", +- " + perCent(latest.error()));
     }
 
     private String time() {
-        return left > 0 ? ", " + time(left) + " left" : "";
+        if (left <= 0) {
+            return "";
+        }
+        return latest.error() > course.asked() ? ", " + perCent(course.asked()) + " in about " + time(left)
+                : ", " + time(left) + " left";
     }
 
     /** A number of things. */

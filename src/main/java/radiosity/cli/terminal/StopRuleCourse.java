@@ -4,7 +4,10 @@ import java.util.function.LongSupplier;
 import radiosity.settings.StopRule;
 import radiosity.solution.Progress;
 
-/** From the first progress seen to the stop rule, to the nearer of its two ends. */
+/**
+ * From the first progress seen to the stop rule, to the nearer of its two ends; then, where the error that was found is
+ * larger than the one that is asked for, to that.
+ */
 public final class StopRuleCourse implements ProgressEstimate {
 
     private static final double NANOSECONDS = 1e9;
@@ -15,14 +18,25 @@ public final class StopRuleCourse implements ProgressEstimate {
     /** Before, little is known, s. */
     private static final double LEAST_SECONDS = 5;
 
+    /** Time grows with this power of 1 / error: N elements leave about 1 / N of it, and each gathers with more rays. */
+    private static final double POWER = 1.5;
+
     private final StopRule stop;
+    private final double asked;
     private final LongSupplier clock;
     private Progress first;
     private long start;
+    /** The error that was found last, and the time that all will take by it, s. */
+    private double error = Double.NaN;
+    private double whole;
 
-    /** @param clock nanoseconds, as {@link System#nanoTime} */
-    public StopRuleCourse(StopRule stop, LongSupplier clock) {
+    /**
+     * @param asked relative error at which it ends; NaN: the stop rule only
+     * @param clock nanoseconds, as {@link System#nanoTime}
+     */
+    public StopRuleCourse(StopRule stop, double asked, LongSupplier clock) {
         this.stop = stop;
+        this.asked = asked;
         this.clock = clock;
     }
 
@@ -31,6 +45,9 @@ public final class StopRuleCourse implements ProgressEstimate {
         if (first == null) {
             first = now;
             start = clock.getAsLong();
+        }
+        if (now.error() > asked) {
+            return Math.min(DISTRIBUTION, elapsed() / whole(now));
         }
         double shots = part(now.shots() - first.shots(), (double) stop.shots() - first.shots());
         double unsent = part(StrictMath.log(first.unsent() / now.unsent()),
@@ -46,8 +63,25 @@ public final class StopRuleCourse implements ProgressEstimate {
     @Override
     public double left(Progress now) {
         double done = done(now);
-        double elapsed = (clock.getAsLong() - start) / NANOSECONDS;
+        double elapsed = elapsed();
         return done >= LEAST_DONE && elapsed >= LEAST_SECONDS ? elapsed * (1 - done) / done : 0;
+    }
+
+    private double elapsed() {
+        return (clock.getAsLong() - start) / NANOSECONDS;
+    }
+
+    private double whole(Progress now) {
+        if (now.error() != error) {
+            error = now.error();
+            whole = elapsed() * StrictMath.pow(error / asked, POWER);
+        }
+        return whole;
+    }
+
+    @Override
+    public double asked() {
+        return asked;
     }
 
     @Override

@@ -34,6 +34,11 @@ public final class TimeCourse implements ProgressEstimate {
         return Math.max(0, left());
     }
 
+    @Override
+    public double asked() {
+        return Double.NaN;
+    }
+
     /** @param accuracy that is being calculated with, as the user would write it */
     public void at(String accuracy) {
         label = "at " + accuracy + ": ";

@@ -1,0 +1,74 @@
+package radiosity.solver;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import radiosity.scene.Scene;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
+import radiosity.solution.SavedState;
+import radiosity.testkit.RoomScenes;
+
+/** A calculation that is done goes on to less error. */
+class AimTest {
+
+    private static final Scene ROOM = RoomScenes.withBlocks(RoomScenes.grey("wall", 0, .5),
+            RoomScenes.grey("lamp", 1, .5));
+    private static final StopRule STOP = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT);
+    private static final RadiositySettings COARSE = RadiositySettings.defaults().accurate(.2);
+
+    @Test
+    void smallerError_isReachedFromWhatThereIs() throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            radiosity.run(progress -> true);
+            int before = radiosity.progress().elements();
+            assertEquals(.2, radiosity.aim().getAsDouble(), 1e-12);
+            radiosity.aim(.02);
+            radiosity.run(progress -> true);
+            assertTrue(radiosity.progress().elements() > before);
+            assertTrue(radiosity.certificate(2).orElseThrow().expected() <= .02);
+        }
+    }
+
+    /** The aim is a part of the state. */
+    @Test
+    void stoppedOnTheWay_endsWithTheSameBits() throws IOException {
+        SavedState whole = state(true, null);
+        SavedState part = state(false, null);
+        assertNotEquals(whole, part);
+        assertEquals(whole, state(true, part));
+    }
+
+    private static SavedState state(boolean toTheEnd, SavedState before) throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            if (before == null) {
+                radiosity.run(progress -> true);
+                radiosity.aim(.01);
+            } else {
+                radiosity.resume(before);
+            }
+            int elements = radiosity.progress().elements();
+            radiosity.run(progress -> toTheEnd || progress.elements() == elements);
+            return radiosity.state();
+        }
+    }
+
+    @Test
+    void otherSchedules_lookAtNoError() throws IOException {
+        RadiositySettings paper = new RadiositySettings(0, 0, COARSE.meshing(), Schedule.PAPER);
+        try (LocalWorld world = new LocalWorld(ROOM, paper, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            radiosity.aim(.01);
+            assertEquals(OptionalDouble.empty(), radiosity.aim());
+            assertThrows(IllegalArgumentException.class, () -> radiosity.aim(0));
+        }
+    }
+}
