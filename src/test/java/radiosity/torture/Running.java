@@ -31,6 +31,9 @@ final class Running implements AutoCloseable {
     /** Seconds that those threads waited that had not ended when that was asked last. */
     private double alive;
     private volatile double computed;
+    /** Seconds computed and waited when it was last seen to go on, and since when, s after the start. */
+    private double before;
+    private double since;
 
     /**
      * How a process ended.
@@ -62,12 +65,24 @@ final class Running implements AutoCloseable {
         end = System.nanoTime();
     }
 
-    /** Waits until the output holds a text. */
-    boolean awaitText(String text, double seconds) throws InterruptedException {
-        while (printed.indexOf(text) < 0 && process.isAlive() && seconds() < seconds) {
-            Thread.sleep(5);
+    /** Waits until the output holds a text, as long as {@link #await} waits. */
+    boolean awaitText(String text, double most) throws InterruptedException {
+        since = seconds();
+        while (printed.indexOf(text) < 0 && process.isAlive() && !isStuck(most)) {
+            Thread.sleep(20);
         }
         return printed.indexOf(text) >= 0;
+    }
+
+    /** Whether it took more CPU seconds, or had nothing to do for long. */
+    private boolean isStuck(double most) {
+        computed = processorTime();
+        waitingTime();
+        if (computed + waited > before + IDLE * LONGEST_IDLE) {
+            before = computed + waited;
+            since = seconds();
+        }
+        return computed > most || seconds() - since > LONGEST_IDLE;
     }
 
     /** Seconds since it was started. */
@@ -133,16 +148,9 @@ final class Running implements AutoCloseable {
      * @return null if it took more, or had nothing to do for long; it is killed then, after it has printed its threads
      */
     Ended await(double most) throws IOException, InterruptedException {
-        double before = 0;
-        double since = seconds();
+        since = seconds();
         while (!process.waitFor(200, TimeUnit.MILLISECONDS)) {
-            computed = processorTime();
-            waitingTime();
-            if (computed + waited > before + IDLE * LONGEST_IDLE) {
-                before = computed + waited;
-                since = seconds();
-            }
-            if (computed > most || seconds() - since > LONGEST_IDLE) {
+            if (isStuck(most)) {
                 signal("QUIT");
                 Thread.sleep(1000);
                 close();

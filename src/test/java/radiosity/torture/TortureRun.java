@@ -217,8 +217,8 @@ final class TortureRun {
     }
 
     /**
-     * No energy is gained, and what is finished is nowhere negative. Where surfaces overlap it is, today, and where rays are few or form factors are the paper's;
-     * that is counted apart and no failure.
+     * No energy is gained, and what is finished is nowhere negative. Where surfaces overlap it is, today, and where
+     * rays are few or form factors are the paper's; that is counted apart and no failure.
      */
     private void energy() {
         Energy energy = new Energy(reference, scene.lightFlux(), 1);

@@ -10,7 +10,8 @@ import java.util.List;
 /** A PartitionServer on this machine. */
 final class Worker implements AutoCloseable {
 
-    private static final double PATIENCE = 120;
+    /** CPU seconds that no start takes. */
+    private static final double PATIENCE = 60;
 
     final int port;
     private final Subject subject;
