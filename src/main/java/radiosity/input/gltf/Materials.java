@@ -30,6 +30,9 @@ final class Materials {
     private final Diagnostics notes;
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<Optional<TextureLie>> lies = new ArrayList<>();
+    /** One per surface: see {@link #excess}. */
+    private final List<Rgb> excesses = new ArrayList<>();
+    private final Set<Integer> clipped = new HashSet<>();
     private final Map<Integer, Integer> known = new HashMap<>();
     private final Set<String> names = new HashSet<>();
     private final Map<Integer, Optional<ImageSource>> images = new HashMap<>();
@@ -51,6 +54,24 @@ final class Materials {
         return lies.get(surface);
     }
 
+    /** Whether an image has the reflectance of a surface. */
+    boolean hasImage(int surface) {
+        return surfaces.get(surface).textures().stream().anyMatch(m -> m.target() == ImageMap.Target.REFLECTANCE);
+    }
+
+    /** By what the base colour of a surface is larger than its reflectance, which is limited; 1 for most. */
+    Rgb excess(int surface) {
+        return excesses.get(surface);
+    }
+
+    /** Tells once that some of a surface reflects less than the file says. */
+    void tellClipped(int surface) {
+        if (clipped.add(surface)) {
+            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE,
+                    surfaces.get(surface).name());
+        }
+    }
+
     /** The number of the surface of a material; -1 is the one that holds where none is named. */
     int surface(int material) throws IOException {
         Integer number = known.get(material);
@@ -64,7 +85,7 @@ final class Materials {
 
     private void add(int number) throws IOException {
         if (number < 0) {
-            surfaces.add(new Surface(unique("default"), Rgb.BLACK, Rgb.grey(clipped(1, "default")), false));
+            surfaces.add(new Surface(unique("default"), Rgb.BLACK, limited(Rgb.grey(1)), false));
             lies.add(Optional.empty());
             return;
         }
@@ -99,16 +120,16 @@ final class Materials {
             lie = addImage(maps, ImageMap.Target.EXITANCE, emitted.get(), exitance, lie);
         }
         lies.add(lie);
-        surfaces.add(new Surface(name, exitance, new Rgb(clipped(colour.r(), name), clipped(colour.g(), name),
-                clipped(colour.b(), name)), material.optional("doubleSided").map(d -> d.node().booleanValue())
-                .orElse(false), maps));
+        surfaces.add(new Surface(name, exitance, limited(colour), material.optional("doubleSided")
+                .map(d -> d.node().booleanValue()).orElse(false), maps));
     }
 
-    private double clipped(double reflectance, String name) {
-        if (reflectance > Surface.MAX_REFLECTANCE) {
-            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, name);
-        }
-        return Math.min(reflectance, Surface.MAX_REFLECTANCE);
+    /** What a surface may reflect of a base colour; of which the excess is kept. */
+    private Rgb limited(Rgb colour) {
+        double most = Surface.MAX_REFLECTANCE;
+        excesses.add(new Rgb(Math.max(1, colour.r() / most), Math.max(1, colour.g() / most),
+                Math.max(1, colour.b() / most)));
+        return new Rgb(Math.min(most, colour.r()), Math.min(most, colour.g()), Math.min(most, colour.b()));
     }
 
     /** The name, or with a number where another surface has it. */

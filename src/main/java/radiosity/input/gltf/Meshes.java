@@ -12,6 +12,7 @@ import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
+import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 
@@ -196,9 +197,10 @@ final class Meshes {
             }
             local[i] = number;
         }
-        return new Part(new TriangleMesh(points.toArray(), local, new int[corners.length / 3],
-                coordinates(attributes, surface, corners, given.length / 3),
-                colours(attributes, corners, given.length / 3)), surface, primitive, corners);
+        float[] where = coordinates(attributes, surface, corners, given.length / 3);
+        return new Part(new TriangleMesh(points.toArray(), local, new int[corners.length / 3], where,
+                colours(attributes, surface, where.length > 0 && materials.hasImage(surface), corners,
+                        given.length / 3)), surface, primitive, corners);
     }
 
     private float[] coordinates(JsonCursor attributes, int surface, int[] corners, int vertices) throws IOException {
@@ -225,10 +227,19 @@ final class Meshes {
         return uv;
     }
 
-    /** Factors of the reflectance in [0, 1]; empty where all are 1. */
-    private float[] colours(JsonCursor attributes, int[] corners, int vertices) throws IOException {
+    /**
+     * Factors of the reflectance in [0, 1]; empty where all are 1.
+     *
+     * @param hasImage whether the reflectance is an image's, not the surface's
+     */
+    private float[] colours(JsonCursor attributes, int surface, boolean hasImage, int[] corners, int vertices)
+            throws IOException {
+        Rgb excess = hasImage ? Rgb.grey(1) : materials.excess(surface);
         Optional<JsonCursor> where = attributes.optional("COLOR_0");
         if (where.isEmpty()) {
+            if (excess.max() > 1) {
+                materials.tellClipped(surface);
+            }
             return new float[0];
         }
         int width = accessors.type(where.get()).equals("VEC4") ? 4 : 3;
@@ -236,8 +247,11 @@ final class Meshes {
         float[] colours = new float[3 * corners.length];
         boolean white = true;
         for (int i = 0; i < colours.length; i++) {
-            float colour = given[width * corners[i / 3] + i % 3];
-            colours[i] = colour >= 0 ? Math.min(1, colour) : 0;
+            double colour = given[width * corners[i / 3] + i % 3] * excess.channel(i % 3);
+            if (colour > 1 && excess.max() > 1) {
+                materials.tellClipped(surface);
+            }
+            colours[i] = colour >= 0 ? (float) Math.min(1, colour) : 0;
             white &= colours[i] == 1;
         }
         return white ? new float[0] : colours;

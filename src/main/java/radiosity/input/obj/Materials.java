@@ -67,9 +67,6 @@ final class Materials {
     /** What a material reflects and emits, on the side from which corners run counter-clockwise. */
     Surface surface(Material material) {
         Rgb diffuse = linear(material.diffuse());
-        if (diffuse.max() > Surface.MAX_REFLECTANCE) {
-            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material.name);
-        }
         if (material.transparent) {
             notes.note("", "transparent surfaces are taken as opaque", material.name);
         }
@@ -77,6 +74,9 @@ final class Materials {
         TextureImage base = material.diffuseImage;
         TextureImage light = material.emittedImage;
         image(base).ifPresent(image -> maps.add(map(ImageMap.Target.REFLECTANCE, image, diffuse, base)));
+        if (maps.isEmpty() && diffuse.max() > Surface.MAX_REFLECTANCE) {
+            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material.name);
+        }
         if (light != null && base != null && !base.liesAs(light)) {
             notes.note("", "images that lie otherwise than the first of their surface are left out", light.file());
         } else {

@@ -169,6 +169,20 @@ class GltfReaderTest {
         assertEquals(-2.25f, uv[5], "1 - (3 * 1 + 0.25)");
     }
 
+    /** Base colour 1 is the default: the image decides, and where it does not lie, the surface is darkened. */
+    @Test
+    void whiteUnderAnImage_isNotDarkened() throws IOException {
+        String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'TEXCOORD_0':"
+                + model.floats("VEC2", 0, 0, 1, 0, 1, 1, 0, 1), ",'mode':6,'material':0", "",
+                "{'name':'wood','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}");
+        text = text.substring(0, text.length() - 1)
+                + ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"data:image/png;base64,AAEC\"}]}";
+        assertEquals(Rgb.grey(1), read(text).surfaces().get(0).textures().get(0).scale());
+        assertEquals(List.of(), told);
+        read(text.replace("TEXCOORD_0", "TEXCOORD_7"));
+        assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: wood"), told);
+    }
+
     /** A quarter turn counter-clockwise as one sees the image: u to the right becomes v upwards. */
     @Test
     void rotation_turnsCoordinatesCounterClockwise() {
@@ -310,7 +324,7 @@ class GltfReaderTest {
                 + "{'attributes':{'POSITION':0},'mode':6,'material':1}]}]",
                 "'materials':[{'name':'a'},{'name':'a','alphaMode':'BLEND'}]");
         assertEquals(List.of("a", "a#1"), read(text).surfaces().stream().map(Surface::name).toList());
-        assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a (6 times)",
+        assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a (2 times)",
                 "a.gltf: transparent surfaces are taken as opaque: a#1"), told);
     }
 }

@@ -116,7 +116,7 @@ class ObjReaderTest {
 
     @Test
     void images_varyReflectanceAndExitance_andLieAsTheirOptionsSay() throws IOException {
-        library("m.mtl", "newmtl a\nKd .5 .5 .5\nmap_Kd -s 2 3 1 -o .5 0 -clamp on my wood.png\nmap_Ke -s 2 3 -o .5 "
+        library("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd -s 2 3 1 -o .5 0 -clamp on my wood.png\nmap_Ke -s 2 3 -o .5 "
                 + "-clamp on glow.png\n");
         library("my wood.png", "");
         library("GLOW.PNG", "");
@@ -127,7 +127,7 @@ class ObjReaderTest {
         assertEquals(List.of(ImageMap.Target.REFLECTANCE, ImageMap.Target.EXITANCE),
                 maps.stream().map(ImageMap::target).toList());
         assertTrue(maps.get(0).image().name().endsWith("my wood.png"));
-        assertEquals(Rgb.grey(.5), maps.get(0).scale());
+        assertEquals(Rgb.grey(1), maps.get(0).scale());
         assertEquals(Rgb.grey(1), maps.get(1).scale());
         assertEquals(ImageMap.Wrap.EDGE, maps.get(0).wrapU());
         assertEquals(List.of(.5f, 0f, 2.5f, 0f, .5f, 3f), List.of(scene.textureCoordinates()[0],
