@@ -27,7 +27,7 @@ final class TortureRun {
     private static final Set<String> STOP = Set.of("-it", "-se");
     /** What the undisturbed render does without: it must not matter. */
     private static final Set<String> NO_MATTER = Set.of("-q", "--debug", "-si", "-sn", "-dr");
-    private static final Pattern REPRODUCED = Pattern.compile("the same as with ((?:--?[a-z][\\w-]* [^\\s,;]+ ?)+)");
+    private static final Pattern REPRODUCED = Pattern.compile("the same as with ((?:--?[a-z][\\w-]* [^\\s;]+ ?)+)");
     private static final Pattern CUT_OFF =
             Pattern.compile("in the first calculation, the one of (--accuracy [^\\s,;]+)");
     /** Seconds from a signal to the end, beside those in which others have the processors; the program promises 10. */
