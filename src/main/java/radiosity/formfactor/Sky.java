@@ -7,9 +7,10 @@ import radiosity.scene.Vec3;
 /**
  * The light of a sky, through openings of any shape.
  *
- * <p>Rays are uniform in the circle below a point's hemisphere (W. Nusselt, 1928): at the corners of square cells of
- * angle and squared radius. Where only some of a cell's corners see the sky, it is divided: an opening's edge is found
- * to 1/768 of the square's side. An opening smaller than a cell may be missed: one of 1 m from 27 m away.
+ * <p>Rays are uniform in the circle below a point's hemisphere (W. Nusselt, 1928), which is mapped to a square (P.
+ * Shirley, K. Chiu, A low distortion map between disk and square, 1997): they go to the corners and the middles of
+ * square cells. Where not all of a cell's see the sky, it is divided: an opening's edge is found to 1/768 of the
+ * square's side. A smaller opening than a cell may be missed: one of 1 m from 24 m away.
  *
  * <p>Luminances: CIE S 011/E:2003, Spatial distribution of daylight - CIE standard general sky.
  */
@@ -40,19 +41,21 @@ final class Sky {
     }
 
     private static double[] corners() {
-        double[] corners = new double[3 * (SIDE + 1) * SIDE];
+        double[] corners = new double[3 * (SIDE + 1) * (SIDE + 1)];
         for (int i = 0; i < corners.length / 3; i++) {
-            System.arraycopy(direction(i / SIDE * PARTS, i % SIDE * PARTS), 0, corners, 3 * i, 3);
+            System.arraycopy(direction(i / (SIDE + 1) * PARTS, i % (SIDE + 1) * PARTS), 0, corners, 3 * i, 3);
         }
         return corners;
     }
 
-    /** @param row of the squared radius, @param column of the angle, in parts of cells */
+    /** @param row in the square, @param column both in parts of cells */
     private static double[] direction(int row, int column) {
-        double square = (double) row / (SIDE * PARTS);
-        double angle = 2 * Math.PI * column / (SIDE * PARTS);
-        double r = Math.sqrt(square);
-        return new double[] {r * StrictMath.cos(angle), r * StrictMath.sin(angle), Math.sqrt(1 - square)};
+        double a = 2.0 * row / (SIDE * PARTS) - 1;
+        double b = 2.0 * column / (SIDE * PARTS) - 1;
+        boolean byA = Math.abs(a) > Math.abs(b);
+        double r = byA ? a : b;
+        double angle = r == 0 ? 0 : byA ? Math.PI / 4 * (b / a) : Math.PI / 2 - Math.PI / 4 * (a / b);
+        return new double[] {r * StrictMath.cos(angle), r * StrictMath.sin(angle), Math.sqrt(Math.max(0, 1 - r * r))};
     }
 
     /**
@@ -98,16 +101,17 @@ final class Sky {
 
         /** Mean luminance over the circle. */
         double all() {
-            double[] seen = new double[(SIDE + 1) * SIDE];
+            int corners = SIDE + 1;
+            double[] seen = new double[corners * corners];
             for (int i = 0; i < seen.length; i++) {
                 seen[i] = at(CORNERS, 3 * i);
             }
             double sum = 0;
             for (int row = 0; row < SIDE; row++) {
                 for (int column = 0; column < SIDE; column++) {
-                    int next = (column + 1) % SIDE;
-                    sum += cell(row * PARTS, column * PARTS, PARTS, seen[row * SIDE + column], seen[row * SIDE + next],
-                            seen[(row + 1) * SIDE + column], seen[(row + 1) * SIDE + next]);
+                    int i = row * corners + column;
+                    sum += cell(row * PARTS, column * PARTS, PARTS, seen[i], seen[i + 1], seen[i + corners],
+                            seen[i + corners + 1]);
                 }
             }
             return sum / (SIDE * SIDE);
@@ -115,15 +119,18 @@ final class Sky {
 
         /** Mean luminance over a cell: its first corner, its size in parts, the luminance in its corners. */
         private double cell(int row, int column, int size, double a, double b, double c, double d) {
-            boolean seesAll = a > 0 && b > 0 && c > 0 && d > 0;
             double mean = (a + b + c + d) / 4;
-            if (seesAll || mean == 0 || size == 1) {
+            boolean isAlike = mean == 0 || a > 0 && b > 0 && c > 0 && d > 0;
+            if (size == 1 || isAlike && size < PARTS) {
                 return mean;
             }
             int half = size / 2;
+            double middle = at(row + half, column + half);
+            if (isAlike && middle > 0 == mean > 0) {
+                return mean;
+            }
             double above = at(row, column + half);
             double left = at(row + half, column);
-            double middle = at(row + half, column + half);
             double right = at(row + half, column + size);
             double below = at(row + size, column + half);
             return (cell(row, column, half, a, above, left, middle)
