@@ -42,7 +42,7 @@ final class BlockAssignment {
     private static final double LEAST_SECONDS = 0.2;
     /** A host is as fast as was thought within this factor: blocks differ too, and theirs is measured on its own. */
     private static final double FACTOR = 2;
-    /** What a move is taken to cost at least, and before the first one per patch of the scene, s. */
+    /** What a move is taken to cost at least, and before the first one per patch of a host, s. */
     private static final double LEAST_COST = 0.005;
     private static final double FIRST_COST_PER_PATCH = 4e-6;
 
@@ -55,7 +55,10 @@ final class BlockAssignment {
     private final double[] pairs;
     /** How long hosts have waited for the slowest one since blocks moved, s. */
     private double waited;
-    /** What moving blocks took the last time, s; twice as much each time there was nothing to be moved. */
+    /**
+     * What moving blocks took the last time, s; twice as much each time there was nothing to be moved. Before the first
+     * time a guess, as hosts make their meshes anew; 0 before blocks are dealt.
+     */
     private double cost;
 
     /** A block that shall go from one host to another. */
@@ -66,7 +69,6 @@ final class BlockAssignment {
         points = mesh.blocks.stream().mapToDouble(block -> patches(mesh.patcher, block)).toArray();
         time = new double[owner.length];
         pairs = new double[owner.length];
-        cost = Math.max(LEAST_COST, mesh.patcher.patches() * FIRST_COST_PER_PATCH);
     }
 
     private static double patches(Patcher patcher, Block block) {
@@ -105,6 +107,9 @@ final class BlockAssignment {
      * @return those blocks
      */
     List<Integer> deal(List<Host> hosts) {
+        if (cost == 0) {
+            cost = Math.max(LEAST_COST, FIRST_COST_PER_PATCH * DoubleStream.of(points).sum() / hosts.size());
+        }
         List<Integer> ownerless = blocks(null);
         double[] seconds = seconds();
         double[] load = load(hosts, seconds);
