@@ -69,17 +69,40 @@ public final class ProgressiveRadiosity {
         ask();
         boolean goOn = true;
         while (goOn && !isDone()) {
-            if (queue.isEmpty()) {
-                Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
-                if (next == null) {
-                    return;
-                }
-                queue.add(next, unsent());
+            if (queue.isEmpty() && !choose(listener)) {
+                return;
             }
-            step();
-            goOn = listener.afterRound(progress());
+            goOn = round(listener);
         }
         last.know();
+    }
+
+    /**
+     * Chooses who shoots in the next round, by what was unshot after the last one.
+     *
+     * @return whether anybody was chosen: not where nothing is left to shoot, or the listener asks to stop
+     */
+    private boolean choose(RoundListener listener) throws IOException {
+        Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
+        if (next != null) {
+            queue.add(next, unsent());
+        }
+        return next != null;
+    }
+
+    /**
+     * One round: those who were chosen shoot, all elements receive and are refined, and the listener saves. A long
+     * round is done in several steps, after each of which the listener may stop it.
+     *
+     * @return whether to go on
+     */
+    private boolean round(RoundListener listener) throws IOException {
+        boolean goOn;
+        do {
+            shootAndReceive();
+            goOn = listener.afterRound(progress());
+        } while (goOn && !queue.isBetweenRounds() && !isDone());
+        return goOn;
     }
 
     /** What was left to shoot after the last round of which the answer was read, relative to what was emitted. */
@@ -182,20 +205,26 @@ public final class ProgressiveRadiosity {
     private void lookAhead(Order done) throws IOException {
         if (queue.isEmpty() && done.changes() && planner.looksAhead()) {
             last.catchUpToRoundBefore();
-            choose();
+            chooseAhead();
         }
     }
 
-    /** By the answer before the last round; where that names nobody who is left, partitions are asked. */
-    private void choose() throws IOException {
+    /**
+     * Chooses the next round by the answer before the present one; where that answer names no candidate who is left,
+     * partitions are asked.
+     */
+    private void chooseAhead() throws IOException {
         double left = unsent();
         Answer known = last.afterRound().without(queue.shooters(), world.mesh.faces, world.mesh.fluxScale());
         Order next = planner.next(known, left, () -> true);
         queue.add(next == null ? Order.asking(Order.Kind.ASK, planner.wanted()) : next, left);
     }
 
-    /** As much of the present round as takes no longer than a user waits. Where it is cut has no influence. */
-    private void step() throws IOException {
+    /**
+     * A step: as much of the present round as takes no longer than a user waits. Where the round is cut into steps has
+     * no influence on the result.
+     */
+    private void shootAndReceive() throws IOException {
         if (queue.isBetweenRounds()) {
             begin();
         }
