@@ -223,7 +223,6 @@ public final class LightSources {
     }
 
     private boolean sees(Vec3 x, Vec3 y) {
-        return !bounds.blocked((float) x.x(), (float) x.y(), (float) x.z(), (float) y.x(), (float) y.y(),
-                (float) y.z());
+        return !bounds.blocked(x, y);
     }
 }

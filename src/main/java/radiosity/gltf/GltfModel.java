@@ -1,6 +1,8 @@
 package radiosity.gltf;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.List;
 import java.util.Optional;
 import radiosity.scene.Affine;
@@ -39,6 +41,23 @@ public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places
                 .put("byteLength", bytes.length);
         arrays.add(bytes);
         return json.get("bufferViews").size() - 1;
+    }
+
+    /** Adds bytes and an accessor of all of them; returns its number. */
+    public int accessor(byte[] bytes, int target, int componentType, int count, String type) {
+        return lists().accessor(add(bytes), target, componentType, count, type);
+    }
+
+    /** Adds floats and an accessor of all of them; returns its number. */
+    public int accessor(float[] values, int components) {
+        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asFloatBuffer().put(values);
+        return accessor(bytes.array(), GltfLists.VERTICES, GltfLists.FLOAT, values.length / components,
+                "VEC" + components);
+    }
+
+    public GltfLists lists() {
+        return new GltfLists(json);
     }
 
     /** Bytes of all arrays so far, each padded to a multiple of 4. */

@@ -1,6 +1,8 @@
 package radiosity.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
@@ -66,6 +68,21 @@ public record JsonCursor(String file, String path, JsonNode node) {
         return there.isPresent() ? there.get().text() : otherwise;
     }
 
+    /** Whether a switch is on; it is off where there is none. */
+    public boolean isOn(String key) {
+        return node.path(key).booleanValue();
+    }
+
+    /** The members of a list; none where there is no list. */
+    public List<JsonCursor> list(String key) throws SceneFormatException {
+        Optional<JsonCursor> list = optional(key);
+        List<JsonCursor> members = new ArrayList<>();
+        for (int i = 0; list.isPresent() && i < list.get().size(); i++) {
+            members.add(list.get().at(i));
+        }
+        return members;
+    }
+
     public int size() {
         return node.size();
     }
@@ -78,6 +95,11 @@ public record JsonCursor(String file, String path, JsonNode node) {
     /** A whole number of any size, -1 where it is none. */
     public long unchecked() {
         return node.isIntegralNumber() && node.canConvertToLong() ? node.longValue() : -1;
+    }
+
+    /** A whole number of any size, 0 where there is none, -1 where something else stands there. */
+    public long unchecked(String key) {
+        return optional(key).map(JsonCursor::unchecked).orElse(0L);
     }
 
     public double number() throws SceneFormatException {

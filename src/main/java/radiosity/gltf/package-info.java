@@ -1,4 +1,5 @@
 /**
- * What reading and writing of glTF share: a place in a file's JSON that says what is wrong there.
+ * What reading and writing of glTF share: a place in a file's JSON that says what is wrong there, the lists that are
+ * written, a camera's rotation.
  */
 package radiosity.gltf;

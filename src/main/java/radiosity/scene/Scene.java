@@ -214,10 +214,19 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
                 textureCoordinate(triangle, which, weights[1]), textureCoordinate(triangle, which, weights[2])};
     }
 
+    /** The point with a number. */
+    public Vec3 point(int number) {
+        return new Vec3(points[3 * number], points[3 * number + 1], points[3 * number + 2]);
+    }
+
     /** Corner k (0, 1 or 2) of a triangle. */
     public Vec3 corner(int triangle, int k) {
-        int p = 3 * corners[3 * triangle + k];
-        return new Vec3(points[p], points[p + 1], points[p + 2]);
+        return point(corners[3 * triangle + k]);
+    }
+
+    /** The middle of a triangle. */
+    public Vec3 middle(int triangle) {
+        return corner(triangle, 0).plus(corner(triangle, 1)).plus(corner(triangle, 2)).times(1.0 / 3);
     }
 
     /** At right angles to a triangle, out of its front, twice as long as its area is large. */

@@ -41,6 +41,18 @@ public record Vec3(double x, double y, double z) {
         return length == 0 ? this : times(1 / length);
     }
 
+    /** Along x (0), y (1) or z (2). */
+    public double coordinate(int axis) {
+        return axis == 0 ? x : axis == 1 ? y : z;
+    }
+
+    /** Writes x, y and z as floats into an array, from a place on. */
+    public void write(float[] to, int at) {
+        to[at] = (float) x;
+        to[at + 1] = (float) y;
+        to[at + 2] = (float) z;
+    }
+
     public boolean isFinite() {
         return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
     }

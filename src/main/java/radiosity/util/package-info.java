@@ -1,6 +1,7 @@
 /**
- * Numbers, sums and loops that are the same bits on every machine: hashes, exact sums, a parallel loop.
+ * Numbers, sums and loops that are the same bits on every machine: hashes, exact sums, boxes,
+ * disjoint sets, a parallel loop.
  *
- * <p>Imports no other package of the program.
+ * <p>Imports only points and directions, from {@code scene}.
  */
 package radiosity.util;

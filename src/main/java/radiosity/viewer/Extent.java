@@ -1,8 +1,9 @@
 package radiosity.viewer;
 
+import java.util.stream.IntStream;
 import radiosity.output.gltf.LitScene;
-import radiosity.output.mesh.Mesh;
 import radiosity.scene.Vec3;
+import radiosity.util.Aabb;
 
 /**
  * How large a scene is and where.
@@ -13,23 +14,8 @@ import radiosity.scene.Vec3;
 record Extent(Vec3 centre, double size) {
 
     static Extent of(LitScene scene) {
-        double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
-        double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        boolean empty = true;
-        for (Mesh mesh : scene.meshes()) {
-            float[] x = mesh.positions();
-            for (int i = 0; i < x.length; i++) {
-                low[i % 3] = Math.min(low[i % 3], x[i]);
-                high[i % 3] = Math.max(high[i % 3], x[i]);
-                empty = false;
-            }
-        }
-        if (empty) {
-            return new Extent(scene.origin(), 1);
-        }
-        Vec3 a = new Vec3(low[0], low[1], low[2]);
-        Vec3 b = new Vec3(high[0], high[1], high[2]);
-        double size = b.minus(a).length();
-        return new Extent(a.plus(b).times(0.5).plus(scene.origin()), size > 0 ? size : 1);
+        Aabb box = Aabb.of(scene.meshes().stream().flatMap(mesh -> IntStream.range(0, mesh.corners().length)
+                .mapToObj(i -> mesh.position(i / 3, i % 3))));
+        return new Extent(box.centre().plus(scene.origin()), box.diagonal() > 0 ? box.diagonal() : 1);
     }
 }

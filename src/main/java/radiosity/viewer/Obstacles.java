@@ -54,10 +54,8 @@ final class Obstacles {
         for (Mesh mesh : meshes) {
             for (int e = 0; e < mesh.elements(); e++) {
                 for (int k = 0; k < 3; k++) {
-                    Vec3 p = unit(mesh.position(e, k).plus(origin));
-                    corners[i++] = (float) p.x();
-                    corners[i++] = (float) p.y();
-                    corners[i++] = (float) p.z();
+                    unit(mesh.position(e, k).plus(origin)).write(corners, i);
+                    i += 3;
                 }
             }
         }
@@ -80,9 +78,7 @@ final class Obstacles {
         double from = 0;
         float[] hit = new float[3];
         for (int pass = 0; pass < PASSES && from < reach; pass++) {
-            Vec3 p = o.plus(direction.times(from));
-            int found = bounds.nearest((float) p.x(), (float) p.y(), (float) p.z(), (float) direction.x(),
-                    (float) direction.y(), (float) direction.z(), (float) (reach - from), hit);
+            int found = bounds.nearest(o.plus(direction.times(from)), direction, reach - from, hit);
             if (found < 0) {
                 return Optional.empty();
             }

@@ -2,6 +2,7 @@ package radiosity.viewer;
 
 import java.util.List;
 import java.util.Locale;
+import radiosity.output.image.ToneMapping;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.scene.Surface;
@@ -30,8 +31,7 @@ record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irrad
     }
 
     private static Rgb mix(Rgb a, Rgb b, Rgb c, double u, Obstacles.Hit hit) {
-        return new Rgb(a.r() * u + b.r() * hit.v() + c.r() * hit.w(), a.g() * u + b.g() * hit.v() + c.g() * hit.w(),
-                a.b() * u + b.b() * hit.v() + c.b() * hit.w());
+        return a.times(u).plus(b.times(hit.v())).plus(c.times(hit.w()));
     }
 
     /** For the user. */
@@ -39,16 +39,11 @@ record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irrad
         return List.of("surface      " + surface.name() + (back ? " (back)" : ""),
                 "radiosity    " + text(radiosity) + " W/m²",
                 "irradiance   " + text(irradiance) + " W/m²",
-                String.format(Locale.ROOT, "luminance Y  %.4g W/m², irradiance %.4g W/m²", luminance(radiosity),
-                        luminance(irradiance)),
+                String.format(Locale.ROOT, "luminance Y  %.4g W/m², irradiance %.4g W/m²",
+                        ToneMapping.luminance(radiosity), ToneMapping.luminance(irradiance)),
                 "reflectance  " + text(reflectance),
                 "exitance     " + text(surface.exitance()) + " W/m²",
                 "at           " + text(new Rgb(point.x(), point.y(), point.z())));
-    }
-
-    /** Y of linear sRGB (IEC 61966-2-1). */
-    private static double luminance(Rgb light) {
-        return 0.2126 * light.r() + 0.7152 * light.g() + 0.0722 * light.b();
     }
 
     private static String text(Rgb v) {

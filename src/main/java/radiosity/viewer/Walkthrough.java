@@ -12,7 +12,6 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
@@ -25,11 +24,11 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
-import javax.imageio.ImageIO;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.gltf.LitScene;
+import radiosity.output.image.PictureFormat;
 
 /** A window in which one walks through a scene (appendix C.4 of the paper). */
 public final class Walkthrough {
@@ -114,10 +113,9 @@ public final class Walkthrough {
 
     /** Names the file where writing it fails: a full disk's message does not. */
     private static void write(BufferedImage image, Path file) throws IOException {
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", png);
+        byte[] png = PictureFormat.png(image);
         try {
-            AtomicFile.write(file, png.toByteArray());
+            AtomicFile.write(file, png);
         } catch (FileSystemException e) {
             throw e;
         } catch (IOException e) {

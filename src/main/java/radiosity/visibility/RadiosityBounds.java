@@ -1,5 +1,7 @@
 package radiosity.visibility;
 
+import radiosity.scene.Vec3;
+
 /**
  * Bounding volumes over triangles, in arrays: whether anything stands between two points (section 2.4.1 and 4.5.9).
  *
@@ -64,6 +66,12 @@ public final class RadiosityBounds {
     /** Number of triangles. */
     public int size() {
         return corners.length / 9;
+    }
+
+    /** Whether any triangle stands between two points, whose coordinates are rounded to floats first. */
+    public boolean blocked(Vec3 from, Vec3 to) {
+        return blocked((float) from.x(), (float) from.y(), (float) from.z(), (float) to.x(), (float) to.y(),
+                (float) to.z());
     }
 
     /** Whether any triangle stands between two points; what touches an end does not count. */
@@ -150,6 +158,12 @@ public final class RadiosityBounds {
 
     private static int bits(float x) {
         return Float.floatToRawIntBits(x);
+    }
+
+    /** The nearest triangle along a ray, whose numbers are rounded to floats first. */
+    public int nearest(Vec3 origin, Vec3 direction, double far, float[] hit) {
+        return nearest((float) origin.x(), (float) origin.y(), (float) origin.z(), (float) direction.x(),
+                (float) direction.y(), (float) direction.z(), (float) far, hit);
     }
 
     /**

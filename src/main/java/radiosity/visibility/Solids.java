@@ -1,5 +1,7 @@
 package radiosity.visibility;
 
+import radiosity.scene.Vec3;
+
 /**
  * Which points of surfaces lie inside a solid, where a floor runs on below a block: whatever they look at turns its
  * back.
@@ -28,6 +30,11 @@ public final class Solids {
     public Solids(RadiosityBounds bounds, float[] front) {
         this.bounds = bounds;
         this.front = front;
+    }
+
+    /** Whether a point of a surface is inside a solid; its numbers are rounded to floats first. */
+    public boolean hold(Vec3 p, Vec3 n) {
+        return hold((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
     }
 
     /**

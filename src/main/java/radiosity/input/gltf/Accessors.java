@@ -65,13 +65,12 @@ final class Accessors {
             throw accessor.wrong("arrays of at most " + Runtime.getRuntime().maxMemory() / PART + " bytes together");
         }
         int type = accessor.at("componentType").integer();
-        boolean normalised = accessor.optional("normalized").map(n -> n.node().booleanValue()).orElse(false);
+        boolean normalised = accessor.isOn("normalized");
         Optional<JsonCursor> view = accessor.optional("bufferView");
         float[] values = new float[0];
         if (view.isPresent()) {
-            long offset = accessor.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L);
-            long stride = root.at("bufferViews").at(view.get().integer()).optional("byteStride")
-                    .map(JsonCursor::unchecked).orElse(0L);
+            long offset = accessor.unchecked("byteOffset");
+            long stride = root.at("bufferViews").at(view.get().integer()).unchecked("byteStride");
             values = values(accessor, new Elements(buffers.view(view.get()), offset, stride, type, components,
                     normalised), (int) (length / components));
         } else {
@@ -136,10 +135,10 @@ final class Accessors {
         }
         JsonCursor where = sparse.at("indices");
         int[] indices = indices(where, where.at("componentType").integer(), buffers.view(where.at("bufferView")),
-                where.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L), count);
+                where.unchecked("byteOffset"), count);
         JsonCursor by = sparse.at("values");
         float[] others = values(by, new Elements(buffers.view(by.at("bufferView")),
-                by.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L), 0, type, components, normalised),
+                by.unchecked("byteOffset"), 0, type, components, normalised),
                 count);
         for (int i = 0; i < count; i++) {
             if (indices[i] < 0 || (long) indices[i] * components >= values.length) {
@@ -157,7 +156,7 @@ final class Accessors {
             throw accessor.wrong("indices that are no sparse array");
         }
         return indices(accessor, accessor.at("componentType").integer(), buffers.view(view.get()),
-                accessor.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L),
+                accessor.unchecked("byteOffset"),
                 accessor.at("count").integer());
     }
 

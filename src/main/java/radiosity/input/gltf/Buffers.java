@@ -42,7 +42,7 @@ final class Buffers {
     ByteBuffer view(JsonCursor where) throws IOException {
         JsonCursor view = file.root().at("bufferViews").at(where.integer());
         ByteBuffer buffer = buffer(view.at("buffer"));
-        long offset = view.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L);
+        long offset = view.unchecked("byteOffset");
         long length = view.at("byteLength").unchecked();
         if (offset < 0 || length < 0 || offset > buffer.capacity() - length) {
             throw view.wrong("bytes of a buffer of " + buffer.capacity() + " bytes");

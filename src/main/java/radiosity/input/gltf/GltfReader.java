@@ -96,9 +96,7 @@ public final class GltfReader {
     }
 
     private void checkExtensions() throws SceneFormatException {
-        Optional<JsonCursor> required = root.optional("extensionsRequired");
-        for (int i = 0; required.isPresent() && i < required.get().size(); i++) {
-            JsonCursor extension = required.get().at(i);
+        for (JsonCursor extension : root.list("extensionsRequired")) {
             if (!READ.contains(extension.text())) {
                 throw notes.error("JSON " + extension.path(), "extensions that are read (" + String.join(", ", READ)
                         + ")", extension.text());

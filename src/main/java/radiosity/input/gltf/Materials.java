@@ -120,8 +120,7 @@ final class Materials {
             lie = addImage(maps, ImageMap.Target.EXITANCE, emitted.get(), exitance, lie);
         }
         lies.add(lie);
-        surfaces.add(new Surface(name, exitance, limited(colour), material.optional("doubleSided")
-                .map(d -> d.node().booleanValue()).orElse(false), maps));
+        surfaces.add(new Surface(name, exitance, limited(colour), material.isOn("doubleSided"), maps));
     }
 
     /** What a surface may reflect of a base colour; of which the excess is kept. */

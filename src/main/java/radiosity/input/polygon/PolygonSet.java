@@ -1,18 +1,18 @@
 package radiosity.input.polygon;
 
-import java.util.Arrays;
 import radiosity.input.file.FloatList;
+import radiosity.util.Hash;
+import radiosity.util.LongIndex;
 
 /**
  * Which polygons have been met: the same places in the same order round, wherever it begins. A reversed twin is another
- * polygon. Open addressing on 64-bit hashes.
+ * polygon.
  */
 final class PolygonSet {
 
     private final FloatList points;
     private final Polygons polygons;
-    private long[] table = new long[64];
-    private int used;
+    private final LongIndex seen = new LongIndex(16);
 
     PolygonSet(FloatList points, Polygons polygons) {
         this.points = points;
@@ -21,30 +21,8 @@ final class PolygonSet {
 
     /** False if the polygon has been met before. */
     boolean add(PolygonRing outline) {
-        if (2 * used >= table.length) {
-            grow();
-        }
-        return insert(hash(outline));
-    }
-
-    private boolean insert(long hash) {
-        int i = (int) (hash >>> 32) & table.length - 1;
-        while (table[i] != 0) {
-            if (table[i] == hash) {
-                return false;
-            }
-            i = i + 1 & table.length - 1;
-        }
-        table[i] = hash;
-        used++;
-        return true;
-    }
-
-    private void grow() {
-        long[] old = table;
-        table = new long[2 * old.length];
-        used = 0;
-        Arrays.stream(old).filter(h -> h != 0).forEach(this::insert);
+        int next = seen.size();
+        return seen.findOrAdd(hash(outline), next) == next;
     }
 
     /** The sum over the corners of what the corner and the next two make: where it begins does not matter. */
@@ -55,11 +33,11 @@ final class PolygonSet {
         long hash = n;
         for (int i = 0; i < n; i++) {
             long after = place(outline.corner(i + 1 == n ? 0 : i + 1));
-            hash += mix(mix(mix(before) + here) + after);
+            hash += Hash.mix(Hash.mix(before, here), after);
             before = here;
             here = after;
         }
-        return hash == 0 ? 1 : hash;
+        return hash;
     }
 
     /** Adding zero makes minus zero plus zero. */
@@ -68,16 +46,6 @@ final class PolygonSet {
         long x = Float.floatToIntBits(points.get(p) + 0f);
         long y = Float.floatToIntBits(points.get(p + 1) + 0f);
         long z = Float.floatToIntBits(points.get(p + 2) + 0f);
-        return mix(mix(mix(x) + y) + z);
-    }
-
-    /**
-     * The finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, 2014).
-     */
-    private static long mix(long v) {
-        long z = v + 0x9E3779B97F4A7C15L;
-        z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;
-        z = (z ^ z >>> 27) * 0x94D049BB133111EBL;
-        return z ^ z >>> 31;
+        return Hash.mix(Hash.mix(x, y), z);
     }
 }

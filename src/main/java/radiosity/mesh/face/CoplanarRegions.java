@@ -2,11 +2,14 @@ package radiosity.mesh.face;
 
 import java.util.Arrays;
 import java.util.Set;
+import radiosity.util.DisjointSets;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
-/** Finds which faces of a surface meet along an edge in one plane. Fills {@code part}, {@code fan} and
- * {@code border} of faces. */
+/**
+ * Finds which faces of a surface meet along an edge in one plane. Fills {@code part}, {@code fan} and {@code border} of
+ * faces.
+ */
 final class CoplanarRegions {
 
     /** Angle between normals of one part, radians. */
@@ -25,8 +28,8 @@ final class CoplanarRegions {
      */
     void join(Set<Long> cut) {
         int n = faces.count();
-        Arrays.setAll(faces.part, f -> f);
-        Arrays.setAll(faces.fan, corner -> corner);
+        DisjointSets parts = new DisjointSets(faces.part.length);
+        DisjointSets fans = new DisjointSets(faces.fan.length);
         Arrays.fill(faces.border, (byte) 7);
         int[] next = new int[3 * n];
         LongIndex edges = new LongIndex(3 * n);
@@ -43,13 +46,13 @@ final class CoplanarRegions {
             if (g >= 0 && next[g] < 0 && matches(e, g) && !cut.contains(EdgePieces.key(corner(e, 1), corner(e, 2)))) {
                 faces.border[e / 3] &= (byte) ~(1 << e % 3);
                 faces.border[g / 3] &= (byte) ~(1 << g % 3);
-                union(faces.part, e / 3, g / 3);
-                union(faces.fan, slot(e, 1), slot(g, 2));
-                union(faces.fan, slot(e, 2), slot(g, 1));
+                parts.join(e / 3, g / 3);
+                fans.join(slot(e, 1), slot(g, 2));
+                fans.join(slot(e, 2), slot(g, 1));
             }
         }
-        Arrays.setAll(faces.part, f -> root(faces.part, f));
-        Arrays.setAll(faces.fan, corner -> root(faces.fan, corner));
+        Arrays.setAll(faces.part, parts::of);
+        Arrays.setAll(faces.fan, fans::of);
     }
 
     /** Edge e % 3 of face e / 3 lies opposite its corner of that number. */
@@ -83,24 +86,5 @@ final class CoplanarRegions {
 
     private static int slot(int e, int step) {
         return 3 * (e / 3) + (e % 3 + step) % 3;
-    }
-
-    private static int root(int[] forest, int i) {
-        int r = i;
-        while (forest[r] != r) {
-            r = forest[r];
-        }
-        for (int j = i; forest[j] != r;) {
-            int up = forest[j];
-            forest[j] = r;
-            j = up;
-        }
-        return r;
-    }
-
-    private static void union(int[] forest, int i, int j) {
-        int a = root(forest, i);
-        int b = root(forest, j);
-        forest[Math.max(a, b)] = Math.min(a, b);
     }
 }

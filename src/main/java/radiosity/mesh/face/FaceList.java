@@ -112,19 +112,13 @@ final class FaceList {
         side[count] = id;
         area[count] = faceArea;
         wholeArea += faceArea;
-        put(corner, 9 * count, a);
-        put(corner, 9 * count + 3, b);
-        put(corner, 9 * count + 6, c);
-        put(normal, 3 * count, n);
+        a.write(corner, 9 * count);
+        b.write(corner, 9 * count + 3);
+        c.write(corner, 9 * count + 6);
+        n.write(normal, 3 * count);
         point[3 * count] = p;
         point[3 * count + 1] = q;
         point[3 * count + 2] = r;
         count++;
-    }
-
-    static void put(float[] to, int at, Vec3 v) {
-        to[at] = (float) v.x();
-        to[at + 1] = (float) v.y();
-        to[at + 2] = (float) v.z();
     }
 }

@@ -187,8 +187,7 @@ public final class Faces {
 
     /** Component a of corner k of a face, scene units. */
     public double sceneCorner(int face, int k, int a) {
-        Vec3 p = sceneCorner(face, k);
-        return a == 0 ? p.x() : a == 1 ? p.y() : p.z();
+        return sceneCorner(face, k).coordinate(a);
     }
 
     /** Corner k of a face, scene units. */
@@ -268,7 +267,7 @@ public final class Faces {
         float[] corners = new float[9 * scene.triangles()];
         for (int t = 0; t < scene.triangles(); t++) {
             for (int k = 0; k < 3; k++) {
-                FaceList.put(corners, 9 * t + 3 * k, unit(scene.corner(t, k)));
+                unit(scene.corner(t, k)).write(corners, 9 * t + 3 * k);
             }
         }
         return corners;

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.EdgePieces;
 import radiosity.mesh.face.Faces;
+import radiosity.util.DisjointSets;
 import radiosity.util.LongIndex;
 
 /**
@@ -40,7 +41,7 @@ final class FaceShells {
     FaceShells(Faces faces) {
         this.faces = faces;
         int n = faces.count();
-        shell = IntStream.range(0, n).toArray();
+        shell = new int[n];
         open = new boolean[n];
         seesBacks = new boolean[n];
         begin(3 * n);
@@ -143,14 +144,15 @@ final class FaceShells {
 
     private void join() {
         RadialEdges wedges = new RadialEdges(faces);
+        DisjointSets joined = new DisjointSets(shell.length);
         boolean[] alone = new boolean[shell.length];
         for (int edge = 0; edge < edges.size(); edge++) {
             if (!isLoose(edge)) {
-                wedges.pair(ends[2 * edge], ends[2 * edge + 1], sides(edge), this::union, f -> alone[f] = true);
+                wedges.pair(ends[2 * edge], ends[2 * edge + 1], sides(edge), joined::join, f -> alone[f] = true);
             }
         }
         for (int f = 0; f < shell.length; f++) {
-            shell[f] = root(f);
+            shell[f] = joined.of(f);
             seesBacks[shell[f]] |= alone[f];
             open[shell[f]] |= alone[f];
         }
@@ -169,20 +171,5 @@ final class FaceShells {
             some.add(side[s]);
         }
         return some.build().toArray();
-    }
-
-    private void union(int f, int g) {
-        int a = root(f);
-        int b = root(g);
-        shell[Math.max(a, b)] = Math.min(a, b);
-    }
-
-    private int root(int face) {
-        int f = face;
-        while (shell[f] != f) {
-            shell[f] = shell[shell[f]];
-            f = shell[f];
-        }
-        return f;
     }
 }

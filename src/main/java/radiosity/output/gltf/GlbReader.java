@@ -134,7 +134,7 @@ final class GlbReader implements Closeable {
 
     private Range range(int index) throws IOException {
         JsonCursor view = new JsonCursor(name, json).at("bufferViews").at(index);
-        long offset = view.optional("byteOffset").map(JsonCursor::unchecked).orElse(0L);
+        long offset = view.unchecked("byteOffset");
         long length = view.at("byteLength").unchecked();
         if (offset < 0 || length < 0 || offset > binLength - length) {
             throw wrong("bufferView " + index, "bytes below " + binLength, length + " bytes from " + offset);

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import radiosity.output.image.DefaultCamera;
 import radiosity.output.image.ToneMapping;
-import radiosity.output.mesh.Aabb;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Camera;
@@ -19,6 +18,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 
 /**
  * What one walks through: surfaces with the light on them, and from where to begin.

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import radiosity.gltf.GltfLists;
 import radiosity.output.image.PictureFormat;
 import radiosity.output.image.ToneMapping;
 import radiosity.output.lightmap.TextureBake;
@@ -28,17 +29,13 @@ final class SceneDocument {
      * its bytes in an int and keeps a node's translation in floats.
      */
 
-    private static final int FLOAT = 5126;
-    private static final int UNSIGNED_INT = 5125;
-    private static final int UNSIGNED_SHORT = 5123;
-    private static final int VERTICES = 34962;
-    private static final int INDICES = 34963;
     private static final int LINEAR = 9729;
     private static final int CLAMP = 33071;
     static final String UNLIT = "KHR_materials_unlit";
 
     private final ObjectMapper mapper = new ObjectMapper().enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS);
     private final ObjectNode root = mapper.createObjectNode();
+    private final GltfLists lists = new GltfLists(root);
     private final ObjectNode top;
     private long binLength;
     /** Top node of the second scene; null where there is none. */
@@ -61,7 +58,7 @@ final class SceneDocument {
         root.putArray("scenes").addObject().put("name", sceneName).putArray("nodes").add(0);
         top = list("nodes").addObject().put("name", sceneName);
         if (!origin.equals(Vec3.ZERO)) {
-            put(top.putArray("translation"), origin);
+            GltfLists.put(top.putArray("translation"), origin);
         }
         hierarchy.nodes().forEach(this::object);
     }
@@ -72,10 +69,7 @@ final class SceneDocument {
         ObjectNode node = child(parent).put("name", of.name());
         ObjectNode told = node.putObject("extras").putObject("object").put("geometry", of.geometry());
         if (of.placement().isFinite()) {
-            ArrayNode matrix = told.putArray("matrix");
-            for (int i = 0; i < 16; i++) {
-                matrix.add(i % 4 == 3 ? (i == 15 ? 1.0 : 0.0) : of.placement().m()[4 * (i % 4) + i / 4]);
-            }
+            GltfLists.matrix(told, of.placement());
         }
         objects.add(node);
         meshesOf.add(new ArrayList<>(1));
@@ -131,22 +125,23 @@ final class SceneDocument {
         for (int layer = 0; layer < mesh.layers().size(); layer++) {
             attributes.put("_IRRADIANCE_" + layer, vec3(mesh.layers().get(layer)));
         }
-        primitive.put("indices", accessor(view(mesh.corners(), INDICES), UNSIGNED_INT, 3 * mesh.elements(), "SCALAR"));
+        primitive.put("indices", lists.accessor(view(mesh.corners()), GltfLists.INDICES, GltfLists.UNSIGNED_INT,
+                3 * mesh.elements(), "SCALAR"));
         primitive.put("material", materials.computeIfAbsent(new Side(mesh.surface(), mesh.back()),
                 side -> material(side.surface, side.back, name)));
         if (mesh.node() < 0) {
-            child(top).put("name", name).put("mesh", list("meshes").size() - 1);
+            child(top).put("name", name).put("mesh", lists.last("meshes"));
         } else {
-            meshesOf.get(mesh.node()).add(list("meshes").size() - 1);
+            meshesOf.get(mesh.node()).add(lists.last("meshes"));
         }
     }
 
     /** Begins a second scene, in which light is in textures; its sides follow. */
     void beginTextures(Vec3 origin) {
         textures = list("nodes").addObject().put("name", "textures");
-        list("scenes").addObject().put("name", "textures").putArray("nodes").add(list("nodes").size() - 1);
+        list("scenes").addObject().put("name", "textures").putArray("nodes").add(lists.last("nodes"));
         if (!origin.equals(Vec3.ZERO)) {
-            put(textures.putArray("translation"), origin);
+            GltfLists.put(textures.putArray("translation"), origin);
         }
         list("samplers").addObject().put("magFilter", LINEAR).put("minFilter", LINEAR).put("wrapS", CLAMP)
                 .put("wrapT", CLAMP);
@@ -158,16 +153,17 @@ final class SceneDocument {
         list("nodes").addObject().put("mesh", list("meshes").size());
         String name = side.surface().name() + (side.back() ? " (back, texture)" : " (texture)");
         int positions = vec3(side.positions());
-        int places = accessor(view(side.places(), VERTICES), FLOAT, side.places().length / 2, "VEC2");
+        int places = lists.accessor(view(side.places()), GltfLists.VERTICES, GltfLists.FLOAT, side.places().length / 2,
+                "VEC2");
         list("images").addObject().put("mimeType", "image/png")
                 .put("bufferView", view(PictureFormat.png(side.radiosity(), toneMapping::map)));
-        list("textures").addObject().put("sampler", 0).put("source", list("images").size() - 1);
+        list("textures").addObject().put("sampler", 0).put("source", lists.last("images"));
         ObjectNode primitive = list("meshes").addObject().put("name", name).putArray("primitives").addObject();
         primitive.putObject("attributes").put("POSITION", positions).put("TEXCOORD_0", places);
         int material = material(side.surface(), side.back(), name);
         primitive.put("material", material);
-        ((ObjectNode) list("materials").get(material)).withObjectProperty("pbrMetallicRoughness")
-                .putObject("baseColorTexture").put("index", list("textures").size() - 1);
+        lists.get("materials", material).withObjectProperty("pbrMetallicRoughness")
+                .putObject("baseColorTexture").put("index", lists.last("textures"));
     }
 
     private ObjectNode child(ObjectNode parent) {
@@ -180,27 +176,15 @@ final class SceneDocument {
         material.putObject("pbrMetallicRoughness").put("metallicFactor", 0);
         material.putObject("extensions").putObject(UNLIT);
         ObjectNode extras = material.putObject("extras").put("surface", surface.name());
-        put(extras.putArray("reflectance"), surface.reflectance());
-        put(extras.putArray("exitance"), surface.exitance());
+        GltfLists.put(extras.putArray("reflectance"), surface.reflectance());
+        GltfLists.put(extras.putArray("exitance"), surface.exitance());
         extras.put("twoSided", surface.twoSided()).put("back", back);
-        return list("materials").size() - 1;
+        return lists.last("materials");
     }
 
     private int vec3(float[] values) {
-        int accessor = accessor(view(values, VERTICES), FLOAT, values.length / 3, "VEC3");
-        ObjectNode node = (ObjectNode) list("accessors").get(accessor);
-        ArrayNode min = node.putArray("min");
-        ArrayNode max = node.putArray("max");
-        for (int c = 0; c < 3; c++) {
-            float low = values[c];
-            float high = values[c];
-            for (int i = c; i < values.length; i += 3) {
-                low = Math.min(low, values[i]);
-                high = Math.max(high, values[i]);
-            }
-            min.add((double) low);
-            max.add((double) high);
-        }
+        int accessor = lists.accessor(view(values), GltfLists.VERTICES, GltfLists.FLOAT, values.length / 3, "VEC3");
+        lists.range(accessor, values);
         return accessor;
     }
 
@@ -215,21 +199,10 @@ final class SceneDocument {
             }
             colours[4 * i + 3] = (short) 65535;
         }
-        int accessor = accessor(view(colours, VERTICES), UNSIGNED_SHORT, mesh.vertices(), "VEC4");
-        ((ObjectNode) list("accessors").get(accessor)).put("normalized", true);
+        int accessor = lists.accessor(view(colours), GltfLists.VERTICES, GltfLists.UNSIGNED_SHORT, mesh.vertices(),
+                "VEC4");
+        lists.get("accessors", accessor).put("normalized", true);
         return accessor;
-    }
-
-    private int accessor(int view, int componentType, int count, String type) {
-        list("accessors").addObject().put("bufferView", view).put("componentType", componentType).put("count", count)
-                .put("type", type);
-        return list("accessors").size() - 1;
-    }
-
-    private int view(Object array, int target) {
-        int view = view(array);
-        ((ObjectNode) list("bufferViews").get(view)).put("target", target);
-        return view;
     }
 
     /**
@@ -242,35 +215,18 @@ final class SceneDocument {
         list("bufferViews").addObject().put("buffer", 0).put("byteOffset", binLength).put("byteLength", bytes);
         arrays.add(array);
         binLength += GlbWriter.padded(bytes);
-        return list("bufferViews").size() - 1;
+        return lists.last("bufferViews");
     }
 
     /**
-     * @param near distance of the near plane, above 0
-     *
+     * @param near   distance of the near plane, above 0
      * @param origin as in the constructor
      */
     void camera(Camera camera, double near, Vec3 origin) {
-        ObjectNode node = list("cameras").addObject().put("type", "perspective");
-        node.putObject("perspective").put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect())
-                .put("znear", near);
-        ObjectNode child = child(top).put("name", "camera").put("camera", 0);
-        ArrayNode rotation = child.putArray("rotation");
-        for (double q : CameraPose.quaternion(camera)) {
-            rotation.add(q);
-        }
-        put(child.putArray("translation"), camera.position().minus(origin));
+        lists.camera(child(top), camera, camera.position().minus(origin), near);
     }
 
     private ArrayNode list(String name) {
-        return root.withArrayProperty(name);
-    }
-
-    private static void put(ArrayNode array, Vec3 v) {
-        array.add(v.x()).add(v.y()).add(v.z());
-    }
-
-    private static void put(ArrayNode array, Rgb v) {
-        array.add(v.r()).add(v.g()).add(v.b());
+        return lists.list(name);
     }
 }

@@ -15,7 +15,6 @@ import radiosity.gltf.JsonCursor;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.image.ToneMapping;
 import radiosity.output.lightmap.TextureBake;
-import radiosity.output.mesh.Aabb;
 import radiosity.output.mesh.MergedMeshes;
 import radiosity.output.mesh.Mesh;
 import radiosity.output.mesh.TJunctions;
@@ -26,6 +25,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 
 /**
  * The scene file: a glTF 2.0 binary that any glTF viewer opens, with everything that was computed (docs/FORMATS.md).
@@ -193,11 +193,9 @@ public final class SceneFile implements Closeable {
     /** Whose light is kept apart in layers; empty where it is not. */
     public List<Lamp> lamps() throws IOException {
         List<Lamp> lamps = new ArrayList<>();
-        Optional<JsonCursor> list = radiosity.optional("lamps");
-        for (int i = 0; list.isPresent() && i < list.get().size(); i++) {
-            JsonCursor lamp = list.get().at(i);
-            lamps.add(new Lamp(lamp.at("name").text(), lamp.at("surface").node().booleanValue(), lamp.at("index")
-                    .integer()));
+        for (JsonCursor lamp : radiosity.list("lamps")) {
+            lamps.add(new Lamp(lamp.at("name").text(), lamp.at("surface").node().booleanValue(),
+                    lamp.at("index").integer()));
         }
         return lamps;
     }

@@ -97,8 +97,8 @@ public final class SceneInfo {
         Set<String> surfaces = new LinkedHashSet<>();
         long elements = 0;
         long vertices = 0;
-        for (int i = 0; root.optional("meshes").isPresent() && i < root.at("meshes").size(); i++) {
-            JsonCursor primitive = root.at("meshes").at(i).at("primitives").at(0);
+        for (JsonCursor mesh : root.list("meshes")) {
+            JsonCursor primitive = mesh.at("primitives").at(0);
             if (primitive.at("attributes").optional("_RADIOSITY").isEmpty()) {
                 continue;
             }

@@ -12,6 +12,8 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import radiosity.gltf.CameraPose;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.JsonCursor;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Affine;
@@ -23,9 +25,6 @@ import radiosity.scene.Vec3;
 
 /** Reads the default scene of a scene file: what is below its one top node. */
 final class SceneMeshes {
-
-    private static final int FLOAT = 5126;
-    private static final int UNSIGNED_INT = 5125;
 
     private final GlbReader glb;
     private final List<Lamp> lamps;
@@ -67,11 +66,10 @@ final class SceneMeshes {
                 object = objects.size() - 1;
             }
             nodes.add(new Placed(parent.node, parent.number, object));
-            Optional<JsonCursor> children = parent.node.optional("children");
-            for (int i = 0; children.isPresent() && i < children.get().size(); i++) {
-                int index = children.get().at(i).integer();
+            for (JsonCursor child : parent.node.list("children")) {
+                int index = child.integer();
                 if (!met.add(index)) {
-                    throw children.get().wrong("nodes that have one parent");
+                    throw parent.node.at("children").wrong("nodes that have one parent");
                 }
                 ahead.add(new Placed(root.at("nodes").at(index), index, object));
             }
@@ -137,9 +135,8 @@ final class SceneMeshes {
         List<TexturedMesh> meshes = new ArrayList<>();
         if (root.at("scenes").size() > 1) {
             JsonCursor second = root.at("nodes").at(root.at("scenes").at(1).at("nodes").at(0).integer());
-            Optional<JsonCursor> children = second.optional("children");
-            for (int i = 0; children.isPresent() && i < children.get().size(); i++) {
-                JsonCursor node = root.at("nodes").at(children.get().at(i).integer());
+            for (JsonCursor child : second.list("children")) {
+                JsonCursor node = root.at("nodes").at(child.integer());
                 meshes.add(textured(root.at("meshes").at(node.at("mesh").integer()).at("primitives").at(0)));
             }
         }
@@ -198,7 +195,7 @@ final class SceneMeshes {
     }
 
     private float[] floats(JsonCursor accessor, String type, int components, int vertices) throws IOException {
-        ByteBuffer bytes = bytes(accessor, FLOAT, type, components, vertices);
+        ByteBuffer bytes = bytes(accessor, GltfLists.FLOAT, type, components, vertices);
         float[] values = new float[bytes.remaining() / 4];
         bytes.asFloatBuffer().get(values);
         for (float value : values) {
@@ -210,7 +207,7 @@ final class SceneMeshes {
     }
 
     private int[] corners(JsonCursor accessor, int vertices) throws IOException {
-        ByteBuffer bytes = bytes(accessor, UNSIGNED_INT, "SCALAR", 1, -1);
+        ByteBuffer bytes = bytes(accessor, GltfLists.UNSIGNED_INT, "SCALAR", 1, -1);
         int[] corners = new int[bytes.remaining() / 4];
         bytes.asIntBuffer().get(corners);
         for (int corner : corners) {

@@ -49,8 +49,7 @@ final class FreeIrradiance {
     /** Irradiance of a side at a point; not a number inside a solid, and where nothing lies behind: out of a room. */
     Rgb at(Vec3 point, Vec3 n) {
         Vec3 x = faces.unit(point);
-        if (solids.hold((float) x.x(), (float) x.y(), (float) x.z(), (float) n.x(), (float) n.y(), (float) n.z())
-                || look(x, n.times(-1), false) == null) {
+        if (solids.hold(x, n) || look(x, n.times(-1), false) == null) {
             return Rgb.grey(Double.NaN);
         }
         double[] direct = new double[faces.channels()];
@@ -88,8 +87,7 @@ final class FreeIrradiance {
      */
     private Rgb look(Vec3 x, Vec3 d, boolean valued) {
         float[] hit = new float[3];
-        int t = bounds.nearest((float) x.x(), (float) x.y(), (float) x.z(), (float) d.x(), (float) d.y(), (float) d.z(),
-                FAR, hit);
+        int t = bounds.nearest(x, d, FAR, hit);
         if (t < 0 || fronts[3 * t] * d.x() + fronts[3 * t + 1] * d.y() + fronts[3 * t + 2] * d.z() > 0) {
             return null;
         }
@@ -124,8 +122,7 @@ final class FreeIrradiance {
             double kernel = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(normal)) / (d.dot(d) * d.dot(d));
             Vec3 end = y.minus(d.times(LIFT / d.length()));
             all += kernel;
-            free += kernel > 0 && !bounds.blocked((float) x.x(), (float) x.y(), (float) x.z(), (float) end.x(),
-                    (float) end.y(), (float) end.z()) ? kernel : 0;
+            free += kernel > 0 && !bounds.blocked(x, end) ? kernel : 0;
         }
         return all == 0 ? Rgb.BLACK : scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2))
                 .exitance().times(factor * free / all);

@@ -1,6 +1,7 @@
 package radiosity.output.grid;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,6 +12,7 @@ import java.util.stream.Collectors;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.util.Aabb;
 
 /**
  * Where a grid's points lie: in the middle of cells of about one size, in rows and columns.
@@ -39,9 +41,9 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
      * @throws IllegalArgumentException where there is no such surface or plane, or more than a million points
      */
     static GridPlaces of(Scene scene, String where, double spacing) {
-        GridPlaces places = new GridPlaces(!isPlane(where), new ArrayList<>(), new ArrayList<>());
         Matcher plane = PLANE.matcher(where);
-        if (plane.matches()) {
+        GridPlaces places = new GridPlaces(!plane.matches(), new ArrayList<>(), new ArrayList<>());
+        if (!places.onSurface) {
             places.inTheAir(scene, plane, spacing);
         } else {
             places.on(scene, where, spacing);
@@ -49,31 +51,22 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
         return places;
     }
 
-    private static boolean isPlane(String where) {
-        return PLANE.matcher(where).matches();
-    }
-
     private void inTheAir(Scene scene, Matcher plane, double spacing) {
         int axis = plane.group(2).charAt(0) - 'x';
         double at = Double.parseDouble(plane.group(3));
-        double[] low = {1 / 0.0, 1 / 0.0, 1 / 0.0};
-        double[] high = {-1 / 0.0, -1 / 0.0, -1 / 0.0};
-        for (int p : scene.corners()) {
-            for (int a = 0; a < 3; a++) {
-                low[a] = Math.min(low[a], scene.points()[3 * p + a]);
-                high[a] = Math.max(high[a], scene.points()[3 * p + a]);
-            }
-        }
-        if (!(at >= low[axis] && at <= high[axis])) {
+        Aabb box = Aabb.of(Arrays.stream(scene.corners()).mapToObj(scene::point));
+        double low = box.low().coordinate(axis);
+        double high = box.high().coordinate(axis);
+        if (!(at >= low && at <= high)) {
             throw new IllegalArgumentException(String.format(Locale.ROOT, "expected a plane from %s=%s to %s, got %s",
-                    plane.group(2), low[axis], high[axis], plane.group()));
+                    plane.group(2), low, high, plane.group()));
         }
         int u = (axis + 1) % 3;
         int v = (axis + 2) % 3;
-        low[axis] = at;
         Vec3 normal = unit(axis).times(plane.group(1).equals("-") ? -1 : 1);
-        fill(new Vec3(low[0], low[1], low[2]), unit(u), unit(v),
-                new double[] {0, high[u] - low[u], 0, high[v] - low[v]}, spacing, normal, null, null);
+        Vec3 corner = box.low().minus(unit(axis).times(low)).plus(unit(axis).times(at));
+        double[] extent = {0, box.extent().coordinate(u), 0, box.extent().coordinate(v)};
+        fill(corner, unit(u), unit(v), extent, spacing, normal, null, null);
     }
 
     private static Vec3 unit(int axis) {
@@ -102,7 +95,7 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
         if (points.isEmpty()) {
             Plane first = planes.values().iterator().next();
             int t = first.triangles.get(0);
-            points.add(scene.corner(t, 0).plus(scene.corner(t, 1)).plus(scene.corner(t, 2)).times(1 / 3.0));
+            points.add(scene.middle(t));
             normals.add(first.normal);
         }
     }

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import radiosity.output.mesh.Aabb;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 
 /**
  * From where to look at a solution: from its scene's camera, else from where most lit surface is seen and nothing is in

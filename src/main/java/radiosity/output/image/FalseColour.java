@@ -6,12 +6,10 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
-import javax.imageio.ImageIO;
 import radiosity.output.file.AtomicFile;
 import radiosity.scene.Camera;
 import radiosity.scene.Units;
@@ -75,9 +73,7 @@ public final class FalseColour {
      */
     public static void write(Path file, Solution solution, Camera camera, int width) throws IOException {
         FalseColour picture = new FalseColour(Snapshot.irradiance(solution, camera, SAMPLES * width));
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        ImageIO.write(picture.image(solution.scene().units()), "png", bytes);
-        AtomicFile.write(file, bytes.toByteArray());
+        AtomicFile.write(file, PictureFormat.png(picture.image(solution.scene().units())));
     }
 
     private BufferedImage image(Units units) {

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import radiosity.output.mesh.Aabb;
 import radiosity.output.mesh.Elements;
 import radiosity.scene.Camera;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 import radiosity.visibility.RadiosityBounds;
 
 /** Measures how much of a lit scene a camera shows, by a few rays among the original triangles. */
@@ -55,10 +55,7 @@ final class LitView {
         for (int t = 0; t < scene.triangles(); t++) {
             normals[t] = scene.cross(t).unit();
             for (int k = 0; k < 3; k++) {
-                Vec3 p = scene.corner(t, k).minus(centre).times(scale);
-                corners[9 * t + 3 * k] = (float) p.x();
-                corners[9 * t + 3 * k + 1] = (float) p.y();
-                corners[9 * t + 3 * k + 2] = (float) p.z();
+                scene.corner(t, k).minus(centre).times(scale).write(corners, 9 * t + 3 * k);
             }
         }
         bounds = new RadiosityBounds(corners);
@@ -216,8 +213,7 @@ final class LitView {
         Vec3 eye = from.minus(centre).times(scale);
         double skipped = Math.max(beyond * scale, eye.length() - 1);
         Vec3 p = eye.plus(direction.times(skipped));
-        int t = bounds.nearest((float) p.x(), (float) p.y(), (float) p.z(), (float) direction.x(),
-                (float) direction.y(), (float) direction.z(), 4, weights);
+        int t = bounds.nearest(p, direction, 4, weights);
         if (t < 0) {
             return false;
         }
@@ -241,9 +237,7 @@ final class LitView {
             int f = firstAbove(sums, sum * (i + 0.5) / count);
             if (f != last) {
                 Vec3 normal = normals[f >> 1].times((f & 1) == 0 ? 1 : -1);
-                Vec3 middle = scene.corner(f >> 1, 0).plus(scene.corner(f >> 1, 1)).plus(scene.corner(f >> 1, 2))
-                        .times(1.0 / 3);
-                places.add(new Vec3[] {middle.plus(normal.times(OFF / scale)), normal});
+                places.add(new Vec3[] {scene.middle(f >> 1).plus(normal.times(OFF / scale)), normal});
             }
             last = f;
         }

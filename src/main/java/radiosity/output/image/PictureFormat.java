@@ -76,6 +76,13 @@ public enum PictureFormat {
         return encoded(picture, film, "png");
     }
 
+    /** An image as PNG. */
+    public static byte[] png(BufferedImage image) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", bytes);
+        return bytes.toByteArray();
+    }
+
     private static byte[] encoded(Picture picture, UnaryOperator<Rgb> film, String format) throws IOException {
         BufferedImage image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
         float[] rgb = picture.rgb();

@@ -2,9 +2,10 @@ package radiosity.output.image;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import radiosity.output.mesh.Aabb;
+import java.util.stream.IntStream;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.Aabb;
 
 /**
  * Three directions at right angles to each other along which most of a scene's surface faces, right-handed.
@@ -103,15 +104,8 @@ record PrincipalAxes(Vec3 right, Vec3 up, Vec3 front) {
      * @param points x, y, z, 3 per point; not modified
      */
     Aabb box(double[] points) {
-        Vec3 low = Vec3.ZERO;
-        Vec3 high = Vec3.ZERO;
-        for (int i = 0; i < points.length; i += 3) {
-            Vec3 c = coordinates(new Vec3(points[i], points[i + 1], points[i + 2]));
-            low = i == 0 ? c : new Vec3(Math.min(low.x(), c.x()), Math.min(low.y(), c.y()), Math.min(low.z(), c.z()));
-            high = i == 0 ? c : new Vec3(Math.max(high.x(), c.x()), Math.max(high.y(), c.y()),
-                    Math.max(high.z(), c.z()));
-        }
-        return new Aabb(low, high);
+        return Aabb.of(IntStream.range(0, points.length / 3)
+                .mapToObj(i -> coordinates(new Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]))));
     }
 
     /** Coordinates of a point or direction along the axes. */

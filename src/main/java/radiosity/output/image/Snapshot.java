@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import radiosity.output.mesh.Aabb;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
@@ -13,6 +12,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
 import radiosity.visibility.RadiosityBounds;
 
@@ -54,10 +54,7 @@ public final class Snapshot {
     private float[] unitCorners() {
         float[] corners = new float[9 * facing.length];
         for (int i = 0; i < 3 * facing.length; i++) {
-            Vec3 p = Elements.corner(solution, facing[i / 3], i % 3).minus(centre).times(scale);
-            corners[3 * i] = (float) p.x();
-            corners[3 * i + 1] = (float) p.y();
-            corners[3 * i + 2] = (float) p.z();
+            Elements.corner(solution, facing[i / 3], i % 3).minus(centre).times(scale).write(corners, 3 * i);
         }
         return corners;
     }
@@ -165,8 +162,7 @@ public final class Snapshot {
         Vec3 from = eye.minus(centre).times(scale);
         double skipped = Math.max(0, from.length() - SIZE);
         Vec3 o = from.plus(direction.times(skipped));
-        int found = bounds.nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) direction.x(),
-                (float) direction.y(), (float) direction.z(), 4 * (float) SIZE, hit);
+        int found = bounds.nearest(o, direction, 4 * SIZE, hit);
         return found < 0 ? -1 : facing[found];
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.scene.Srgb;
+import radiosity.scene.Units;
 import radiosity.solution.Solution;
 
 /**
@@ -101,8 +102,8 @@ public record ToneMapping(Operator operator, double exposure) {
     }
 
     /** Y of linear sRGB (IEC 61966-2-1). */
-    static double luminance(Rgb light) {
-        return 0.2126 * light.r() + 0.7152 * light.g() + 0.0722 * light.b();
+    public static double luminance(Rgb light) {
+        return light.r() * Units.WEIGHTS.r() + light.g() * Units.WEIGHTS.g() + light.b() * Units.WEIGHTS.b();
     }
 
     /** The sRGB code, 0 to 255, of linear light in [0, 1]. */

@@ -9,7 +9,6 @@ import java.awt.image.DataBuffer;
 import java.awt.image.DataBufferByte;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -19,15 +18,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
-import javax.imageio.ImageIO;
 import radiosity.output.image.Picture;
-import radiosity.output.mesh.DisjointSets;
+import radiosity.output.image.PictureFormat;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.DisjointSets;
 
 /**
  * The irradiance of all original triangles in one texture. Plane neighbours lie together in it; of a two-sided surface
@@ -216,9 +215,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
                 irradiance.height(), 4 * width, 4, new int[] {0, 1, 2, 3}, null);
         ColorModel colours = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), true, false,
                 Transparency.TRANSLUCENT, DataBuffer.TYPE_BYTE);
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageIO.write(new BufferedImage(colours, raster, false, null), "png", png);
-        return png.toByteArray();
+        return PictureFormat.png(new BufferedImage(colours, raster, false, null));
     }
 
     /** The largest irradiance of a channel, W/m²; 1 where all is dark. */

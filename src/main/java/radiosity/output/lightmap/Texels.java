@@ -46,23 +46,12 @@ final class Texels {
      * @param y     of its corners, texels; not modified
      */
     void draw(double[] x, double[] y, Light light) {
-        double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-        if (area == 0) {
-            return;
-        }
-        int bottom = last(Math.max(y[0], Math.max(y[1], y[2])), height);
-        int right = last(Math.max(x[0], Math.max(x[1], x[2])), width);
-        for (int j = first(Math.min(y[0], Math.min(y[1], y[2]))); j <= bottom; j++) {
-            for (int i = first(Math.min(x[0], Math.min(x[1], x[2]))); i <= right; i++) {
-                double px = i + 0.5 - x[0];
-                double py = j + 0.5 - y[0];
-                double v = (px * (y[2] - y[0]) - (x[2] - x[0]) * py) / area;
-                double w = ((x[1] - x[0]) * py - px * (y[1] - y[0])) / area;
-                if (v >= -EDGE && w >= -EDGE && v + w <= 1 + EDGE) {
-                    set(j * width + i, light.at(v, w));
-                }
+        visit(x, y, 0, (texel, v, w) -> {
+            if (v >= -EDGE && w >= -EDGE && v + w <= 1 + EDGE) {
+                put(texel, light.at(v, w));
+                known[texel] = true;
             }
-        }
+        });
     }
 
     /**
@@ -71,28 +60,39 @@ final class Texels {
      * counts. To be called after all triangles were drawn.
      */
     void drawBeyond(double[] x, double[] y, Light light) {
-        double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-        if (area == 0) {
-            return;
-        }
         if (beyond.length == 0) {
             beyond = new float[width * height];
             Arrays.fill(beyond, (float) BEYOND);
         }
-        int bottom = last(Math.max(y[0], Math.max(y[1], y[2])) + BEYOND, height);
-        int right = last(Math.max(x[0], Math.max(x[1], x[2])) + BEYOND, width);
-        for (int j = first(Math.min(y[0], Math.min(y[1], y[2])) - BEYOND); j <= bottom; j++) {
-            for (int i = first(Math.min(x[0], Math.min(x[1], x[2])) - BEYOND); i <= right; i++) {
-                int texel = j * width + i;
-                float distance = known[texel] ? 0 : (float) distance(x, y, i + 0.5, j + 0.5);
-                if (!known[texel] && distance < beyond[texel]) {
-                    beyond[texel] = distance;
-                    double px = i + 0.5 - x[0];
-                    double py = j + 0.5 - y[0];
-                    double v = (px * (y[2] - y[0]) - (x[2] - x[0]) * py) / area;
-                    double w = ((x[1] - x[0]) * py - px * (y[1] - y[0])) / area;
-                    put(texel, light.at(Math.max(-1, Math.min(2, v)), Math.max(-1, Math.min(2, w))));
-                }
+        visit(x, y, BEYOND, (texel, v, w) -> {
+            float distance = known[texel] ? 0 : (float) distance(x, y, texel % width + 0.5, texel / width + 0.5);
+            if (!known[texel] && distance < beyond[texel]) {
+                beyond[texel] = distance;
+                put(texel, light.at(Math.max(-1, Math.min(2, v)), Math.max(-1, Math.min(2, w))));
+            }
+        });
+    }
+
+    /** Takes texels, with the weights of a triangle's corners 1 and 2 at their middles. */
+    private interface Visitor {
+        void take(int texel, double v, double w);
+    }
+
+    /** Visits the texels of a triangle's box, which is larger by a margin on all sides; none where it has no area. */
+    private void visit(double[] x, double[] y, double margin, Visitor visitor) {
+        double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+        if (area == 0) {
+            return;
+        }
+        int bottom = last(Math.max(y[0], Math.max(y[1], y[2])) + margin, height);
+        int right = last(Math.max(x[0], Math.max(x[1], x[2])) + margin, width);
+        for (int j = first(Math.min(y[0], Math.min(y[1], y[2])) - margin); j <= bottom; j++) {
+            for (int i = first(Math.min(x[0], Math.min(x[1], x[2])) - margin); i <= right; i++) {
+                double px = i + 0.5 - x[0];
+                double py = j + 0.5 - y[0];
+                double v = (px * (y[2] - y[0]) - (x[2] - x[0]) * py) / area;
+                double w = ((x[1] - x[0]) * py - px * (y[1] - y[0])) / area;
+                visitor.take(j * width + i, v, w);
             }
         }
     }
@@ -106,7 +106,7 @@ final class Texels {
             double dy = y[next] - y[k];
             double square = dx * dx + dy * dy;
             double along = square == 0 ? 0 : Math.max(0, Math.min(1, ((px - x[k]) * dx + (py - y[k]) * dy) / square));
-        least = Math.min(least, StrictMath.hypot(px - x[k] - along * dx, py - y[k] - along * dy));
+            least = Math.min(least, StrictMath.hypot(px - x[k] - along * dx, py - y[k] - along * dy));
         }
         return least;
     }
@@ -117,11 +117,6 @@ final class Texels {
 
     private static int last(double most, int size) {
         return Math.min(size - 1, (int) Math.ceil(most - 0.5));
-    }
-
-    private void set(int texel, Rgb light) {
-        put(texel, light);
-        known[texel] = true;
     }
 
     private void put(int texel, Rgb light) {

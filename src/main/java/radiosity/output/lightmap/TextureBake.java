@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.output.image.Picture;
-import radiosity.output.mesh.DisjointSets;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.DisjointSets;
 
 /** Calculates one texture for each side of a surface from all of its elements (section 4.6 of the paper). */
 public final class TextureBake {

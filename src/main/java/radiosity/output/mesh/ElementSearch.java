@@ -2,6 +2,7 @@ package radiosity.output.mesh;
 
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 import radiosity.util.BoxTree;
 
 /** Finds the element on which a point lies. */

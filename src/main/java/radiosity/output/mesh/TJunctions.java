@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
 import radiosity.util.BoxTree;
+import radiosity.util.DisjointSets;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 

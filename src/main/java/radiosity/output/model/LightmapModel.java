@@ -8,13 +8,13 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.gltf.GlbWriter;
@@ -34,11 +34,6 @@ public final class LightmapModel {
     /** Half floats lose digits below, and end above, W/m². */
     private static final double LEAST_RANGE = 1;
     private static final double MOST_RANGE = 60000;
-    private static final int FLOAT = 5126;
-    private static final int UNSIGNED_INT = 5125;
-    private static final int UNSIGNED_SHORT = 5123;
-    private static final int VERTICES = 34962;
-    private static final int INDICES = 34963;
     private static final int TRIANGLES = 4;
     private static final String INSTANCES = "EXT_mesh_gpu_instancing";
 
@@ -161,7 +156,7 @@ public final class LightmapModel {
         }
         parent.withArrayProperty("children").add(json.get("nodes").size());
         ObjectNode node = json.withArrayProperty("nodes").addObject();
-        matrix(node, at.instance);
+        GltfLists.matrix(node, at.instance);
         return node;
     }
 
@@ -185,13 +180,6 @@ public final class LightmapModel {
         }
     }
 
-    static void matrix(ObjectNode node, Affine placement) {
-        ArrayNode matrix = node.putArray("matrix");
-        for (int i = 0; i < 16; i++) {
-            matrix.add(i % 4 == 3 ? (i == 15 ? 1.0 : 0.0) : placement.m()[4 * (i % 4) + i / 4]);
-        }
-    }
-
     /** Gives a primitive its places in the lightmap. */
     private void place(GltfModel.Place place, ObjectNode primitive) throws IOException {
         int count = json.get("accessors").get(primitive.get("attributes").get("POSITION").asInt()).get("count").asInt();
@@ -202,11 +190,8 @@ public final class LightmapModel {
             copyAll(attributes, rows);
             primitive.path("targets").forEach(target -> copyAll((ObjectNode) target, rows));
         }
-        addSets((ObjectNode) primitive.get("attributes"), accessor(floats(split.coordinates()), FLOAT, rows.length,
-                "VEC2", VERTICES));
-        int[] corners = split.corners();
-        primitive.put("indices", rows.length < 0xFFFF ? accessor(shorts(corners), UNSIGNED_SHORT, corners.length,
-                "SCALAR", INDICES) : accessor(ints(corners), UNSIGNED_INT, corners.length, "SCALAR", INDICES));
+        addSets((ObjectNode) primitive.get("attributes"), model.accessor(split.coordinates(), 2));
+        primitive.put("indices", indices(split.corners(), rows.length));
         primitive.put("mode", TRIANGLES);
     }
 
@@ -216,31 +201,18 @@ public final class LightmapModel {
         before.forEach((name, accessor) -> attributes.put(name, copier.copy(accessor.asInt(), rows)));
     }
 
-    private int accessor(byte[] bytes, int componentType, int count, String type, int target) {
-        int view = model.add(bytes);
-        ((ObjectNode) json.get("bufferViews").get(view)).put("target", target);
-        ArrayNode accessors = json.withArrayProperty("accessors");
-        accessors.addObject().put("bufferView", view).put("componentType", componentType).put("count", count)
-                .put("type", type);
-        return accessors.size() - 1;
-    }
-
-    static byte[] floats(float[] values) {
-        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.asFloatBuffer().put(values);
-        return bytes.array();
-    }
-
-    private static byte[] ints(int[] values) {
-        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.asIntBuffer().put(values);
-        return bytes.array();
-    }
-
-    private static byte[] shorts(int[] values) {
-        ByteBuffer bytes = ByteBuffer.allocate(2 * values.length).order(ByteOrder.LITTLE_ENDIAN);
-        Arrays.stream(values).forEach(value -> bytes.putShort((short) value));
-        return bytes.array();
+    private int indices(int[] corners, int vertices) {
+        boolean isShort = vertices < 0xFFFF;
+        ByteBuffer bytes = ByteBuffer.allocate((isShort ? 2 : 4) * corners.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (int corner : corners) {
+            if (isShort) {
+                bytes.putShort((short) corner);
+            } else {
+                bytes.putInt(corner);
+            }
+        }
+        return model.accessor(bytes.array(), GltfLists.INDICES,
+                isShort ? GltfLists.UNSIGNED_SHORT : GltfLists.UNSIGNED_INT, corners.length, "SCALAR");
     }
 
     private int texture(byte[] png) {

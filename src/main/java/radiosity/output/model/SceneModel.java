@@ -3,7 +3,6 @@ package radiosity.output.model;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,12 +11,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
-import radiosity.output.gltf.CameraPose;
 import radiosity.output.image.Picture;
 import radiosity.output.image.PictureFormat;
 import radiosity.scene.Affine;
-import radiosity.scene.Camera;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Raster;
@@ -30,8 +28,6 @@ import radiosity.scene.Vec3;
 /** A scene that was no glTF file as one: its original triangles under its nodes, with its surfaces as materials. */
 public final class SceneModel {
 
-    private static final int FLOAT = 5126;
-    private static final int VERTICES = 34962;
     /** The camera's near plane, of the scene's size. */
     private static final double NEAR = 1e-3;
     private static final String STRENGTH = "KHR_materials_emissive_strength";
@@ -67,7 +63,7 @@ public final class SceneModel {
             ObjectNode own = nodes.addObject().put("name", node.name());
             worlds.add(usable ? world : Affine.IDENTITY);
             if (usable && !Arrays.equals(node.placement().m(), Affine.IDENTITY.m())) {
-                LightmapModel.matrix(own, node.placement());
+                GltfLists.matrix(own, node.placement());
             }
         }
         Map<Integer, Map<Integer, List<Integer>>> bySurface = new TreeMap<>();
@@ -84,21 +80,11 @@ public final class SceneModel {
             }
             mesh(number, object.getKey() < 0 ? Affine.IDENTITY : worlds.get(number), object.getValue());
         }
-        scene.camera().ifPresent(camera -> camera(camera, top));
+        scene.camera().ifPresent(camera -> {
+            top.add(nodes.size());
+            model.lists().camera(nodes.addObject(), camera, camera.position(), NEAR * Math.sqrt(scene.area()));
+        });
         return model;
-    }
-
-    private void camera(Camera camera, ArrayNode top) {
-        json.putArray("cameras").addObject().put("type", "perspective").putObject("perspective")
-                .put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect())
-                .put("znear", NEAR * Math.sqrt(scene.area()));
-        ArrayNode nodes = (ArrayNode) json.get("nodes");
-        top.add(nodes.size());
-        ObjectNode node = nodes.addObject().put("name", "camera").put("camera", 0);
-        ArrayNode rotation = node.putArray("rotation");
-        Arrays.stream(CameraPose.quaternion(camera)).forEach(rotation::add);
-        Vec3 at = camera.position();
-        node.putArray("translation").add(at.x()).add(at.y()).add(at.z());
     }
 
     private void mesh(int node, Affine world, Map<Integer, List<Integer>> bySurface) throws IOException {
@@ -144,40 +130,16 @@ public final class SceneModel {
             }
         }
         ObjectNode attributes = primitive.putObject("attributes");
-        int positions = accessor(points, 3);
-        range((ObjectNode) json.get("accessors").get(positions), points);
+        int positions = model.accessor(points, 3);
+        model.lists().range(positions, points);
         attributes.put("POSITION", positions);
         if (mapped) {
-            attributes.put("TEXCOORD_0", accessor(coordinates, 2));
+            attributes.put("TEXCOORD_0", model.accessor(coordinates, 2));
         }
         if (coloured) {
-            attributes.put("COLOR_0", accessor(colours, 3));
+            attributes.put("COLOR_0", model.accessor(colours, 3));
         }
         primitive.put("material", material(surface));
-    }
-
-    private int accessor(float[] values, int components) {
-        int view = model.add(LightmapModel.floats(values));
-        ((ObjectNode) json.get("bufferViews").get(view)).put("target", VERTICES);
-        ArrayNode accessors = json.withArrayProperty("accessors");
-        accessors.addObject().put("bufferView", view).put("componentType", FLOAT)
-                .put("count", values.length / components).put("type", "VEC" + components);
-        return accessors.size() - 1;
-    }
-
-    private static void range(ObjectNode accessor, float[] points) {
-        ArrayNode min = accessor.putArray("min");
-        ArrayNode max = accessor.putArray("max");
-        for (int a = 0; a < 3; a++) {
-            float low = points[a];
-            float high = points[a];
-            for (int i = a; i < points.length; i += 3) {
-                low = Math.min(low, points[i]);
-                high = Math.max(high, points[i]);
-            }
-            min.add((double) low);
-            max.add((double) high);
-        }
     }
 
     private int material(int number) throws IOException {
@@ -193,7 +155,7 @@ public final class SceneModel {
         if (reflectance.isPresent()) {
             base.putObject("baseColorTexture").put("index", texture(reflectance.get(), 1));
         } else {
-            put(base.putArray("baseColorFactor"), surface.reflectance(), 1).add(1.0);
+            GltfLists.put(base.putArray("baseColorFactor"), surface.reflectance()).add(1.0);
         }
         if (surface.emits()) {
             emission(material, surface);
@@ -214,9 +176,9 @@ public final class SceneModel {
         }
         if (map.isPresent()) {
             material.putObject("emissiveTexture").put("index", texture(map.get(), 1 / strength));
-            put(material.putArray("emissiveFactor"), Rgb.grey(1), 1);
+            GltfLists.put(material.putArray("emissiveFactor"), Rgb.grey(1));
         } else {
-            put(material.putArray("emissiveFactor"), surface.exitance(), 1 / strength);
+            GltfLists.put(material.putArray("emissiveFactor"), surface.exitance().times(1 / strength));
         }
     }
 
@@ -247,9 +209,5 @@ public final class SceneModel {
             most = Math.max(most, light);
         }
         return most;
-    }
-
-    private static ArrayNode put(ArrayNode array, Rgb v, double factor) {
-        return array.add(v.r() * factor).add(v.g() * factor).add(v.b() * factor);
     }
 }

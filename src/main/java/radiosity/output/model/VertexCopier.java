@@ -8,12 +8,12 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 
 /** Copies arrays of vertices byte by byte, some vertices repeated. What is in them the reader has checked. */
 final class VertexCopier {
 
-    private static final int VERTICES = 34962;
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
 
     private final GltfModel model;
@@ -47,7 +47,7 @@ final class VertexCopier {
         }
         int view = model.add(copied);
         ObjectNode of = (ObjectNode) list("bufferViews").get(view);
-        of.put("target", VERTICES);
+        of.put("target", GltfLists.VERTICES);
         if (step != size) {
             of.put("byteStride", step);
         }

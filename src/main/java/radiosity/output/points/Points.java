@@ -76,8 +76,7 @@ public final class Points {
     }
 
     private boolean isInSolid(Vec3 point, Vec3 n) {
-        Vec3 p = faces.unit(point);
-        return solids.hold((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
+        return solids.hold(faces.unit(point), n);
     }
 
     /**

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import radiosity.output.mesh.Aabb;
+import radiosity.gltf.CameraPose;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.Mesh;
 import radiosity.output.mesh.TJunctions;
@@ -24,6 +24,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 
 /** A solution comes back from a scene file as it was written. */
 class SceneFileTest extends WrittenScene {

@@ -1,4 +1,4 @@
-package radiosity.output.gltf;
+package radiosity.gltf;
 
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
@@ -45,7 +45,7 @@ public final class CameraPose {
     }
 
     /** @param rotation x, y, z, w of any length but 0; not modified */
-    static Camera camera(Vec3 position, double[] rotation, double yfov, double aspect) {
+    public static Camera camera(Vec3 position, double[] rotation, double yfov, double aspect) {
         double[] q = unit(rotation);
         Vec3 v = new Vec3(q[0], q[1], q[2]);
         return new Camera(position, turn(v, q[3], new Vec3(0, 0, -1)), turn(v, q[3], new Vec3(0, 1, 0)), yfov / 2,

@@ -1,0 +1,99 @@
+package radiosity.gltf;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Arrays;
+import radiosity.scene.Affine;
+import radiosity.scene.Camera;
+import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
+
+/**
+ * The lists of a glTF file that is being written, whose members name each other by their places.
+ *
+ * @param root of the file's JSON; lists are added to it when something is put into them
+ */
+public record GltfLists(ObjectNode root) {
+
+    /** Types of the components of accessors. */
+    public static final int FLOAT = 5126;
+    public static final int UNSIGNED_INT = 5125;
+    public static final int UNSIGNED_SHORT = 5123;
+    /** Targets of buffer views. */
+    public static final int VERTICES = 34962;
+    public static final int INDICES = 34963;
+
+    /** A list, which is made where there is none yet. */
+    public ArrayNode list(String name) {
+        return root.withArrayProperty(name);
+    }
+
+    /** The place of what was put into a list last. */
+    public int last(String name) {
+        return list(name).size() - 1;
+    }
+
+    /** A member of a list. */
+    public ObjectNode get(String name, int place) {
+        return (ObjectNode) list(name).get(place);
+    }
+
+    /**
+     * Adds an accessor of a whole buffer view.
+     *
+     * @param target of the view, as vertices or indices
+     * @return its place
+     */
+    public int accessor(int view, int target, int componentType, int count, String type) {
+        get("bufferViews", view).put("target", target);
+        list("accessors").addObject().put("bufferView", view).put("componentType", componentType).put("count", count)
+                .put("type", type);
+        return last("accessors");
+    }
+
+    /** Says in an accessor from where to where its three components go; values has three per element, at least one. */
+    public void range(int accessor, float[] values) {
+        ArrayNode min = get("accessors", accessor).putArray("min");
+        ArrayNode max = get("accessors", accessor).putArray("max");
+        for (int c = 0; c < 3; c++) {
+            float low = values[c];
+            float high = values[c];
+            for (int i = c; i < values.length; i += 3) {
+                low = Math.min(low, values[i]);
+                high = Math.max(high, values[i]);
+            }
+            min.add((double) low);
+            max.add((double) high);
+        }
+    }
+
+    /**
+     * Adds a camera, and makes a node the place from which it looks.
+     *
+     * @param at   its position in the space of the node's parent
+     * @param near distance of the near plane, above 0
+     */
+    public void camera(ObjectNode node, Camera camera, Vec3 at, double near) {
+        list("cameras").addObject().put("type", "perspective").putObject("perspective")
+                .put("yfov", 2 * camera.verticalHalfAngle()).put("aspectRatio", camera.aspect()).put("znear", near);
+        node.put("name", "camera").put("camera", last("cameras"));
+        Arrays.stream(CameraPose.quaternion(camera)).forEach(node.putArray("rotation")::add);
+        put(node.putArray("translation"), at);
+    }
+
+    /** Gives a node the matrix of a placement, column by column. */
+    public static void matrix(ObjectNode node, Affine placement) {
+        ArrayNode matrix = node.putArray("matrix");
+        for (int i = 0; i < 16; i++) {
+            matrix.add(i % 4 == 3 ? (i == 15 ? 1.0 : 0.0) : placement.m()[4 * (i % 4) + i / 4]);
+        }
+    }
+
+    public static void put(ArrayNode array, Vec3 v) {
+        array.add(v.x()).add(v.y()).add(v.z());
+    }
+
+    public static ArrayNode put(ArrayNode array, Rgb v) {
+        return array.add(v.r()).add(v.g()).add(v.b());
+    }
+}
