@@ -46,7 +46,7 @@ public final class Audit {
     /** What a ray may carry where light is found anew, relative to what it may in the solution; and at most. */
     private static final double FINER = 0.25;
     private static final double MOST_TOLERANCE = 0.01;
-    /** The same for sums of form factors. */
+    /** What a ray may carry where sums of form factors are found. */
     private static final double FACTOR_TOLERANCE = 0.05;
     /** With how many others a point's patch is compared. */
     private static final int PARTNERS = 2;

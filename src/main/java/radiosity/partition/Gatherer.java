@@ -39,7 +39,7 @@ final class Gatherer {
         parallel.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
     }
 
-    /** The same for some vertices. */
+    /** Marks which of some vertices lie inside a solid. */
     void bury(RadiosityNodes nodes, int[] vertices) {
         parallel.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
     }

@@ -20,7 +20,7 @@ public interface Partition {
      */
     Answer answer(Order order);
 
-    /** The same for orders of any kind: an {@link Answer} as bytes, or what else the order asks for. */
+    /** Carries out an order of any kind: gives an {@link Answer} as bytes, or what else the order asks for. */
     byte[] round(Order order);
 
     /** What each shooter has ever shot. */

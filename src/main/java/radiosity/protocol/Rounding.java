@@ -19,7 +19,7 @@ public record Rounding(boolean exact, boolean together) {
     private static final double LEAST = 1e-30;
     /** Digits that a double has more than a float. */
     private static final int SPARE = 29;
-    /** Likewise for what is counted in units. */
+    /** Below this a double that is counted in units has fewer digits; above its inverse it is about to overflow. */
     private static final double LEAST_UNITS = 1e-290;
 
     public Shot of(Shot shot) {

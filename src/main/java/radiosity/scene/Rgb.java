@@ -26,6 +26,11 @@ public record Rgb(double r, double g, double b) {
         return c == 0 ? r : c == 1 ? g : b;
     }
 
+    /** Each channel, but no more than this. */
+    public Rgb atMost(double most) {
+        return new Rgb(Math.min(r, most), Math.min(g, most), Math.min(b, most));
+    }
+
     public double max() {
         return Math.max(r, Math.max(g, b));
     }

@@ -10,6 +10,11 @@ public final class Srgb {
         return code <= 0.04045 ? code / 12.92 : StrictMath.pow((code + 0.055) / 1.055, 2.4);
     }
 
+    /** Linear light of three codes, where 1 is white. */
+    public static Rgb linear(Rgb code) {
+        return new Rgb(linear(code.r()), linear(code.g()), linear(code.b()));
+    }
+
     /** The code of linear light, where 1 is white; to look at. */
     public static double code(double linear) {
         return linear <= 0.0031308 ? 12.92 * linear : 1.055 * StrictMath.pow(linear, 1 / 2.4) - 0.055;

@@ -1,6 +1,6 @@
 package radiosity.solution;
 
-/** Told after every round; may ask to stop. */
+/** Called after every round; may ask to stop. */
 @FunctionalInterface
 public interface RoundListener {
 

@@ -22,7 +22,7 @@ public sealed interface Planner permits ShootAndSort, Prediction, CyclicSchedule
      */
     Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException;
 
-    /** Told what the partitions answered to an order for {@link Order.Kind#ROWS}, or to a part of one. */
+    /** Receives what the partitions answered to an order for {@link Order.Kind#ROWS}, or to a part of one. */
     default void take(int shots, List<byte[]> rows) throws IOException { }
 
     /** Whether rounds overlap: the next one is chosen from what was known before the present one. */

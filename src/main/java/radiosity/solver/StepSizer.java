@@ -53,7 +53,7 @@ public final class StepSizer {
         last = 0;
     }
 
-    /** Told what a step took; several may have been under way. */
+    /** Takes into account how long a step took; several may have been under way. */
     void took(int shots, double seconds) {
         last = Math.max(1, shots);
         secondsPerShot = Math.max(seconds / last, MEMORY * secondsPerShot);

@@ -75,7 +75,7 @@ public abstract class World implements AutoCloseable {
         planner.take(order.shots().size(), round(order));
     }
 
-    /** Told how long a step took. */
+    /** Receives how long a step took. */
     public interface StepTimes {
         void took(int shots, double seconds);
     }

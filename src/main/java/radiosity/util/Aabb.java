@@ -1,6 +1,5 @@
 package radiosity.util;
 
-import java.util.Iterator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.scene.Vec3;
@@ -16,15 +15,7 @@ public record Aabb(Vec3 low, Vec3 high) {
 
     /** The box around the points of a stream, which is read to its end. */
     public static Aabb of(Stream<Vec3> points) {
-        Iterator<Vec3> next = points.iterator();
-        Vec3 low = next.hasNext() ? next.next() : Vec3.ZERO;
-        Vec3 high = low;
-        while (next.hasNext()) {
-            Vec3 p = next.next();
-            low = lower(low, p);
-            high = higher(high, p);
-        }
-        return new Aabb(low, high);
+        return points.map(p -> new Aabb(p, p)).reduce(Aabb::with).orElse(new Aabb(Vec3.ZERO, Vec3.ZERO));
     }
 
     private static Vec3 lower(Vec3 p, Vec3 q) {

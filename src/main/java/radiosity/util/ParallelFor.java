@@ -72,7 +72,7 @@ public final class ParallelFor {
     }
 
     /**
-     * Likewise in runs of at most this number of neighbouring pieces; of fewer where threads would soon be idle.
+     * Does the pieces in runs of at most this number of neighbours; of fewer where threads would soon be idle.
      */
     public void run(int count, int most, Run run) {
         int size = threads == 1 ? most : Math.max(1, Math.min(most, count / (threads * RUNS)));

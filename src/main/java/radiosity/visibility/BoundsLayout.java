@@ -12,8 +12,7 @@ final class BoundsLayout {
      * A node has 8 numbers: centre and half extent of its box, then as bits NEXT, the place where to go on when the
      * box is missed or done with, and BLOCK, what is in the box. In a block come triangles, then all children's nodes
      * one after another, so that a ray that looks at one has the others at hand. A block is written as 4 * place +
-     * number
-     * of triangles, negative where children follow them; places are multiples of 4.
+     * number of triangles, negative where children follow them; places are multiples of 4.
      *
      * A box is tested once per visit of the node around it, and saves the test of its content where it is missed. By
      * areas, which are as probabilities that a ray meets a box (J. Goldsmith, J. Salmon, Automatic creation of object

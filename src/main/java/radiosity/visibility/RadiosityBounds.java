@@ -12,10 +12,10 @@ public final class RadiosityBounds {
 
     /*
      * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless it leaves one of its
-     * three
-     * slabs before it enters another (T. Kay, J. Kajiya, Ray tracing complex scenes, 1986). Where rays go anywhere, no
-     * processor foresees which of them are those: so the last entry and the first exit are found without branches, as
-     * whole numbers. As such the bits of floats from 0 on are in order, and those of others are below them.
+     * three slabs before it enters another (T. Kay, J. Kajiya, Ray tracing complex scenes, 1986). Where rays go
+     * anywhere, no processor predicts which of them meet a box: so the last entry and the first exit are found without
+     * branches, as whole numbers. As whole numbers the bits of floats from 0 on are in order, and those of other floats
+     * are below them.
      *
      * The box test stands in the loop of `blocked`, which thereby has more bytecode than the JVM puts into a caller. It
      * did so if it happened to compile the caller first, for as long as the process lived: what the loop needs was then

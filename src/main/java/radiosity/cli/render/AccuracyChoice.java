@@ -44,7 +44,7 @@ public final class AccuracyChoice {
         this.memory = memory;
     }
 
-    /** Told what a calculation took. */
+    /** Takes into account how long a calculation took. */
     public void took(double accuracy, double seconds, int elements) {
         double now = Math.max(SHORTEST, seconds);
         if (this.seconds == 0) {

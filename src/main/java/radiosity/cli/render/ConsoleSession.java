@@ -7,7 +7,7 @@ import radiosity.cli.terminal.ProgressDisplay;
 import radiosity.cli.terminal.StopRequest;
 import radiosity.solution.Progress;
 
-/** What a render tells its user, and hears from them: progress, messages, any key. */
+/** What a render reports to its user, and what the user answers: progress, messages, any key. */
 public final class ConsoleSession implements ProgressDisplay {
 
     private final PrintStream err;

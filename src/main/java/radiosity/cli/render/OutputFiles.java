@@ -49,12 +49,12 @@ public final class OutputFiles {
         this.arguments = arguments;
     }
 
-    /** The same for what a time limit led to: the scene file tells how it is made again. */
+    /** The files of what a time limit led to: the scene file says how the result is made again. */
     OutputFiles accurate(String perCent) {
         return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent));
     }
 
-    /** The same for what a time limit has cut off after a number of shots. */
+    /** The files of what a time limit has cut off after a number of shots. */
     OutputFiles cutOff(String perCent, int shots) {
         return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent, shots));
     }

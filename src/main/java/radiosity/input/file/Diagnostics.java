@@ -59,7 +59,7 @@ public final class Diagnostics {
         remarks.computeIfAbsent(remark, r -> new Remark(place, shorten(detail))).count++;
     }
 
-    /** Tells something that is no fault of the file, so no error under --strict either. */
+    /** Reports something that is no fault of the file, so no error under --strict either. */
     public void remark(String remark) {
         warnings.accept(line("", remark));
     }
@@ -68,7 +68,7 @@ public final class Diagnostics {
         return new SceneFormatException(file, place, expected, shorten(got));
     }
 
-    /** Tells what was noted since the last call. */
+    /** Reports what was noted since the last call. */
     public void flush() throws SceneFormatException {
         for (Map.Entry<String, Remark> entry : remarks.entrySet()) {
             Remark remark = entry.getValue();

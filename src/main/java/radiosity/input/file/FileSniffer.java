@@ -9,7 +9,7 @@ import java.util.Optional;
 /** Says what a file is that is none of those that are read, for messages: by its content, then by its name. */
 public final class FileSniffer {
 
-    /** So much of a file is enough to tell what it is, bytes. */
+    /** Number of bytes of a file that is enough to recognise it. */
     public static final int START = 1 << 16;
 
     private static final int SHOWN = 12;

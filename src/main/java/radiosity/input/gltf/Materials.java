@@ -128,7 +128,7 @@ final class Materials {
         double most = Surface.MAX_REFLECTANCE;
         excesses.add(new Rgb(Math.max(1, colour.r() / most), Math.max(1, colour.g() / most),
                 Math.max(1, colour.b() / most)));
-        return new Rgb(Math.min(most, colour.r()), Math.min(most, colour.g()), Math.min(most, colour.b()));
+        return colour.atMost(most);
     }
 
     /** The name, or with a number where another surface has it. */

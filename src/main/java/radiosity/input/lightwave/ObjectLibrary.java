@@ -73,7 +73,7 @@ final class ObjectLibrary {
         return object.flatMap(o -> cut(o, key.layer, item, name, objectNotes));
     }
 
-    /** Tells what was noted about the objects. */
+    /** Reports what was noted about the objects. */
     void flush() throws SceneFormatException {
         for (Diagnostics objectNotes : notesOf.values()) {
             objectNotes.flush();

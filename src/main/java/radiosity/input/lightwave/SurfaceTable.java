@@ -97,12 +97,7 @@ final class SurfaceTable {
         if (values.transparency > 0) {
             notes.note("", "transparent surfaces are taken as opaque", name);
         }
-        return new Surface(name, exitance, clipped(reflectance), values.twoSided,
+        return new Surface(name, exitance, reflectance.atMost(Surface.MAX_REFLECTANCE), values.twoSided,
                 SurfaceImages.maps(values, options));
-    }
-
-    private static Rgb clipped(Rgb rgb) {
-        return new Rgb(Math.min(rgb.r(), Surface.MAX_REFLECTANCE), Math.min(rgb.g(), Surface.MAX_REFLECTANCE),
-                Math.min(rgb.b(), Surface.MAX_REFLECTANCE));
     }
 }

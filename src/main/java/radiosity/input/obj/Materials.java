@@ -66,7 +66,7 @@ final class Materials {
 
     /** What a material reflects and emits, on the side from which corners run counter-clockwise. */
     Surface surface(Material material) {
-        Rgb diffuse = linear(material.diffuse());
+        Rgb diffuse = options.srgb() ? Srgb.linear(material.diffuse()) : material.diffuse();
         if (material.transparent) {
             notes.note("", "transparent surfaces are taken as opaque", material.name);
         }
@@ -82,17 +82,7 @@ final class Materials {
         } else {
             image(light).ifPresent(image -> maps.add(map(ImageMap.Target.EXITANCE, image, material.emitted(), light)));
         }
-        return new Surface(material.name, material.emitted(), clipped(diffuse), false, maps);
-    }
-
-    private Rgb linear(Rgb colour) {
-        return !options.srgb() ? colour
-                : new Rgb(Srgb.linear(colour.r()), Srgb.linear(colour.g()), Srgb.linear(colour.b()));
-    }
-
-    private static Rgb clipped(Rgb rgb) {
-        return new Rgb(Math.min(rgb.r(), Surface.MAX_REFLECTANCE), Math.min(rgb.g(), Surface.MAX_REFLECTANCE),
-                Math.min(rgb.b(), Surface.MAX_REFLECTANCE));
+        return new Surface(material.name, material.emitted(), diffuse.atMost(Surface.MAX_REFLECTANCE), false, maps);
     }
 
     private Optional<ImageSource> image(TextureImage of) {

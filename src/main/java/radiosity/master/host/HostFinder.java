@@ -68,38 +68,38 @@ public final class HostFinder implements AutoCloseable {
     }
 
     /** A session, or null where there can be none now. */
-    private Host open(Link link, boolean tell) {
-        FutureTask<Host> opening = Host.start(() -> session(link, tell));
+    private Host open(Link link, boolean notify) {
+        FutureTask<Host> opening = Host.start(() -> session(link, notify));
         try {
-            Host host = opening.get(CONNECT_SECONDS + (tell ? BUSY_SECONDS : 0), TimeUnit.SECONDS);
-            load(host, tell);
+            Host host = opening.get(CONNECT_SECONDS + (notify ? BUSY_SECONDS : 0), TimeUnit.SECONDS);
+            load(host, notify);
             return host;
         } catch (TimeoutException e) {
             opening.cancel(true);
             link.cut();
-            return later(link, tell, "no answer");
+            return later(link, notify, "no answer");
         } catch (ExecutionException e) {
             return e.getCause() instanceof RefusedException refused ? never(link, refused.getMessage())
-                    : later(link, tell, HostFailure.words(e.getCause()));
+                    : later(link, notify, HostFailure.words(e.getCause()));
         } catch (HostLostException e) {
-            return later(link, tell, e.getMessage());
+            return later(link, notify, e.getMessage());
         } catch (InterruptedException e) {
-            return later(link, tell, "interrupted");
+            return later(link, notify, "interrupted");
         }
     }
 
     /** A host that cannot be given the scene is let go: its heartbeat would keep it busy. */
-    private void load(Host host, boolean tell) throws HostLostException {
+    private void load(Host host, boolean notify) throws HostLostException {
         try {
-            host.await(Host.start(() -> host.load(task, fingerprint)), tell ? notices : line -> { });
+            host.await(Host.start(() -> host.load(task, fingerprint)), notify ? notices : line -> { });
         } catch (HostLostException e) {
             host.close();
             throw e;
         }
     }
 
-    private Host later(Link link, boolean tell, String why) {
-        if (tell) {
+    private Host later(Link link, boolean notify, String why) {
+        if (notify) {
             notices.accept("host " + link.name() + ": " + why + "; starting without it");
         }
         missing.add(link);

@@ -21,7 +21,7 @@ final class RadialEdges {
         this.faces = faces;
     }
 
-    /** Told of two faces that look at each other. */
+    /** Receives pairs of faces that look at each other. */
     interface Meeting {
         void meet(int face, int other);
     }

@@ -63,13 +63,13 @@ final class SceneDocument {
         hierarchy.nodes().forEach(this::object);
     }
 
-    /** An object of the input: not placed, as all positions count from the origin; where it was is told besides. */
+    /** An object of the input: not placed, as all positions count from the origin; its place stands in its extras. */
     private void object(SceneNode of) {
         ObjectNode parent = of.parent() < 0 ? top : objects.get(of.parent());
         ObjectNode node = child(parent).put("name", of.name());
-        ObjectNode told = node.putObject("extras").putObject("object").put("geometry", of.geometry());
+        ObjectNode original = node.putObject("extras").putObject("object").put("geometry", of.geometry());
         if (of.placement().isFinite()) {
-            GltfLists.matrix(told, of.placement());
+            GltfLists.matrix(original, of.placement());
         }
         objects.add(node);
         meshesOf.add(new ArrayList<>(1));

@@ -60,9 +60,9 @@ final class SceneMeshes {
         while (!ahead.isEmpty()) {
             Placed parent = ahead.remove();
             int object = parent.object;
-            Optional<JsonCursor> told = parent.node.optional("extras").flatMap(extras -> extras.optional("object"));
-            if (told.isPresent()) {
-                objects.add(object(parent.node, told.get(), object));
+            Optional<JsonCursor> original = parent.node.optional("extras").flatMap(extras -> extras.optional("object"));
+            if (original.isPresent()) {
+                objects.add(object(parent.node, original.get(), object));
                 object = objects.size() - 1;
             }
             nodes.add(new Placed(parent.node, parent.number, object));
@@ -76,13 +76,13 @@ final class SceneMeshes {
         }
     }
 
-    private static SceneNode object(JsonCursor node, JsonCursor told, int parent) throws IOException {
+    private static SceneNode object(JsonCursor node, JsonCursor original, int parent) throws IOException {
         double[] m = new double[12];
-        Optional<JsonCursor> matrix = told.optional("matrix");
+        Optional<JsonCursor> matrix = original.optional("matrix");
         for (int i = 0; i < m.length; i++) {
             m[i] = matrix.isEmpty() ? Double.NaN : matrix.get().numbers(16)[4 * (i % 4) + i / 4];
         }
-        return new SceneNode(node.at("name").text(), parent, told.at("geometry").text(), new Affine(m));
+        return new SceneNode(node.at("name").text(), parent, original.at("geometry").text(), new Affine(m));
     }
 
     /** The input's objects, each after its parent. */

@@ -92,8 +92,7 @@ public record ToneMapping(Operator operator, double exposure) {
      * @param radiosity W/m²
      */
     public Rgb map(Rgb radiosity) {
-        Rgb y = operator.map(new Rgb(expose(radiosity.r()), expose(radiosity.g()), expose(radiosity.b())));
-        return new Rgb(Math.min(1, y.r()), Math.min(1, y.g()), Math.min(1, y.b()));
+        return operator.map(new Rgb(expose(radiosity.r()), expose(radiosity.g()), expose(radiosity.b()))).atMost(1);
     }
 
     /** Light below 0 (of a solution stopped early) is none; far above white all is the same. */

@@ -76,16 +76,16 @@ public final class LightmapModel {
         byte[] exr = ExrImage.of(lightmap.irradiance(), scale);
         LightmapModel writer = new LightmapModel(model, lightmap);
         writer.placeTriangles();
-        Map<String, Object> told = new LinkedHashMap<>();
-        told.put("texCoord", writer.set);
-        told.put("encoding", "RGBM");
-        told.put("range", range);
-        told.put("exposure", exposure);
-        told.put("file", beside(file).getFileName().toString());
-        told.put("fileScale", scale);
-        told.put("texelsPerUnit", lightmap.samples());
-        told.put("index", writer.texture(lightmap.rgbm(range)));
-        writer.tellMaterials(told);
+        Map<String, Object> description = new LinkedHashMap<>();
+        description.put("texCoord", writer.set);
+        description.put("encoding", "RGBM");
+        description.put("range", range);
+        description.put("exposure", exposure);
+        description.put("file", beside(file).getFileName().toString());
+        description.put("fileScale", scale);
+        description.put("texelsPerUnit", lightmap.samples());
+        description.put("index", writer.texture(lightmap.rgbm(range)));
+        writer.describeLightmap(description);
         writer.json.putArray("buffers").addObject().put("byteLength", model.length());
         byte[] text = writer.mapper.writeValueAsBytes(writer.json);
         AtomicFile.write(beside(file), exr);
@@ -227,22 +227,22 @@ public final class LightmapModel {
     }
 
     /** Every material, also the one of primitives that have none. */
-    private void tellMaterials(Map<String, Object> told) {
+    private void describeLightmap(Map<String, Object> description) {
         ArrayNode materials = json.withArrayProperty("materials");
         for (JsonNode node : json.get("nodes")) {
             if (node.has("mesh")) {
                 json.get("meshes").get(node.get("mesh").asInt()).get("primitives")
-                        .forEach(primitive -> tellPrimitive((ObjectNode) primitive, materials));
+                        .forEach(primitive -> giveMaterial((ObjectNode) primitive, materials));
             }
         }
         for (JsonNode material : materials) {
             ObjectNode of = (ObjectNode) material;
             ObjectNode extras = of.path("extras").isObject() ? (ObjectNode) of.get("extras") : of.putObject("extras");
-            extras.set("lightmap", mapper.valueToTree(told));
+            extras.set("lightmap", mapper.valueToTree(description));
         }
     }
 
-    private static void tellPrimitive(ObjectNode primitive, ArrayNode materials) {
+    private static void giveMaterial(ObjectNode primitive, ArrayNode materials) {
         if (!primitive.has("material") && primitive.path("mode").asInt(TRIANGLES) == TRIANGLES) {
             JsonNode last = materials.isEmpty() ? null : materials.get(materials.size() - 1);
             if (last == null || !last.path("name").asText().equals("no material")) {

@@ -1,5 +1,6 @@
 package radiosity.input.lightwave.lwo;
 
+import java.util.Set;
 import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 
@@ -74,6 +75,17 @@ final class Chunks {
 
     private static boolean isName(String id) {
         return id.chars().allMatch(c -> c >= ' ' && c < 0x7F);
+    }
+
+    /** The content of the first form of one of some types in a container; empty where there is none. */
+    static ByteReader form(ByteReader container, Set<String> types, Diagnostics notes) {
+        Chunks chunks = new Chunks(container, 4, notes);
+        while (chunks.next()) {
+            if (chunks.id.equals("FORM") && types.contains(chunks.data.id())) {
+                return chunks.data;
+            }
+        }
+        return new ByteReader(new byte[0]);
     }
 
     String id() {

@@ -1,6 +1,7 @@
 package radiosity.input.lightwave.lwo;
 
 import java.util.Optional;
+import java.util.Set;
 import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 import radiosity.scene.ImageMap.Wrap;
@@ -52,7 +53,7 @@ final class ImageNode {
     }
 
     private void clip(ByteReader data) {
-        ByteReader still = enter(enter(data, "CLIP"), "STIL");
+        ByteReader still = Chunks.form(Chunks.form(data, Set.of("CLIP"), notes), Set.of("STIL"), notes);
         Chunks chunks = new Chunks(still, 4, notes);
         if (chunks.next()) {
             texture.image = chunks.data().s0();
@@ -61,7 +62,7 @@ final class ImageNode {
 
     /** The numbers of a parameter: two forms, and in the inner one a chunk that begins with them. */
     private double[] numbers(ByteReader data, double[] otherwise) {
-        ByteReader value = enter(enter(data, "VPRM"), "VPVL");
+        ByteReader value = Chunks.form(Chunks.form(data, Set.of("VPRM"), notes), Set.of("VPVL"), notes);
         Chunks chunks = new Chunks(value, 4, notes);
         double[] numbers = otherwise.clone();
         if (chunks.next() && chunks.data().has(4 * numbers.length)) {
@@ -70,16 +71,6 @@ final class ImageNode {
             }
         }
         return numbers;
-    }
-
-    private ByteReader enter(ByteReader data, String type) {
-        Chunks chunks = new Chunks(data, 4, notes);
-        while (chunks.next()) {
-            if (chunks.id().equals("FORM") && chunks.data().id().equals(type)) {
-                return chunks.data();
-            }
-        }
-        return new ByteReader(new byte[0]);
     }
 
     private static TextureBlock.Projection projection(long number) {

@@ -33,8 +33,8 @@ final class Lwo2Reader {
             case "PNTS" -> object.currentLayer().readPoints(data, place, notes);
             case "POLS" -> polygons(data, place);
             case "PTAG" -> polygonTags(data, place);
-            case "VMAP" -> pointMap(data, place);
-            case "VMAD" -> cornerMap(data, place);
+            case "VMAP" -> map(data, false, place);
+            case "VMAD" -> map(data, true, place);
             case "CLIP" -> clip(data, place);
             case "SURF" -> object.addSurface(new Lwo2Surface(notes).read(data), place, notes);
             case "FORM" -> form(data, place);
@@ -116,42 +116,23 @@ final class Lwo2Reader {
         }
     }
 
-    private void pointMap(ByteReader data, String place) {
+    /** Texture coordinates of points (VMAP), or of corners of polygons (VMAD). */
+    private void map(ByteReader data, boolean ofCorners, String place) {
         if (!data.id().equals("TXUV")) {
             return;
         }
         Layer layer = object.currentLayer();
         int dimension = data.u2();
         VertexMap map = new VertexMap(data.s0());
-        while (dimension >= 2 && data.hasVx() && data.has(2 + 4 * dimension)) {
+        while (dimension >= 2 && data.hasVx() && data.has((ofCorners ? 4 : 2) + 4 * dimension)) {
             map.points.add(layer.firstPoint + data.vx());
-            coordinates(map, dimension, data);
+            if (ofCorners) {
+                map.polygons.add(layer.firstPolygon + data.vx());
+            }
+            map.values.add(data.f4());
+            map.values.add(data.f4());
+            data.skip(4 * (dimension - 2));
         }
-        keep(map, place);
-    }
-
-    private void cornerMap(ByteReader data, String place) {
-        if (!data.id().equals("TXUV")) {
-            return;
-        }
-        Layer layer = object.currentLayer();
-        int dimension = data.u2();
-        VertexMap map = new VertexMap(data.s0());
-        while (dimension >= 2 && data.hasVx() && data.has(4 + 4 * dimension)) {
-            map.points.add(layer.firstPoint + data.vx());
-            map.polygons.add(layer.firstPolygon + data.vx());
-            coordinates(map, dimension, data);
-        }
-        keep(map, place);
-    }
-
-    private static void coordinates(VertexMap map, int dimension, ByteReader data) {
-        map.values.add(data.f4());
-        map.values.add(data.f4());
-        data.skip(4 * (dimension - 2));
-    }
-
-    private void keep(VertexMap map, String place) {
         if (map.points.size() == 0) {
             notes.note(place, "texture coordinates without content are left out", map.name);
         } else {

@@ -31,22 +31,12 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
                 name = chunks.data().s0();
             } else if (chunks.id().equals("FORM") && chunks.data().id().equals("NDTA")) {
                 image = server.equals("Image") ? ImageNode.read(chunks.data().copy(), notes) : image;
-                ByteReader material = enter(chunks.data(), Set.of("ATTR", "SATR"), notes);
-                attributes(enter(enter(material, Set.of("META"), notes), Set.of("ADAT"), notes), values, notes);
+                ByteReader material = Chunks.form(chunks.data(), Set.of("ATTR", "SATR"), notes);
+                ByteReader meta = Chunks.form(material, Set.of("META"), notes);
+                attributes(Chunks.form(meta, Set.of("ADAT"), notes), values, notes);
             }
         }
         return new MaterialNode(server, name, values, image);
-    }
-
-    /** The content of the first form of one of some types; empty if there is none. */
-    private static ByteReader enter(ByteReader data, Set<String> types, Diagnostics notes) {
-        Chunks chunks = new Chunks(data, 4, notes);
-        while (chunks.next()) {
-            if (chunks.id().equals("FORM") && types.contains(chunks.data().id())) {
-                return chunks.data();
-            }
-        }
-        return new ByteReader(new byte[0]);
     }
 
     private static void attributes(ByteReader data, Map<String, double[]> values, Diagnostics notes) {

@@ -41,7 +41,7 @@ public final class SurfaceValues {
         return standard;
     }
 
-    /** Adds an image; LightWave itself is not known to have used so many. */
+    /** Adds an image; no LightWave is known to have used more of them. */
     void addTexture(TextureBlock texture) {
         if (textures.size() < MOST_TEXTURES) {
             textures.add(texture);
@@ -99,6 +99,6 @@ public final class SurfaceValues {
     }
 
     public static Rgb linear(Rgb rgb, boolean srgb) {
-        return srgb ? new Rgb(Srgb.linear(rgb.r()), Srgb.linear(rgb.g()), Srgb.linear(rgb.b())) : rgb;
+        return srgb ? Srgb.linear(rgb) : rgb;
     }
 }
