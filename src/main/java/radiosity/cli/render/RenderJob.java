@@ -77,21 +77,22 @@ public final class RenderJob {
         user.phase("setting up");
         try (World world = world(settings)) {
             check(world);
-            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stopRule(options));
+            StopRule stop = stopRule(options);
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stop);
             beginning.of(radiosity);
             user.begin();
             AutosaveListener rounds = new AutosaveListener(radiosity, settings, options, files, journal, user, goOn);
             RoundListener listener = listener(world, rounds);
-            radiosity.run(listener);
-            RenderResult result = result(radiosity, world, settings, rounds.isCut());
-            OptionalDouble next = rounds.isCut() ? OptionalDouble.empty() : aims.after(result);
-            while (next.isPresent()) {
-                radiosity.aim(next.getAsDouble());
+            while (true) {
                 radiosity.run(listener);
-                result = result(radiosity, world, settings, rounds.isCut());
-                next = rounds.isCut() ? OptionalDouble.empty() : aims.after(result);
+                RenderResult result = result(radiosity, world, settings, rounds.isCut());
+                boolean isStopped = rounds.isCut() || radiosity.shots() >= stop.shots();
+                OptionalDouble next = isStopped ? OptionalDouble.empty() : aims.after(result);
+                if (next.isEmpty()) {
+                    return result;
+                }
+                radiosity.aim(next.getAsDouble());
             }
-            return result;
         }
     }
 
