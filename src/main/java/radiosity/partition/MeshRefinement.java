@@ -19,8 +19,14 @@ final class MeshRefinement {
     private static final int RUN = 256;
     /** Of which it is not decided yet which of its children are divided. */
     private static final byte UNKNOWN = -1;
-    /** At a sharp shadow the error per element falls with its size only; below this area it is left. Of all area. */
-    private static final double LEAST_AREA = 1e-7;
+    /** Part of all area below which an element is left: corners that are floats could not be told apart. */
+    private static final double LEAST_AREA = 1e-10;
+    /**
+     * Flux that interpolation on a bright element may add, relative to all that is reflected and to the error that it
+     * may add: where light curves one way, many elements have too much of it, and what reflects most of a lamp's light
+     * hands that on to everything.
+     */
+    private static final double FLUX = 0.005;
 
     private final RadiosityNodes nodes;
     private final Faces faces;
@@ -30,7 +36,8 @@ final class MeshRefinement {
 
     /**
      * @param weights   1 / mean radiosity, m²/W
-     * @param meshError error times square root of area that an element may have, relative to mean and whole area
+     * @param meshError error times square root of area that an element may have, relative to the mean, or to what
+     *                  is there where that is bright, and to the whole area
      */
     MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
         this.nodes = nodes;
@@ -121,7 +128,9 @@ final class MeshRefinement {
 
     private boolean wants(int element, double error) {
         double share = nodes.area(element) / area;
-        return share > LEAST_AREA && error * Math.sqrt(share) > meshError;
+        double brightness = brightness(element);
+        return share > LEAST_AREA && (error / brightness * Math.sqrt(share) > meshError
+                || brightness > 1 && error * share > FLUX * meshError);
     }
 
     /** Difference of radiosity between the middle of an edge and the mean of its ends, relative to the scene's mean. */
@@ -173,16 +182,24 @@ final class MeshRefinement {
         return largest;
     }
 
-    /** Relative to the mean radiosity, or, where a place is far brighter than that, to a part of what is there. */
-    private double weigh(int node, int c, double irradiance) {
+    /** How many times as bright as is {@linkplain Accuracy#BRIGHT bright} it is; at least 1. */
+    private double brightness(int node) {
         int face = nodes.face(node);
-        double own = 0;
-        for (int k = 0; k < 3; k++) {
-            own += nodes.light().irradiance(node, k, c) / 3;
+        double largest = 1;
+        for (int c = 0; c < nodes.channels(); c++) {
+            double irradiance = 0;
+            for (int k = 0; k < 3; k++) {
+                irradiance += nodes.light().irradiance(node, k, c) / 3;
+            }
+            double radiosity = irradiance * faces.importance(face, c) + faces.exitance(face, c);
+            largest = Math.max(largest, radiosity * weights.at(face, c) / Accuracy.BRIGHT);
         }
-        double weight = weights.at(face, c);
-        double radiosity = weight * (own * faces.importance(face, c) + faces.exitance(face, c));
-        return irradiance * faces.importance(face, c) * weight / Math.max(1, radiosity / Accuracy.BRIGHT);
+        return largest;
+    }
+
+    /** Relative to the mean radiosity. */
+    private double weigh(int node, int c, double irradiance) {
+        return irradiance * faces.importance(nodes.face(node), c) * weights.at(nodes.face(node), c);
     }
 
     private double at(int vertex, int c) {

@@ -15,7 +15,7 @@ final class AccuracyLoop {
 
     /** What is aimed at, relative to the mean square error that is asked for: what points find is uncertain. */
     private static final double MARGIN = 0.9;
-    /** Part of that which is left to interpolation at least. */
+    /** Part of that which is left to interpolation at least; what surfaces have too much or too little is its, too. */
     private static final double LEAST_FOR_MESH = 0.4;
     /** From one look at the solution to the next the mean square error is asked to fall to this part at most. */
     private static final double STEP = 0.25;
@@ -24,10 +24,13 @@ final class AccuracyLoop {
      * light is smooth, so each of them adds 1 / N^3 to the mean square, the square of what is asked of it.
      */
     private static final double MESH_POWER = 4.0 / 3;
-    /** The loop ends where so many times as many elements leave more than this part of the error. */
-    private static final double PROGRESS = 0.95;
+    /**
+     * The loop ends where the error falls as a smaller power of the work, elements times rays: noise falls as the root
+     * of rays, and the error of a mesh at the edges of shadows as that of elements. So many times the work tells.
+     */
+    private static final double SLOWEST = 0.25;
     private static final double GROWTH = 1.2;
-    /** And where this part of what is usual for the error that is asked for leaves it: that is not its cause. */
+    /** And where this part of what is usual for the error that is asked for leaves it, or nothing is to be divided. */
     private static final double LEAST = 0.01;
 
     private double asked;
@@ -37,8 +40,8 @@ final class AccuracyLoop {
     private double meshError;
     /** What points found last: relative error; NaN where that was before there was a new aim. */
     private double reached = Double.POSITIVE_INFINITY;
-    /** Elements that there were then. */
-    private int elements;
+    /** Elements that there were then, over what a ray carried; 0 before. */
+    private double work;
 
     AccuracyLoop(InitialMesh mesh) {
         asked = mesh.accuracy();
@@ -73,30 +76,34 @@ final class AccuracyLoop {
      *
      * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster.
      */
-    boolean goesOn(Certificate certificate, int elementsNow) {
+    boolean goesOn(Certificate certificate, int elements) {
         boolean isNewAim = Double.isNaN(reached);
-        boolean hasGrown = elementsNow > GROWTH * elements;
-        boolean isBetter = certificate.expected() <= PROGRESS * reached;
+        double grown = work == 0 ? 1 : elements / tolerance / work;
+        boolean isBetter = work == 0 || certificate.expected() < reached * StrictMath.pow(grown, -SLOWEST);
         reached = certificate.expected();
-        if (isNewAim || reached <= asked || !isBetter && (hasGrown || isFinest())) {
-            return isNewAim && reached > asked;
+        work = elements / tolerance;
+        if (reached <= asked || isNewAim) {
+            return reached > asked;
         }
-        elements = elementsNow;
+        if (!isBetter && (grown > GROWTH || isFinest())) {
+            return false;
+        }
         double wanted = MARGIN * asked * asked;
-        double mesh = certificate.meshing() * certificate.meshing();
-        double rest = Math.max(0, reached * reached - mesh);
-        double forRest = Math.min(rest, (1 - LEAST_FOR_MESH) * wanted);
-        if (rest > forRest) {
-            tolerance = Accuracy.tolerance(Accuracy.of(tolerance) * Math.sqrt(Math.max(STEP, forRest / rest)));
+        double rays = certificate.sampling() * certificate.sampling();
+        double mesh = Math.max(0, reached * reached - rays);
+        double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
+        if (rays > forRays) {
+            tolerance = Accuracy.tolerance(Accuracy.of(tolerance) * Math.sqrt(Math.max(STEP, forRays / rays)));
         }
-        if (mesh > wanted - forRest) {
-            meshError *= StrictMath.pow(Math.max(STEP, (wanted - forRest) / mesh), 1 / MESH_POWER);
+        if (mesh > wanted - forRays) {
+            meshError *= StrictMath.pow(Math.max(STEP, (wanted - forRays) / mesh), 1 / MESH_POWER);
         }
         return true;
     }
 
     private boolean isFinest() {
-        return meshError < LEAST * Accuracy.meshError(asked) || tolerance < LEAST * Accuracy.tolerance(asked);
+        return meshError < LEAST * Accuracy.meshError(asked) || meshError == Double.POSITIVE_INFINITY
+                || tolerance < LEAST * Accuracy.tolerance(asked);
     }
 
     void write(DataOutput out) throws IOException {
@@ -104,7 +111,7 @@ final class AccuracyLoop {
         out.writeDouble(tolerance);
         out.writeDouble(meshError);
         out.writeDouble(reached);
-        out.writeInt(elements);
+        out.writeDouble(work);
     }
 
     void read(DataInput in) throws IOException {
@@ -112,6 +119,6 @@ final class AccuracyLoop {
         tolerance = in.readDouble();
         meshError = in.readDouble();
         reached = in.readDouble();
-        elements = in.readInt();
+        work = in.readDouble();
     }
 }

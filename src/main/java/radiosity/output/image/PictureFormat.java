@@ -79,9 +79,7 @@ public enum PictureFormat {
     /** An image as PNG. */
     public static byte[] png(BufferedImage image) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (MemoryCacheImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
-            ImageIO.write(image, "png", out);
-        }
+        ImageIO.write(image, "png", bytes);
         return bytes.toByteArray();
     }
 

@@ -13,10 +13,7 @@ import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -119,19 +116,5 @@ class ImageFileTest {
         Path file = folder.resolve("float.tiff");
         assertTrue(ImageIO.write(pixel(GREY, DataBuffer.TYPE_FLOAT, false, false, .5), "tiff", file.toFile()));
         assertEquals(.5, ImageFile.read(ImageSource.file(file.toString())).value(0, 0, 0, false, false), 1e-7);
-    }
-
-    /** ImageIO's own would need a shutdown hook, which cannot be had any more when Ctrl-C has come. */
-    @Test
-    void images_needNoTemporaryFiles(@TempDir Path folder) throws IOException {
-        Path cache = Files.createDirectory(folder.resolve("cache"));
-        ImageIO.setCacheDirectory(cache.toFile());
-        Files.delete(cache);
-        try {
-            byte[] png = PictureFormat.png(new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB));
-            assertEquals(3, ImageFile.read(new ImageSource("a", Optional.of(ByteBuffer.wrap(png)))).width());
-        } finally {
-            ImageIO.setCacheDirectory(null);
-        }
     }
 }
