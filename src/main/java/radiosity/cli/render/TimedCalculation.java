@@ -49,8 +49,10 @@ public final class TimedCalculation {
     private RenderResult best;
     /** The accuracies that were reached, as the user would write them. */
     private final List<String> reached = new ArrayList<>();
-    /** What is being calculated: the relative error that is asked for, and the time that was left when it began, s. */
+    /** The relative error that is asked for now, and as the user would write it: 100 times it may be a digit more. */
     private double aim;
+    private String perCent;
+    /** Time that was left when that began, s. */
     private double begin;
 
     public TimedCalculation(RenderJob calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
@@ -66,9 +68,9 @@ public final class TimedCalculation {
 
     /** The best that was done: at least the first solution until there is some light, however long that takes. */
     public RenderResult run() throws IOException {
-        aim(AccuracyChoice.COARSEST);
+        aim(TimeLimit.perCent(AccuracyChoice.COARSEST));
         try {
-            RenderResult last = calculation.run(settings.accurate(AccuracyChoice.COARSEST),
+            RenderResult last = calculation.run(settings.accurate(aim),
                     radiosity -> current = radiosity, this::after, Optional.empty(), this::goesOn);
             if (best == null) {
                 keep(last);
@@ -77,40 +79,41 @@ public final class TimedCalculation {
             if (best == null) {
                 throw e;
             }
-            user.message(TimeLimit.perCent(aim) + ": " + ErrorReport.line(e));
+            user.message(perCent + ": " + ErrorReport.line(e));
         }
         return best;
     }
 
-    private void aim(double accuracy) {
-        aim = accuracy;
+    private void aim(String next) {
+        perCent = next;
+        aim = new Values.PerCent().convert(next);
         begin = course.left();
-        course.at(TimeLimit.perCent(accuracy));
+        course.at(next);
     }
 
     /** Told of a solution that is as exact as was asked for: how exact the next one is to be. */
     private OptionalDouble after(RenderResult result) throws IOException {
-        reached.add(TimeLimit.perCent(aim));
+        reached.add(perCent);
         keep(result);
         choice.took(aim, begin - course.left(), result.progress().elements());
         double next = choice.next(left());
         if (next == 0) {
             return OptionalDouble.empty();
         }
-        aim(new Values.PerCent().convert(TimeLimit.perCent(next)));
+        aim(TimeLimit.perCent(next));
         return OptionalDouble.of(aim);
     }
 
     private void keep(RenderResult result) throws IOException {
         best = result;
-        OutputFiles to = isCutOff ? files.cutOff(TimeLimit.perCent(aim), result.progress().shots())
+        OutputFiles to = isCutOff ? files.cutOff(perCent, result.progress().shots())
                 : files.accurate(accuracies());
         to.saveScene(result.solution(), result.settings(), result.certificate());
     }
 
     /** What {@code --accuracy} gives the same with. */
     private String accuracies() {
-        return reached.isEmpty() ? TimeLimit.perCent(aim) : String.join(",", reached);
+        return reached.isEmpty() ? perCent : String.join(",", reached);
     }
 
     private double left() {
@@ -138,7 +141,7 @@ public final class TimedCalculation {
         if (isCutOff) {
             return TimeLimit.OPTION + " " + limit.text() + ": too short for this scene, cut off after " + time
                     + "; the same as with "
-                    + String.join(" ", TimeLimit.cutOff(TimeLimit.perCent(aim), best.progress().shots()));
+                    + String.join(" ", TimeLimit.cutOff(perCent, best.progress().shots()));
         }
         return TimeLimit.OPTION + " " + limit.text() + ": "
                 + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of --accuracy "
