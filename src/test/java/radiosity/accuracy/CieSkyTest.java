@@ -26,7 +26,7 @@ import radiosity.testkit.Solve;
  * <p>What reflects nothing matters to no mesh, so the reflectance is .001: interreflection adds at most that part.
  *
  * <p>References: the sky's luminance integrated over the opening as seen from the point, E = integral of L cos cos' dA /
- * d², by midpoints of 400 x 400 parts, with nothing where slab or wall are in the way or the direction is below the
+ * d², by midpoints of 400 x 400 parts, with nothing where the slab is in the way or the direction is below the
  * horizon.
  */
 @Tag("slow")

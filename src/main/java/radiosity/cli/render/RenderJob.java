@@ -47,9 +47,6 @@ public final class RenderJob {
     /** How exact to become after what there is. */
     public interface Aims {
 
-        /** Nothing more than what the settings ask for. */
-        Aims NONE = result -> OptionalDouble.empty();
-
         /** Relative error to go on to; nothing at the end. */
         OptionalDouble after(RenderResult result) throws IOException;
 
@@ -72,8 +69,7 @@ public final class RenderJob {
      * @param journal kept meanwhile, where there is one
      */
     public RenderResult run(RadiositySettings settings, Beginning beginning, Aims aims, Optional<Journal> journal,
-            BooleanSupplier goOn)
-            throws IOException {
+            BooleanSupplier goOn) throws IOException {
         user.phase("setting up");
         try (World world = world(settings)) {
             check(world);
