@@ -213,7 +213,7 @@ public final class RadiosityRenderer {
         if (saved) {
             summary.print(System.out);
         }
-        files.saveRest(result.solution(), summary, failures);
+        files.saveRest(result.solution(), summary, failures, new ConsoleSession(err, display(), stop), stop);
         failures.check();
         return summary;
     }

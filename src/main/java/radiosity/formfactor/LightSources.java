@@ -3,6 +3,7 @@ package radiosity.formfactor;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
@@ -68,12 +69,30 @@ public final class LightSources {
      * @param n unit direction of the side that receives
      */
     public void add(Vec3 x, Vec3 n, double[] to, int first) {
-        add(x, n, to, first, true);
+        add(x, n, to, first, kind -> true);
     }
 
-    private void add(Vec3 x, Vec3 n, double[] to, int first, boolean fromOutside) {
+    /** The same without what skies send. */
+    public void addAllButSkies(Vec3 x, Vec3 n, double[] to) {
+        add(x, n, to, 0, kind -> !kind.isSky());
+    }
+
+    /** What skies would send if all around were as bright as in a direction: one per channel, W/m². */
+    public double[] sky(Vec3 d) {
+        double[] sum = new double[faces.channels()];
         for (int i = 0; i < lights.size(); i++) {
-            if (!fromOutside && lights.get(i).kind().isOutside()) {
+            double share = !lights.get(i).kind().isSky() ? 0
+                    : skies.computeIfAbsent(lights.get(i), Sky::new).towards(d);
+            for (int c = 0; c < sum.length; c++) {
+                sum[c] += share * faces.power(i, c);
+            }
+        }
+        return sum;
+    }
+
+    private void add(Vec3 x, Vec3 n, double[] to, int first, Predicate<Light.Kind> which) {
+        for (int i = 0; i < lights.size(); i++) {
+            if (!which.test(lights.get(i).kind())) {
                 continue;
             }
             double share = irradiance(lights.get(i), x, n);
@@ -102,7 +121,7 @@ public final class LightSources {
             for (int i = 1; i <= points; i++) {
                 double r = Math.sqrt(PointSequence.u(i));
                 double s = PointSequence.v(i);
-                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0, false);
+                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0, kind -> !kind.isOutside());
             }
             for (int c = 0; c < sum.length; c++) {
                 flux[c] += sum[c] / points * faces.area(f) * faces.size() * faces.size();

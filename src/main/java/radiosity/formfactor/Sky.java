@@ -67,6 +67,12 @@ final class Sky {
         return scale * new Place(n, free).all();
     }
 
+    /** Luminance in a unit direction, where a mean of 1 over the circle gives a level place an irradiance of 1. */
+    double towards(Vec3 d) {
+        double height = d.dot(light.up());
+        return height <= 0 ? 0 : scale * luminance(d, height);
+    }
+
     /** Relative to the others. */
     private double luminance(Vec3 d, double height) {
         return switch (light.kind()) {

@@ -40,7 +40,11 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
 
         /** Whether it comes from behind everything, and so into no closed room. */
         public boolean isOutside() {
-            return this == DISTANT || ordinal() >= SKY_UNIFORM.ordinal();
+            return this == DISTANT || isSky();
+        }
+
+        public boolean isSky() {
+            return ordinal() >= SKY_UNIFORM.ordinal();
         }
     }
 

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * How a set of triangles emits and reflects. Diffuse; on the visible side only, or on both if two-sided.
+ * How a set of triangles emits and reflects: on the visible side only, or on both if two-sided.
  *
  * @param name        unique within its scene
  * @param exitance    E, emitted radiosity in W/m², each channel finite and at least 0; the mean of its map, if any
@@ -15,9 +15,10 @@ import java.util.function.Function;
  * @param textures    images that vary exitance and reflectance, all at the triangle's one set of texture coordinates;
  *                    mostly none
  * @param maps        what has become of them, where their images were read
+ * @param specular    what else it does, where it shines
  */
 public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures,
-        Maps maps) {
+        Maps maps, Optional<Specular> specular) {
 
     /** A reader that finds a reflectance of 1 or more takes this instead and warns: at 1 light would never end. */
     public static final double MAX_REFLECTANCE = 0.9999;
@@ -47,6 +48,11 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
         this(name, exitance, reflectance, twoSided, textures, Maps.NONE);
     }
 
+    /** A surface that does not shine. */
+    public Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures, Maps maps) {
+        this(name, exitance, reflectance, twoSided, textures, maps, Optional.empty());
+    }
+
     public Surface {
         textures = List.copyOf(textures);
         for (int c = 0; c < 3; c++) {
@@ -66,7 +72,17 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
     /** The same, with maps in place of what it is everywhere. */
     public Surface with(Maps read) {
         return new Surface(name, read.exitance().map(Raster::mean).orElse(exitance),
-                read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read);
+                read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read, specular);
+    }
+
+    /** The same, with another exitance, without what its images vary. */
+    public Surface with(Rgb otherExitance) {
+        return new Surface(name, otherExitance, reflectance, twoSided, textures, Maps.NONE, specular);
+    }
+
+    /** The same, which shines so. */
+    public Surface with(Optional<Specular> other) {
+        return new Surface(name, exitance, reflectance, twoSided, textures, maps, other);
     }
 
     /** What its maps say, and the surface itself of a quantity without one. */

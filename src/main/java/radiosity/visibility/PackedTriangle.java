@@ -121,6 +121,11 @@ final class PackedTriangle {
         return true;
     }
 
+    /** Whether a ray meets a triangle, if it does, from where its corners run counter-clockwise. */
+    static boolean faces(float[] corners, int k, double[] direction) {
+        return dot(cross(edge(corners, k, 3), edge(corners, k, 6)), direction) < 0;
+    }
+
     /**
      * Whether a triangle's plane truly lies between the ends of a segment: both must be off it by more than float
      * coordinates are. Otherwise a point near a wall would not see that wall, where the ray's end lies on it but for

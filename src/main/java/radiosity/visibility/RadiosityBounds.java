@@ -33,6 +33,9 @@ public final class RadiosityBounds {
     private static final float LEAST = 1e-18f;
     private static final int ONE = bits(1);
 
+    /** A front counts before a back that is nearer by this factor. */
+    private static final double SAME_PLACE = 1 + 1e-6;
+
     private final float[] corners;
     private final float[] data;
     private final int root;
@@ -176,6 +179,24 @@ public final class RadiosityBounds {
      * @return the number of the triangle, or -1
      */
     public int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, float[] hit) {
+        return nearest(ox, oy, oz, dx, dy, dz, far, 1, hit);
+    }
+
+    /**
+     * The nearest triangle that a ray meets from its front, from where its corners run counter-clockwise; between a
+     * front and a back in one place the front.
+     *
+     * @param backs  whether backs are met, too; otherwise the ray passes through them
+     * @param hit    modified as by the others
+     */
+    public int nearestFront(Vec3 o, Vec3 d, double far, boolean backs, float[] hit) {
+        return nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) d.x(), (float) d.y(), (float) d.z(),
+                (float) far, backs ? SAME_PLACE : Double.POSITIVE_INFINITY, hit);
+    }
+
+    /** @param backs how much farther than they are triangles count that are met from behind */
+    private int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, double backs,
+                        float[] hit) {
         double[] origin = {ox, oy, oz};
         double[] direction = {dx, dy, dz};
         double[] cut = new double[3];
@@ -195,12 +216,16 @@ public final class RadiosityBounds {
             int last = BoundsLayout.last(block);
             for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
                 int number = PackedTriangle.number(d, k);
-                if (PackedTriangle.cuts(corners, 9 * number, origin, direction, cut) && cut[0] > 0 && cut[0] < reach) {
-                    found = number;
-                    reach = (float) cut[0];
-                    hit[0] = reach;
-                    hit[1] = (float) cut[1];
-                    hit[2] = (float) cut[2];
+                if (PackedTriangle.cuts(corners, 9 * number, origin, direction, cut) && cut[0] > 0) {
+                    double counts = backs == 1 || PackedTriangle.faces(corners, 9 * number, direction) ? cut[0]
+                            : cut[0] * backs;
+                    if (counts < reach) {
+                        found = number;
+                        reach = (float) counts;
+                        hit[0] = (float) cut[0];
+                        hit[1] = (float) cut[1];
+                        hit[2] = (float) cut[2];
+                    }
                 }
             }
             at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);

@@ -125,6 +125,9 @@ class CommandLineTest {
             --content              | --content: expected <dir>, got nothing
             --size 640 a b         | --size: expected a size such as 640x480, each at most 16384, got 640
             --size 64x48 a b       | --size: expected with --picture, --false-colour or -sn, got it without
+            --final-gather 9 a b   | --final-gather: expected with --picture or -sn, got it without
+            --final-gather 0 a b   | --final-gather: expected a whole number from 1 to 1000000, got 0
+            --final-gather 1e3 a b | --final-gather: expected a whole number from 1 to 1000000, got 1e3
             --size 0x480 a b       | --size: expected a size such as 640x480, each at most 16384, got 0x480
             --size 640x480x3 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x480x3
             --size 640x99999 a b   | --size: expected a size such as 640x480, each at most 16384, got 640x99999

@@ -22,6 +22,9 @@ class HostLinesTest {
         public void phase(String name) { }
 
         @Override
+        public void part(String name, double done) { }
+
+        @Override
         public void show(Progress progress) { }
 
         @Override

@@ -36,14 +36,40 @@ final class CornellBox {
 
     /** Layer 1 the box, 2 the short block, 3 the tall block. */
     static byte[] object() {
-        return ObjectFile.bytes(List.of(box(), block("short block", SHORT_TOP), block("tall block", TALL_TOP)));
+        return ObjectFile.bytes(List.of(box(), block("short block", CornellSpectra.white(), SHORT_TOP, 0),
+                block("tall block", CornellSpectra.white(), TALL_TOP, 0)));
     }
 
-    /** The scene of the first layers of cornell-box.lwo. */
-    static byte[] scene(int layers) {
+    /**
+     * What makes a room with a mirror and glass of it. Layer 1 a front wall, through whose back the camera looks, 2 the
+     * tall block as a mirror, 3 a glass block that stands on the short one.
+     */
+    static byte[] mirrors() {
+        Layer front = new Layer("front").facing(Material.paint("blue", .25, .35, .6), new double[] {0, 0, 1},
+                new double[] {WIDTH - 552.8, 0, 0}, new double[] {0, 548.8, 0}, new double[] {WIDTH, 548.8, 0},
+                new double[] {WIDTH, 0, 0});
+        return ObjectFile.bytes(List.of(front, block("mirror", Material.mirror("mirror", .9), TALL_TOP, 0),
+                block("glass", Material.glass("glass", 1.5), glass(), 165)));
+    }
+
+    /** The top of the short block, smaller and higher. */
+    private static double[][] glass() {
+        double[][] top = new double[4][];
+        for (int k = 0; k < 4; k++) {
+            top[k] = new double[] {185.5 + .65 * (SHORT_TOP[k][0] - 185.5), 165 + 110,
+                    169 + .65 * (SHORT_TOP[k][2] - 169)};
+        }
+        return top;
+    }
+
+    /** The scene of the first layers of cornell-box.lwo, and, if so, of those of cornell-mirror.lwo. */
+    static byte[] scene(int layers, boolean mirrors) {
         SceneText scene = new SceneText();
         for (int layer = 1; layer <= layers; layer++) {
             scene.instance("cornell-box.lwo", layer, SceneText.Place.at(0, 0, 0));
+        }
+        for (int layer = 1; layer <= 3 && mirrors; layer++) {
+            scene.instance("cornell-mirror.lwo", layer, SceneText.Place.at(0, 0, 0));
         }
         double focalLength = 0.035;
         double film = 0.025;
@@ -64,14 +90,18 @@ final class CornellBox {
         return box;
     }
 
-    /** A block without a bottom, which the floor would cover. */
-    private static Layer block(String name, double[][] top) {
+    /**
+     * A block without a bottom, which the floor would cover.
+     *
+     * @param floor height of the floor on which it stands
+     */
+    private static Layer block(String name, Material material, double[][] top, double floor) {
         Layer block = new Layer(name);
-        add(block, CornellSpectra.white(), top);
+        add(block, material, top);
         for (int k = 0; k < 4; k++) {
             double[] a = top[k];
             double[] b = top[(k + 1) % 4];
-            add(block, CornellSpectra.white(), b, a, new double[] {a[0], 0, a[2]}, new double[] {b[0], 0, b[2]});
+            add(block, material, b, a, new double[] {a[0], floor, a[2]}, new double[] {b[0], floor, b[2]});
         }
         return block;
     }

@@ -29,8 +29,10 @@ public final class MakeScenes {
     static Map<String, byte[]> files() {
         Map<String, byte[]> files = new TreeMap<>();
         files.put("cornell-box.lwo", CornellBox.object());
-        files.put("cornell-box.lws", CornellBox.scene(3));
-        files.put("cornell-box-empty.lws", CornellBox.scene(1));
+        files.put("cornell-box.lws", CornellBox.scene(3, false));
+        files.put("cornell-box-empty.lws", CornellBox.scene(1, false));
+        files.put("cornell-mirror.lwo", CornellBox.mirrors());
+        files.put("cornell-mirror.lws", CornellBox.scene(2, true));
         files.putAll(Study.files());
         return files;
     }

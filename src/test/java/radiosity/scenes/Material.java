@@ -5,8 +5,25 @@ package radiosity.scenes;
  *
  * @param red   colour, 0 to 1, as green and blue
  * @param sided 1: reflects and emits on its front only, 3: on both sides
+ * @param mirrored    part of what arrives that is mirrored
+ * @param transparent part of what is not mirrored that goes through
+ * @param index       of refraction
  */
-record Material(String name, double red, double green, double blue, double diffuse, double luminosity, int sided) {
+record Material(String name, double red, double green, double blue, double diffuse, double luminosity, int sided,
+        double mirrored, double transparent, double index) {
+
+    /** One that is neither mirror nor glass. */
+    Material(String name, double red, double green, double blue, double diffuse, double luminosity, int sided) {
+        this(name, red, green, blue, diffuse, luminosity, sided, 0, 0, 1);
+    }
+
+    static Material mirror(String name, double mirrored) {
+        return new Material(name, 1, 1, 1, 0, 0, 1, mirrored, 0, 1);
+    }
+
+    static Material glass(String name, double index) {
+        return new Material(name, 1, 1, 1, 0, 0, 1, 0, 1, index);
+    }
 
     /** Reflects the given part of each channel on its front. */
     static Material paint(String name, double red, double green, double blue) {

@@ -56,11 +56,18 @@ final class ObjectFile {
 
     private static ObjectFile surface(Material material) {
         ObjectFile colour = new ObjectFile().f4(material.red()).f4(material.green()).f4(material.blue()).u2(0);
-        return new ObjectFile().text(material.name()).text("")
+        ObjectFile surface = new ObjectFile().text(material.name()).text("")
                 .subChunk("COLR", colour)
                 .subChunk("DIFF", new ObjectFile().f4(material.diffuse()).u2(0))
-                .subChunk("LUMI", new ObjectFile().f4(material.luminosity()).u2(0))
-                .subChunk("SIDE", new ObjectFile().u2(material.sided()));
+                .subChunk("LUMI", new ObjectFile().f4(material.luminosity()).u2(0));
+        if (material.mirrored() > 0) {
+            surface.subChunk("REFL", new ObjectFile().f4(material.mirrored()).u2(0));
+        }
+        if (material.transparent() > 0) {
+            surface.subChunk("TRAN", new ObjectFile().f4(material.transparent()).u2(0))
+                    .subChunk("RIND", new ObjectFile().f4(material.index()).u2(0));
+        }
+        return surface.subChunk("SIDE", new ObjectFile().u2(material.sided()));
     }
 
     private ObjectFile chunk(String id, ObjectFile data) {

@@ -24,7 +24,7 @@ final class RandomCommand {
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
             "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info",
             "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size", "--exposure",
-            "--tone-mapping", "--frame", "--content", "--map", "--emission", "--lights", "--srgb", "--unit",
+            "--tone-mapping", "--final-gather", "--frame", "--content", "--map", "--emission", "--lights", "--srgb", "--unit",
             "--photometric", "--luminaire", "--sky", "--sun",
             "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
@@ -209,13 +209,16 @@ final class RandomCommand {
             pictures = true;
         }
         if (!large && (is("--picture", .1) || wanted.equals("--exposure") || wanted.equals("--tone-mapping")
-                || wanted.equals("--size"))) {
+                || wanted.equals("--size") || wanted.equals("--final-gather"))) {
             rest("--picture", dice.of("picture.png", "picture.jpg", "picture.hdr"));
             pictures = true;
         }
         if (!large && is("--false-colour", .06)) {
             rest("--false-colour", "lux.png");
             pictures = true;
+        }
+        if (wanted.equals("--final-gather")) {
+            rest("--final-gather", "" + dice.integer(1, 40));
         }
         if (pictures) {
             rest("--size", dice.of("40x30", "64x64", "7x90"));

@@ -41,6 +41,23 @@ public final class PictureOptions {
             description = "From radiosity to screen: linear, reinhard (default) or filmic.")
     ToneMapping.Operator curve = ToneMapping.Operator.REINHARD;
 
+    @Option(names = "--final-gather", paramLabel = "<n>", converter = GatherRays.class,
+            description = "In pictures, find the light that arrives by n rays per pixel, so that no mesh shows: 64 for"
+                    + " a look, 1024 for a smooth picture.")
+    Integer finalGather;
+
+    /** Reads a number of rays. */
+    static final class GatherRays extends Values.Whole {
+        GatherRays() {
+            super("a whole number from 1 to 1000000", 1, 1_000_000);
+        }
+    }
+
+    /** Rays per pixel that gather light; 0 where the mesh's is taken. */
+    public int gathered() {
+        return finalGather == null ? 0 : finalGather;
+    }
+
     /** Reads {@code linear}, {@code reinhard} and {@code filmic}. */
     static final class CurveParser extends Values.Choice<ToneMapping.Operator> {
         CurveParser() {
@@ -80,6 +97,9 @@ public final class PictureOptions {
     void check() {
         if (size != null && !isWanted()) {
             throw Failure.commandLine("--size", "expected with --picture, --false-colour or -sn, got it without");
+        }
+        if (finalGather != null && pictures.isEmpty() && snapshotInterval == null) {
+            throw Failure.commandLine("--final-gather", "expected with --picture or -sn, got it without");
         }
         for (Path picture : falseColours) {
             if (!picture.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {

@@ -87,7 +87,7 @@ final class AutosaveListener implements RoundListener {
             files.saveScene(solution, settings, Optional.empty());
         }
         if (snapshot) {
-            files.saveSnapshot(solution);
+            files.saveSnapshot(solution, goOn, display::message);
         }
     }
 

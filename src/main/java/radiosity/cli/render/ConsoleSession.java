@@ -36,6 +36,11 @@ public final class ConsoleSession implements ProgressDisplay {
     }
 
     @Override
+    public void part(String name, double done) {
+        display.part(name, done);
+    }
+
+    @Override
     public void show(Progress progress) {
         display.show(progress);
     }

@@ -8,12 +8,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.FileOptions;
 import radiosity.cli.options.RendererOptions;
 import radiosity.cli.options.TimeLimit;
+import radiosity.cli.terminal.StopRequest;
 import radiosity.gltf.GltfModel;
 import radiosity.input.SceneReader;
 import radiosity.output.file.AtomicFile;
@@ -125,15 +129,36 @@ public final class OutputFiles {
                 options.picture.toneMapping(solution), textures));
     }
 
-    /** The picture of {@code -sn}. */
-    void saveSnapshot(Solution solution) throws IOException {
-        savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"));
+    /**
+     * The picture of {@code -sn}.
+     *
+     * @param goOn whether it is still wanted
+     */
+    void saveSnapshot(Solution solution, BooleanSupplier goOn, Consumer<String> user) throws IOException {
+        savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"),
+                done -> goOn.getAsBoolean(), user);
     }
 
-    /** Everything that is written at the end beside the scene file, each whatever becomes of the others. */
-    public void saveRest(Solution solution, Summary summary, Failures failures) {
-        for (Path picture : options.picture.pictures) {
-            failures.tried(() -> savePicture(solution, picture));
+    /**
+     * Everything that is written at the end beside the scene file, each whatever becomes of the others.
+     *
+     * @param user sees how far pictures are that take long
+     * @param stop on request they are not drawn to their end, and not written
+     */
+    public void saveRest(Solution solution, Summary summary, Failures failures, ConsoleSession user,
+                         StopRequest stop) {
+        stop.renew("leaving out the pictures that are not finished");
+        boolean isLong = options.picture.gathered() > 0 || Snapshot.isTraced(solution);
+        try (user) {
+            if (isLong && !options.picture.pictures.isEmpty()) {
+                user.begin();
+            }
+            for (Path picture : options.picture.pictures) {
+                failures.tried(() -> savePicture(solution, picture, done -> {
+                    user.part("drawing " + picture.getFileName(), done);
+                    return !stop.made();
+                }, user::message));
+            }
         }
         for (Path picture : options.picture.falseColours) {
             failures.tried(() -> write(picture, file -> FalseColour.write(file, solution,
@@ -161,12 +186,18 @@ public final class OutputFiles {
         System.out.println(SceneFormatException.escape(grid.summary()));
     }
 
-    private void savePicture(Solution solution, Path file) throws IOException {
+    private void savePicture(Solution solution, Path file, Snapshot.Drawing.Progress progress, Consumer<String> user)
+            throws IOException {
         if (camera == null) {
             camera = options.picture.camera(solution);
         }
-        write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
-                options.picture.toneMapping(solution)));
+        try {
+            write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
+                    options.picture.toneMapping(solution),
+                    new Snapshot.Drawing(options.picture.gathered(), progress)));
+        } catch (CancellationException e) {
+            user.accept(file + ": left out, as it was not wanted any more");
+        }
     }
 
     private void saveLightmap(Path file, Solution solution) throws IOException {

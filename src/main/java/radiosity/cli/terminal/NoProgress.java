@@ -16,6 +16,9 @@ public final class NoProgress implements ProgressDisplay {
     public void phase(String name) { }
 
     @Override
+    public void part(String name, double done) { }
+
+    @Override
     public void show(Progress progress) { }
 
     @Override

@@ -36,8 +36,18 @@ public final class ProgressBarDisplay implements ProgressDisplay {
     }
 
     @Override
+    public synchronized void part(String name, double done) {
+        text.part(name, done);
+        drawSoon();
+    }
+
+    @Override
     public synchronized void show(Progress progress) {
         text.show(progress);
+        drawSoon();
+    }
+
+    private void drawSoon() {
         if (clock.getAsLong() - drawn >= NANOSECONDS_BETWEEN) {
             draw();
         }

@@ -8,6 +8,14 @@ public interface ProgressDisplay extends AutoCloseable {
     /** @param name of what begins now and is no round, such as "reading a.lws" */
     void phase(String name);
 
+    /**
+     * How far something is that takes a while and is no calculation.
+     *
+     * @param name of it, such as "drawing a.png"
+     * @param done part of it, from 0 to 1
+     */
+    void part(String name, double done);
+
     /** After a round. */
     void show(Progress progress);
 

@@ -19,6 +19,8 @@ public final class ProgressLines implements ProgressDisplay {
     private boolean isDue;
     /** The phase that waits to be printed, or null. */
     private Thread waiting;
+    /** What had its part done told last. */
+    private String part = "";
 
     /** @param clock nanoseconds, as {@link System#nanoTime} */
     public ProgressLines(PrintStream err, ProgressText text, LongSupplier clock) {
@@ -47,6 +49,20 @@ public final class ProgressLines implements ProgressDisplay {
             if (waiting == Thread.currentThread()) {
                 err.println(text.line());
             }
+        }
+    }
+
+    /** The first line comes after a second. */
+    @Override
+    public synchronized void part(String name, double done) {
+        waiting = null;
+        text.part(name, done);
+        if (!part.equals(name)) {
+            part = name;
+            printed = clock.getAsLong();
+        } else if (clock.getAsLong() - printed >= SECOND) {
+            printed = clock.getAsLong();
+            print();
         }
     }
 

@@ -17,6 +17,8 @@ public final class ProgressText {
     private double left;
     /** Part of the way, in [0, 1]; it only grows. */
     private double done;
+    /** Whether the part that is done is that of the phase, and not of the calculation. */
+    private boolean isPart;
 
     public ProgressText(ProgressEstimate course) {
         this.course = course;
@@ -26,6 +28,14 @@ public final class ProgressText {
     public void phase(String name) {
         phase = name;
         latest = null;
+        isPart = false;
+    }
+
+    /** @param part of it that is done, from 0 to 1 */
+    public void part(String name, double part) {
+        phase(name);
+        isPart = true;
+        done = Math.max(0, Math.min(1, part));
     }
 
     /** After a round. */
@@ -38,7 +48,8 @@ public final class ProgressText {
 
     /** A line for a log file. */
     public String line() {
-        return course.label() + phase + (latest == null ? "" : ", " + share() + ": " + details() + time());
+        return course.label() + phase + (latest != null || isPart ? ", " + share() : "")
+                + (latest == null ? "" : ": " + details() + time());
     }
 
     /**

@@ -31,6 +31,7 @@ public final class GltfReader {
     /** What a file may require. */
     private static final Set<String> READ = new TreeSet<>(Set.of("KHR_lights_punctual",
             "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit",
+            "KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume",
             "KHR_mesh_quantization", "KHR_texture_transform", "EXT_lights_ies", "EXT_mesh_gpu_instancing"));
 
     private final ReadOptions options;

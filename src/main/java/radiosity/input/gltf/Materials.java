@@ -16,6 +16,7 @@ import radiosity.scene.ImageMap;
 import radiosity.scene.ImageSource;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.Specular;
 import radiosity.scene.Surface;
 
 /** The surfaces of a scene, one for each material that is used: base colour is reflectance, emission is exitance. */
@@ -56,7 +57,7 @@ final class Materials {
 
     /** Whether an image has the reflectance of a surface. */
     boolean hasImage(int surface) {
-        return surfaces.get(surface).textures().stream().anyMatch(m -> m.target() == ImageMap.Target.REFLECTANCE);
+        return hasImage(surfaces.get(surface).textures(), ImageMap.Target.REFLECTANCE);
     }
 
     /** By what the base colour of a surface is larger than its reflectance, which is limited; 1 for most. */
@@ -120,7 +121,15 @@ final class Materials {
             lie = addImage(maps, ImageMap.Target.EXITANCE, emitted.get(), exitance, lie);
         }
         lies.add(lie);
-        surfaces.add(new Surface(name, exitance, limited(colour), material.isOn("doubleSided"), maps));
+        Optional<Specular> specular = SpecularFactors.of(material, colour, hasImage(maps, ImageMap.Target.REFLECTANCE));
+        if (specular.isPresent() && specular.get().transmits()) {
+            notes.note("", "transparent surfaces let no light through; pictures show what is behind them", name);
+        }
+        surfaces.add(new Surface(name, exitance, limited(colour), material.isOn("doubleSided"), maps).with(specular));
+    }
+
+    private static boolean hasImage(List<ImageMap> maps, ImageMap.Target target) {
+        return maps.stream().anyMatch(map -> map.target() == target);
     }
 
     /** What a surface may reflect of a base colour; of which the excess is kept. */

@@ -95,9 +95,9 @@ final class SurfaceTable {
             notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, name);
         }
         if (values.transparency > 0) {
-            notes.note("", "transparent surfaces are taken as opaque", name);
+            notes.note("", "transparent surfaces let no light through; pictures show what is behind them", name);
         }
         return new Surface(name, exitance, reflectance.atMost(Surface.MAX_REFLECTANCE), values.twoSided,
-                SurfaceImages.maps(values, options));
+                SurfaceImages.maps(values, options)).with(values.toSpecular());
     }
 }

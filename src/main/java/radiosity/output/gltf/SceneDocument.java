@@ -179,6 +179,13 @@ final class SceneDocument {
         GltfLists.put(extras.putArray("reflectance"), surface.reflectance());
         GltfLists.put(extras.putArray("exitance"), surface.exitance());
         extras.put("twoSided", surface.twoSided()).put("back", back);
+        surface.specular().ifPresent(specular -> {
+            ObjectNode node = extras.putObject("specular");
+            GltfLists.put(node.putArray("reflectance"), specular.reflectance());
+            GltfLists.put(node.putArray("transmittance"), specular.transmittance());
+            node.put("diffuse", specular.diffuse()).put("roughness", specular.roughness())
+                    .put("index", specular.index()).put("thin", specular.thin());
+        });
         return lists.last("materials");
     }
 

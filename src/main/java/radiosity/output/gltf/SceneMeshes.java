@@ -20,6 +20,7 @@ import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.SceneNode;
+import radiosity.scene.Specular;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
@@ -183,10 +184,22 @@ final class SceneMeshes {
     private static Surface surface(JsonCursor extras) throws IOException {
         try {
             return new Surface(extras.at("surface").text(), extras.at("exitance").rgb(),
-                    extras.at("reflectance").rgb(), extras.at("twoSided").node().booleanValue());
+                    extras.at("reflectance").rgb(), extras.at("twoSided").node().booleanValue())
+                            .with(specular(extras));
         } catch (IllegalArgumentException e) {
             throw extras.wrong("a surface");
         }
+    }
+
+    private static Optional<Specular> specular(JsonCursor extras) throws IOException {
+        Optional<JsonCursor> there = extras.optional("specular");
+        if (there.isEmpty()) {
+            return Optional.empty();
+        }
+        JsonCursor specular = there.get();
+        return Optional.of(new Specular(specular.at("reflectance").rgb(), specular.at("transmittance").rgb(),
+                specular.at("diffuse").number(), specular.at("roughness").number(), specular.at("index").number(),
+                specular.isOn("thin")));
     }
 
     /** @param vertices how many there must be, or -1 for any number */

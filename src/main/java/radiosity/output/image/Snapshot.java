@@ -3,10 +3,13 @@ package radiosity.output.image;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
+import radiosity.output.raytrace.EyeRays;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Units;
@@ -14,13 +17,14 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
+import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
  * A picture of a solution without a display: rays through the pixels, radiosity interpolated where they meet.
  *
  * <p>A surface is seen from its visible side only; from behind one looks through it, as every viewer of the scene file
- * does. Where nothing is, it is black.
+ * does. Where nothing is, it is black. Where surfaces shine, or light is gathered, {@link EyeRays} go on.
  */
 public final class Snapshot {
 
@@ -36,9 +40,34 @@ public final class Snapshot {
     /** The elements that face the eye: only they can be seen. */
     private final int[] facing;
     private final RadiosityBounds bounds;
+    private final int gathered;
+    /** Null where the solution is all there is to see. */
+    private final EyeRays rays;
 
-    private Snapshot(Solution open, Vec3 eye) {
+    /**
+     * How a picture is drawn.
+     *
+     * @param gathered rays per pixel with which the light that arrives is gathered, so that no mesh shows; 0: none,
+     *                 and light is interpolated between the mesh's vertices
+     * @param progress told of the part that is done, from threads of all kinds; ends it by false
+     */
+    public record Drawing(int gathered, Progress progress) {
+
+        /** From the solution alone, to the end. */
+        public static final Drawing PLAIN = new Drawing(0, done -> true);
+
+        /** Whether to go on. */
+        public interface Progress {
+
+            /** @param done part of the rows, in (0, 1] */
+            boolean goesOn(double done);
+        }
+    }
+
+    private Snapshot(Solution open, Vec3 eye, int gathered) {
         solution = TJunctions.close(open);
+        this.gathered = gathered;
+        rays = gathered > 0 || EyeRays.shines(open) ? new EyeRays(solution, gathered) : null;
         this.eye = eye;
         Aabb box = Aabb.of(solution.positions());
         centre = box.centre();
@@ -67,9 +96,25 @@ public final class Snapshot {
      */
     public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping)
             throws IOException {
+        write(file, solution, camera, width, toneMapping, Drawing.PLAIN);
+    }
+
+    /**
+     * The same, drawn as is asked for.
+     *
+     * @throws CancellationException where it was not to go on; nothing is written then
+     */
+    public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping,
+                             Drawing drawing) throws IOException {
         PictureFormat format = PictureFormat.of(file);
         boolean mapped = format != PictureFormat.HDR;
-        format.write(file, take(solution, camera, width, mapped ? toneMapping::map : UnaryOperator.identity()));
+        format.write(file, take(solution, camera, width, mapped ? toneMapping::map : UnaryOperator.identity(),
+                drawing));
+    }
+
+    /** Whether something shines in a solution, so that drawing it takes longer. */
+    public static boolean isTraced(Solution solution) {
+        return EyeRays.shines(solution);
     }
 
     /** Height of a picture of this width in pixels, at least 1. */
@@ -77,13 +122,21 @@ public final class Snapshot {
         return Math.max(1, Math.round(width / camera.aspect()));
     }
 
-    /** @param film what becomes of the radiosity of each sample before a pixel's samples are averaged */
     static Picture take(Solution solution, Camera camera, int width, UnaryOperator<Rgb> film) {
+        return take(solution, camera, width, film, Drawing.PLAIN);
+    }
+
+    /** @param film what becomes of the radiosity of each sample before a pixel's samples are averaged */
+    static Picture take(Solution solution, Camera camera, int width, UnaryOperator<Rgb> film, Drawing drawing) {
         long rows = height(camera, width);
         float[] rgb = new float[ArraySize.of("picture of " + width + "x" + rows + " pixels", 3, width, rows)];
         int height = (int) rows;
-        Snapshot snapshot = new Snapshot(solution, camera.position());
+        Snapshot snapshot = new Snapshot(solution, camera.position(), drawing.gathered);
+        AtomicInteger done = new AtomicInteger();
         IntStream.range(0, height).parallel().forEach(row -> {
+            if (!drawing.progress.goesOn((double) done.incrementAndGet() / height)) {
+                throw new CancellationException();
+            }
             for (int column = 0; column < width; column++) {
                 Rgb pixel = snapshot.pixel(camera, column, row, width, height, film);
                 int i = 3 * (row * width + column);
@@ -108,7 +161,7 @@ public final class Snapshot {
         int height = (int) height(camera, width);
         int size = ArraySize.of("picture of " + width + "x" + height + " pixels", width, height);
         Values values = new Values(width, height, new float[size], new int[size]);
-        Snapshot snapshot = new Snapshot(solution, camera.position());
+        Snapshot snapshot = new Snapshot(solution, camera.position(), 0);
         Units units = solution.scene().units();
         IntStream.range(0, height).parallel().forEach(row -> {
             float[] hit = new float[3];
@@ -132,13 +185,18 @@ public final class Snapshot {
     }
 
     private Rgb pixel(Camera camera, int column, int row, int width, int height, UnaryOperator<Rgb> film) {
+        Vec3[] directions = new Vec3[SAMPLES * SAMPLES];
+        for (int s = 0; s < directions.length; s++) {
+            double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
+            double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
+            directions[s] = camera.direction(x, y);
+        }
+        Rgb[] seen = rays == null ? null : seen(directions, Hash.mix(row, column));
         double r = 0;
         double g = 0;
         double b = 0;
-        for (int s = 0; s < SAMPLES * SAMPLES; s++) {
-            double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
-            double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
-            Rgb light = film.apply(along(camera.direction(x, y)));
+        for (int s = 0; s < directions.length; s++) {
+            Rgb light = film.apply(rays == null ? along(directions[s]) : seen[s]);
             r += light.r();
             g += light.g();
             b += light.b();
@@ -171,6 +229,47 @@ public final class Snapshot {
         return solution.irradianceAt(corners[3 * element]).times(1 - v - w)
                 .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
                 .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
+    }
+
+    /**
+     * What the rays of a pixel meet, where they may go on; light is gathered once for those that meet one triangle.
+     *
+     * @param pixel its number
+     */
+    private Rgb[] seen(Vec3[] directions, long pixel) {
+        int[] element = new int[directions.length];
+        float[][] hit = new float[directions.length][3];
+        for (int s = 0; s < directions.length; s++) {
+            element[s] = element(directions[s], hit[s]);
+        }
+        Rgb[] seen = new Rgb[directions.length];
+        for (int s = 0; s < directions.length; s++) {
+            if (seen[s] == null && element[s] >= 0 && gathered > 0
+                    && solution.surface(element[s]).specular().isEmpty()) {
+                gather(element, hit, s, pixel, seen);
+            } else if (seen[s] == null) {
+                seen[s] = element[s] < 0 ? Rgb.BLACK
+                        : rays.seen(element[s], eye, directions[s], pixel, s, directions.length);
+            }
+        }
+        return seen;
+    }
+
+    /** Gathers light for all rays that meet the same side of the same triangle as one of them. */
+    private void gather(int[] element, float[][] hit, int first, long pixel, Rgb[] seen) {
+        int face = solution.faceOf()[element[first]];
+        int[] same = IntStream.range(first, element.length)
+                .filter(s -> element[s] >= 0 && solution.faceOf()[element[s]] == face).toArray();
+        Vec3 sum = Vec3.ZERO;
+        for (int s : same) {
+            sum = sum.plus(Elements.point(solution, element[s], hit[s][1], hit[s][2]));
+        }
+        Rgb irradiance = rays.irradiance(element[first], sum.times(1.0 / same.length),
+                (double) same.length / element.length, Hash.mix(pixel, first));
+        for (int s : same) {
+            seen[s] = solution.scene().look(face >> 1, Elements.point(solution, element[s], hit[s][1], hit[s][2]))
+                    .radiosity(irradiance);
+        }
     }
 
     private Rgb radiosity(int element, double v, double w) {

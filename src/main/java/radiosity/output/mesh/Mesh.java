@@ -112,7 +112,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
                 exitance = exitance.times(factors.get(layer));
             }
         }
-        return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided(), surface.textures());
+        return surface.with(exitance);
     }
 
     /** rho at corner k of an element. */

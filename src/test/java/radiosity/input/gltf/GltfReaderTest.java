@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,6 +25,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
+import radiosity.scene.Specular;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
@@ -326,5 +328,56 @@ class GltfReaderTest {
         assertEquals(List.of("a", "a#1"), read(text).surfaces().stream().map(Surface::name).toList());
         assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a (2 times)",
                 "a.gltf: transparent surfaces are taken as opaque: a#1"), told);
+    }
+
+    private Optional<Specular> specular(String material) throws IOException {
+        return read(square("", "", "{" + material + "}")).surface(0).specular();
+    }
+
+    private static String rough(double metallic, double roughness) {
+        return "'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,0.75,1],'metallicFactor':" + metallic
+                + ",'roughnessFactor':" + roughness + "}";
+    }
+
+    private static String glass(double factor, String more) {
+        return ",'extensions':{'KHR_materials_transmission':{'transmissionFactor':" + factor + "}" + more + "}";
+    }
+
+    @Test
+    void metalAndPolish_shineWhereTheyAreSmooth() throws IOException {
+        Rgb colour = new Rgb(.5, .25, .75);
+        assertEquals(new Specular(colour, Rgb.BLACK, 0, .1, 1.5, true), specular(rough(1, .1)).orElseThrow());
+        Specular polish = specular(rough(0, 0) + ",'extensions':{'KHR_materials_ior':{'ior':2}}").orElseThrow();
+        assertEquals(1. / 9, polish.reflectance().r(), 1e-12);
+        assertEquals(8. / 9, polish.diffuse(), 1e-12);
+        assertEquals(2, polish.index());
+        assertEquals(Optional.empty(), specular(rough(1, .5)));
+        assertEquals(Optional.empty(), specular("'pbrMetallicRoughness':{}"));
+        assertEquals(Optional.empty(), specular("'name':'plain'"));
+        assertEquals(Optional.empty(), specular(rough(1, 0).replace("'metallicFactor'",
+                "'metallicRoughnessTexture':{'index':0},'metallicFactor'")));
+    }
+
+    @Test
+    void transmission_isASheetOrASolid() throws IOException {
+        Specular sheet = specular(rough(0, 1) + glass(.5, "")).orElseThrow();
+        assertEquals(.96 * .5 * .25, sheet.transmittance().g(), 1e-12);
+        assertEquals(.96 * .5, sheet.diffuse(), 1e-12);
+        assertTrue(sheet.thin());
+        assertEquals(List.of("a.gltf: transparent surfaces let no light through; pictures show what is behind them:"
+                + " material 0"), told);
+        assertEquals(false, specular(rough(0, 0) + glass(1, ",'KHR_materials_volume':{'thicknessFactor':1}"))
+                .orElseThrow().thin());
+    }
+
+    @Test
+    void hostileFactors_areLimitedOrRefused() throws IOException {
+        assertEquals(new Rgb(.5, .25, .75), specular(rough(1e9, -1e9)).orElseThrow().reflectance());
+        assertEquals(Optional.empty(), specular(rough(-1, 1e9) + glass(-3, "")));
+        assertEquals(Specular.MOST_INDEX, specular(rough(0, 0) + ",'extensions':{'KHR_materials_ior':{'ior':0}}")
+                .orElseThrow().index());
+        assertEquals("a.gltf, JSON /materials/0/extensions/KHR_materials_ior/ior: expected an index of refraction of at"
+                + " least 1, or 0, got 0.5",
+                refused(square("", "", "{'extensions':{'KHR_materials_ior':{'ior':0.5}}}")));
     }
 }

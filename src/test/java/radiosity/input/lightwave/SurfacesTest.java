@@ -19,11 +19,13 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.Specular;
 import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 import radiosity.settings.ReadOptions.Emission;
@@ -195,5 +197,62 @@ class SurfacesTest {
         SceneFormatException bytes = assertThrows(SceneFormatException.class,
                 () -> read(Objects.square(), ReadOptions.defaults().withMaxBytes(100)));
         assertTrue(bytes.getMessage().startsWith("thing.lwo: expected at most 100 bytes, got "), bytes.getMessage());
+    }
+
+    private Specular specular(byte[]... parts) throws IOException {
+        return read(Objects.lwo2(Objects.lwo2Surface("white", "", parts))).specular().orElseThrow();
+    }
+
+    @Test
+    void whatIsNeitherMirrorNorGlass_doesNotShine() throws IOException {
+        assertEquals(Optional.empty(), read(Objects.lwo2(Objects.lwo2Surface("white", "", Objects.share("SPEC", 1),
+                Objects.share("GLOS", .8), Objects.share("RIND", 1.5)))).specular());
+        assertEquals(Optional.empty(), read(old(sub("SPEC", u2(256)), sub("GLOS", u2(64)))).specular());
+    }
+
+    @Test
+    void reflection_isAMirror_asBlurredAsItsHighlights() throws IOException {
+        Specular mirror = specular(Objects.share("REFL", .5), Objects.share("RIND", 1.5));
+        assertEquals(new Specular(Rgb.grey(.5), Rgb.BLACK, 1, 0, 1, false), mirror);
+        Specular blurred = specular(Objects.share("REFL", .5), Objects.share("SPEC", .5));
+        assertEquals(Math.pow(2. / (4 * 64 + 2), .25), blurred.roughness(), 1e-12, "40 % are the power of 64");
+        assertEquals(.25, read(old(sub("REFL", u2(64)))).specular().orElseThrow().reflectance().g());
+        Specular precise = read(old(sub("VRFL", f4(.125)), sub("REFL", u2(64)), sub("SPEC", u2(9)),
+                sub("GLOS", u2(64)))).specular().orElseThrow();
+        assertEquals(.125, precise.reflectance().g());
+        assertEquals(blurred.roughness(), precise.roughness(), 1e-12);
+    }
+
+    @Test
+    void transparency_isGlass_ofItsRefractiveIndex() throws IOException {
+        Specular glass = specular(Objects.share("TRAN", .5), Objects.share("RIND", 1.5), Objects.share("REFL", .25),
+                Objects.share("SPEC", 1));
+        assertEquals(.25 + .75 * .04, glass.reflectance().r(), 1e-6);
+        assertEquals(.5 * (1 - .28), glass.transmittance().r(), 1e-6);
+        assertEquals(.5, glass.diffuse());
+        assertEquals(1.5, glass.index());
+        assertEquals(0, glass.roughness());
+        assertEquals(false, glass.thin());
+        assertEquals(true, specular(Objects.share("TRAN", 1), sub("SIDE", u2(3))).thin());
+        assertTrue(told.contains("thing.lwo: transparent surfaces let no light through; pictures show what is behind"
+                + " them: white"), told.toString());
+        assertEquals(1.25, read(old(sub("TRAN", u2(256)), sub("RIND", f4(1.25)))).specular().orElseThrow().index());
+    }
+
+    @Test
+    void hostileShine_isLimited() throws IOException {
+        for (double index : new double[] {0, -1, Double.NaN, Double.NEGATIVE_INFINITY}) {
+            assertEquals(1, specular(Objects.share("TRAN", 1), Objects.share("RIND", index)).index());
+        }
+        assertEquals(Specular.MOST_INDEX, specular(Objects.share("TRAN", 1), Objects.share("RIND", 1e30)).index());
+        assertEquals(Specular.LEAST_INDEX, specular(Objects.share("TRAN", 1), Objects.share("RIND", 1e-30)).index());
+        assertEquals(1, specular(Objects.share("REFL", 1e9), Objects.share("TRAN", Double.POSITIVE_INFINITY))
+                .reflectance().b());
+        assertEquals(1, specular(Objects.share("REFL", 1), Objects.share("SPEC", 1), Objects.share("GLOS", -1e9))
+                .roughness(), .5);
+        assertEquals(0, specular(Objects.share("REFL", 1), Objects.share("SPEC", 1), Objects.share("GLOS", 1e9))
+                .roughness());
+        assertEquals(Optional.empty(), read(Objects.lwo2(Objects.lwo2Surface("white", "",
+                Objects.share("REFL", Double.NaN), Objects.share("TRAN", -1)))).specular());
     }
 }

@@ -35,9 +35,13 @@ public final class Handmade {
     byte[] state = {};
     String name = "by hand";
 
-    public int surface(String surfaceName, Rgb exitance, Rgb reflectance, boolean twoSided) {
-        surfaces.add(new Surface(surfaceName, exitance, reflectance, twoSided));
+    public int surface(Surface surface) {
+        surfaces.add(surface);
         return surfaces.size() - 1;
+    }
+
+    public int surface(String surfaceName, Rgb exitance, Rgb reflectance, boolean twoSided) {
+        return surface(new Surface(surfaceName, exitance, reflectance, twoSided));
     }
 
     public int surface(String surfaceName, double reflectance) {

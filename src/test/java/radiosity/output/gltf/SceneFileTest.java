@@ -2,9 +2,11 @@ package radiosity.output.gltf;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -20,6 +22,9 @@ import radiosity.output.mesh.Mesh;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
+import radiosity.scene.SceneFormatException;
+import radiosity.scene.Specular;
+import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
@@ -237,6 +242,45 @@ class SceneFileTest extends WrittenScene {
         try (SceneFile scene = SceneFile.open(file)) {
             assertEquals(List.of(), scene.meshes());
             assertEquals(0, scene.solution().elements());
+        }
+    }
+
+    /** What shines does so in the file, too; nothing is said of what does not. */
+    @Test
+    void whatShines_comesBack() throws IOException {
+        Specular glass = new Specular(new Rgb(.04, .1, .2), new Rgb(.9, .8, .7), .5, .25, 1.5, true);
+        Handmade made = new Handmade();
+        made.grid(made.surface(new Surface("glass", Rgb.BLACK, Rgb.grey(.5), false).with(Optional.of(glass))),
+                Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 1, p -> Rgb.grey(1));
+        made.grid(made.surface("wall", .5), new Vec3(0, 0, 1), new Vec3(1, 0, 0), new Vec3(0, 1, 0), 1, 1,
+                p -> Rgb.grey(1));
+        write(made.solution());
+        try (SceneFile scene = SceneFile.open(file)) {
+            assertEquals(List.of(Optional.of(glass), Optional.empty()),
+                    scene.meshes().stream().map(mesh -> mesh.surface().specular()).toList());
+            assertEquals(Optional.of(glass), scene.solution().scene().surfaces().get(0).specular());
+        }
+        String json = new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1);
+        assertEquals(json.indexOf("specular"), json.lastIndexOf("specular"));
+    }
+
+    @Test
+    void shineThatCannotBe_isRefused() throws IOException {
+        Handmade made = new Handmade();
+        made.grid(made.surface(new Surface("glass", Rgb.BLACK, Rgb.grey(.5), false).with(Optional.of(
+                new Specular(Rgb.grey(.5), Rgb.BLACK, .5, .25, 1.5, true)))), Vec3.ZERO, new Vec3(1, 0, 0),
+                new Vec3(0, 1, 0), 1, 1, p -> Rgb.grey(1));
+        write(made.solution());
+        String text = new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1);
+        for (String wrong : List.of("\"index\":0.0", "\"index\":1e9", "\"index\":\"x\"")) {
+            String other = text.replace("\"index\":1.5", (wrong + "    ").substring(0, 11).strip());
+            assertTrue(!other.equals(text));
+            other = other.replace("\"thin\":true", "\"thin\":true" + " ".repeat(text.length() - other.length()));
+            Files.write(file, other.getBytes(StandardCharsets.ISO_8859_1));
+            try (SceneFile scene = SceneFile.open(file)) {
+                String message = assertThrows(SceneFormatException.class, scene::meshes).getMessage();
+                assertTrue(message.contains("/materials/0/extras"), message);
+            }
         }
     }
 }

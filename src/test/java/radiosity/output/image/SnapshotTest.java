@@ -10,7 +10,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ForkJoinPool;
 import java.util.function.UnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
@@ -19,6 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
 import radiosity.output.gltf.Handmade;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
+import radiosity.scene.Specular;
+import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.TooLargeException;
@@ -184,5 +192,64 @@ class SnapshotTest {
         String message = assertThrows(IOException.class,
                 () -> Snapshot.write(gif, square(Rgb.BLACK), camera(1), WIDTH, null)).getMessage();
         assertEquals(gif + ": expected a name that ends in .png, .jpg or .hdr, got a.gif", message);
+    }
+
+    /** A wall in the plane z = 2, seen in a mirror in the plane z = 0, and another one that is seen through its back. */
+    private static Solution mirror(boolean isThere) {
+        Handmade made = new Handmade();
+        Specular all = new Specular(Rgb.grey(1), Rgb.BLACK, 0, 0, 1, false);
+        if (isThere) {
+            made.grid(made.surface(new Surface("mirror", Rgb.BLACK, Rgb.BLACK, false).with(Optional.of(all))),
+                    new Vec3(-9, -9, 0), new Vec3(20, 0, 0), new Vec3(0, 20, 0), 1, 1, p -> Rgb.BLACK);
+        }
+        made.grid(made.surface("wall", .5), new Vec3(-9, -9, 2), new Vec3(0, 20, 0), new Vec3(20, 0, 0), 3, 2,
+                p -> new Rgb(20 + p.x(), 20 + p.y(), 4));
+        return made.solution();
+    }
+
+    /** As an eye behind the mirror would see it, left and right exchanged. */
+    @Test
+    void mirror_showsWhatAnEyeBehindItSees() {
+        float[] mirrored = take(mirror(true), camera(1)).rgb();
+        float[] behind = take(mirror(false), behind()).rgb();
+        for (int i = 0; i < behind.length; i++) {
+            int pixel = i / 3;
+            int other = pixel / WIDTH * WIDTH + WIDTH - 1 - pixel % WIDTH;
+            assertEquals(behind[3 * other + i % 3], mirrored[i], 1e-6 * behind[3 * other + i % 3]);
+        }
+    }
+
+    @Test
+    void picturesOfTheSecondPass_areTheSameBitsOnAnyNumberOfThreads() throws Exception {
+        Snapshot.Drawing gathered = new Snapshot.Drawing(20, done -> true);
+        float[] many = Snapshot.take(mirror(true), camera(1), WIDTH, light -> light, gathered).rgb();
+        ForkJoinPool one = new ForkJoinPool(1);
+        float[] alone = one.submit(() -> Snapshot.take(mirror(true), camera(1), WIDTH, light -> light, gathered)).get()
+                .rgb();
+        one.shutdown();
+        assertArrayEquals(many, alone);
+    }
+
+    /** In the open, with nothing around, a surface gets nothing: only what it emits is seen. */
+    @Test
+    void gatheredLight_takesThePlaceOfTheMeshs() {
+        float[] rgb = Snapshot.take(square(Rgb.grey(3)), camera(1), WIDTH, light -> light,
+                new Snapshot.Drawing(4, done -> true)).rgb();
+        float[] emitted = new float[rgb.length];
+        Arrays.fill(emitted, 3);
+        assertArrayEquals(emitted, rgb, 1e-6f);
+    }
+
+    @Test
+    void pictureThatIsNotWantedAnyMore_isNotWritten() {
+        Path file = folder.resolve("a.png");
+        List<Double> parts = Collections.synchronizedList(new ArrayList<>());
+        assertThrows(CancellationException.class, () -> Snapshot.write(file, square(Rgb.BLACK), camera(1), WIDTH,
+                new ToneMapping(ToneMapping.Operator.LINEAR, 1), new Snapshot.Drawing(0, done -> {
+                    parts.add(done);
+                    return done < .5;
+                })));
+        assertTrue(!Files.exists(file));
+        assertTrue(parts.contains(1. / WIDTH), parts.toString());
     }
 }

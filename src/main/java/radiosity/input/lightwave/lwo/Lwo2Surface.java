@@ -36,6 +36,9 @@ final class Lwo2Surface {
             case "LUMI" -> surface.luminosity = (double) data.f4();
             case "SPEC" -> surface.specular = (double) data.f4();
             case "TRAN" -> surface.transparency = (double) data.f4();
+            case "REFL" -> surface.reflection = (double) data.f4();
+            case "GLOS" -> surface.glossiness = (double) data.f4();
+            case "RIND" -> surface.refraction = (double) data.f4();
             case "SIDE" -> surface.twoSided = data.u2() == BOTH_SIDES;
             default -> {
                 return;

@@ -16,6 +16,7 @@ final class LwobSurface {
     private double floatLuminosity = Double.NaN;
     private double floatSpecular = Double.NaN;
     private double floatTransparency = Double.NaN;
+    private double floatReflection = Double.NaN;
 
     LwobSurface(Diagnostics notes) {
         this.notes = notes;
@@ -42,6 +43,10 @@ final class LwobSurface {
             case "LUMI" -> surface.luminosity = share(data);
             case "SPEC" -> surface.specular = share(data);
             case "TRAN" -> surface.transparency = share(data);
+            case "REFL" -> surface.reflection = share(data);
+            case "RIND" -> surface.refraction = (double) data.f4();
+            case "GLOS" -> surface.glossiness = glossiness(data.i2());
+            case "VRFL" -> floatReflection = data.f4();
             case "VDIF" -> floatDiffuse = data.f4();
             case "VLUM" -> floatLuminosity = data.f4();
             case "VSPC" -> floatSpecular = data.f4();
@@ -55,12 +60,18 @@ final class LwobSurface {
         return (data.left() == 4 ? (int) data.u4() : data.i2()) / 256.0;
     }
 
+    /** Of the exponent of a highlight, 16 to 1024, as newer objects have it. */
+    private static double glossiness(int exponent) {
+        return (StrictMath.log(Math.max(4, exponent)) / StrictMath.log(2) - 2) / 10;
+    }
+
     /** The numbers with a point win over those without. */
     private void finish() {
         surface.diffuse = either(floatDiffuse, surface.diffuse);
         surface.luminosity = either(floatLuminosity, surface.luminosity);
         surface.specular = either(floatSpecular, surface.specular);
         surface.transparency = either(floatTransparency, surface.transparency);
+        surface.reflection = either(floatReflection, surface.reflection);
     }
 
     private static Double either(double precise, Double coarse) {

@@ -101,6 +101,9 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
         surface.luminousColour = colour("Luminous Color");
         surface.specular = number("Specular");
         surface.transparency = number("Transparency");
+        surface.reflection = number("Reflection");
+        surface.glossiness = number("Glossiness");
+        surface.refraction = number("Refraction Index");
     }
 
     private Double number(String attribute) {

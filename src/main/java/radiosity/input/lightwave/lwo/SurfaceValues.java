@@ -2,19 +2,22 @@ package radiosity.input.lightwave.lwo;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import radiosity.scene.Rgb;
+import radiosity.scene.Specular;
 import radiosity.scene.Srgb;
 
 /**
  * A surface as an object describes it. What the file does not say is null until {@link #complete}.
  *
- * <p>Diffuse, luminosity, specular and transparency are shares, 1 = 100 %; they may be more than that.
+ * <p>Diffuse, luminosity, specular, reflection, glossiness and transparency are shares, 1 = 100 %; they may be more.
  */
 public final class SurfaceValues {
 
     /** LightWave's own grey. */
     private static final Rgb DEFAULT_COLOUR = Rgb.grey(200 / 255.0);
     private static final int MOST_TEXTURES = 16;
+    private static final double USUAL_GLOSSINESS = 0.4;
 
     public final String name;
     /** Name of the surface whose values hold where this one has none; empty if there is none. */
@@ -24,6 +27,10 @@ public final class SurfaceValues {
     public Double luminosity;
     public Double specular;
     public Double transparency;
+    Double reflection;
+    Double glossiness;
+    /** Refractive index. */
+    Double refraction;
     /** Colour of the emitted light where it is not the surface's own. */
     public Rgb luminousColour;
     public Boolean twoSided;
@@ -55,6 +62,9 @@ public final class SurfaceValues {
         luminosity = luminosity == null ? from.luminosity : luminosity;
         specular = specular == null ? from.specular : specular;
         transparency = transparency == null ? from.transparency : transparency;
+        reflection = reflection == null ? from.reflection : reflection;
+        glossiness = glossiness == null ? from.glossiness : glossiness;
+        refraction = refraction == null ? from.refraction : refraction;
         luminousColour = luminousColour == null ? from.luminousColour : luminousColour;
         twoSided = twoSided == null ? from.twoSided : twoSided;
         if (textures.isEmpty()) {
@@ -70,6 +80,9 @@ public final class SurfaceValues {
         rest.luminosity = 0.0;
         rest.specular = 0.0;
         rest.transparency = 0.0;
+        rest.reflection = 0.0;
+        rest.glossiness = USUAL_GLOSSINESS;
+        rest.refraction = 1.0;
         rest.twoSided = false;
         inherit(rest);
     }
@@ -87,6 +100,31 @@ public final class SurfaceValues {
     /** E in W/m², of the specularity as in appendix B.2 of the paper. */
     public Rgb specularExitance(boolean srgb) {
         return sound(linear(colour, srgb).times(specular));
+    }
+
+    /**
+     * What it mirrors and lets through. A mirror that is not transparent and has highlights is as blurred as they are:
+     * the cosine from the mirrored direction to the power n = 2^(10 glossiness + 2) (LightWave's LWO2 file format),
+     * of whose width microfacets have slopes of sqrt(2 / (4 n + 2)) (B. Walter and others, Microfacet models for
+     * refraction through rough surfaces, 2007, appendix).
+     */
+    public Optional<Specular> toSpecular() {
+        double r = share(reflection);
+        double t = share(transparency);
+        if (r == 0 && t == 0) {
+            return Optional.empty();
+        }
+        double index = t > 0 && refraction > 0
+                ? Math.max(Specular.LEAST_INDEX, Math.min(Specular.MOST_INDEX, refraction)) : 1;
+        double mirrored = r + (1 - r) * Specular.normalReflectance(index);
+        double exponent = StrictMath.pow(2, 10 * share(glossiness) + 2);
+        boolean isBlurred = t == 0 && share(specular) > 0 && share(glossiness) < 1;
+        return Optional.of(new Specular(Rgb.grey(mirrored), Rgb.grey(t * (1 - mirrored)), 1 - t,
+                isBlurred ? StrictMath.pow(2 / (4 * exponent + 2), 0.25) : 0, index, twoSided));
+    }
+
+    private static double share(double value) {
+        return Math.min(1, sound(value));
     }
 
     /** What is not a number or negative is 0, what is infinite the largest there is. */

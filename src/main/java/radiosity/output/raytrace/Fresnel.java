@@ -1,0 +1,57 @@
+package radiosity.output.raytrace;
+
+import radiosity.scene.Specular;
+import radiosity.scene.Vec3;
+
+/**
+ * What becomes of a ray where the refractive index changes (W. Snell, 1621; A. Fresnel, 1823), light not polarised.
+ *
+ * <p>An index here is that of the side to which a ray goes over that of the side from which it comes.
+ */
+final class Fresnel {
+
+    private Fresnel() { }
+
+    /**
+     * F: reflected / arriving; 1 where all is reflected.
+     *
+     * @param cosine of the angle between the ray and the normal, from 0 to 1
+     */
+    static double reflectance(double cosine, double index) {
+        double beyond = 1 - (1 - cosine * cosine) / (index * index);
+        if (beyond <= 0 || cosine <= 0) {
+            return 1;
+        }
+        double refracted = Math.sqrt(beyond);
+        double across = (cosine - index * refracted) / (cosine + index * refracted);
+        double along = (index * cosine - refracted) / (index * cosine + refracted);
+        return (across * across + along * along) / 2;
+    }
+
+    /** f = (F - F0) / (1 - F0): how far a surface has come from what it mirrors at right angles to all. */
+    static double rise(double cosine, double index) {
+        if (index == 1) {
+            return 0;
+        }
+        double normal = Specular.normalReflectance(index);
+        return (reflectance(cosine, index) - normal) / (1 - normal);
+    }
+
+    /**
+     * The direction of a refracted ray, or null where all is reflected.
+     *
+     * @param direction unit direction of the ray
+     * @param normal    unit normal on the side from which it comes
+     */
+    static Vec3 refracted(Vec3 direction, Vec3 normal, double index) {
+        double cosine = -direction.dot(normal);
+        double beyond = 1 - (1 - cosine * cosine) / (index * index);
+        return beyond <= 0 ? null
+                : direction.times(1 / index).plus(normal.times(cosine / index - Math.sqrt(beyond))).unit();
+    }
+
+    /** The direction of a mirrored ray. */
+    static Vec3 mirrored(Vec3 direction, Vec3 normal) {
+        return direction.minus(normal.times(2 * direction.dot(normal))).unit();
+    }
+}

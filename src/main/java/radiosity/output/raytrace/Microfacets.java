@@ -1,0 +1,51 @@
+package radiosity.output.raytrace;
+
+import radiosity.scene.Vec3;
+
+/**
+ * The small mirrors of which a rough surface is made (B. Walter and others, Microfacet models for refraction through
+ * rough surfaces, 2007: GGX), sampled as they are seen (E. Heitz, Sampling the GGX distribution of visible normals,
+ * 2018).
+ */
+final class Microfacets {
+
+    private final double width;
+    private final Vec3 normal;
+    private final Vec3 u;
+    private final Vec3 v;
+    /** Towards the eye, stretched as the slopes are, along u, v and the normal. */
+    private final Vec3 stretched;
+
+    /**
+     * @param normal    unit normal
+     * @param direction unit direction of a ray that comes from the eye
+     * @param roughness in (0, 1]
+     */
+    Microfacets(Vec3 normal, Vec3 direction, double roughness) {
+        width = roughness * roughness;
+        this.normal = normal;
+        u = normal.cross(Math.abs(normal.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+        v = normal.cross(u);
+        stretched = new Vec3(-width * direction.dot(u), -width * direction.dot(v), -direction.dot(normal)).unit();
+    }
+
+    /** Unit normal of one of those that are seen, by two numbers from 0 to 1. */
+    Vec3 normal(double first, double second) {
+        double flat = Math.sqrt(stretched.x() * stretched.x() + stretched.y() * stretched.y());
+        Vec3 a = flat > 0 ? new Vec3(-stretched.y() / flat, stretched.x() / flat, 0) : new Vec3(1, 0, 0);
+        Vec3 b = stretched.cross(a);
+        double r = Math.sqrt(first);
+        double x = r * StrictMath.cos(2 * Math.PI * second);
+        double part = (1 + stretched.z()) / 2;
+        double y = (1 - part) * Math.sqrt(Math.max(0, 1 - x * x)) + part * r * StrictMath.sin(2 * Math.PI * second);
+        Vec3 h = a.times(x).plus(b.times(y)).plus(stretched.times(Math.sqrt(Math.max(0, 1 - x * x - y * y))));
+        return u.times(width * h.x()).plus(v.times(width * h.y())).plus(normal.times(Math.max(1e-9, h.z()))).unit();
+    }
+
+    /** Share of those that are seen whose light leaves in a direction, not hidden by others (B. Smith, 1967). */
+    double free(Vec3 direction) {
+        double cosine = direction.dot(normal);
+        double square = cosine * cosine;
+        return square == 0 ? 0 : 2 / (1 + Math.sqrt(1 + width * width * (1 - square) / square));
+    }
+}

@@ -1,0 +1,72 @@
+package radiosity.output.raytrace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import radiosity.formfactor.ContourFactor;
+import radiosity.output.gltf.Handmade;
+import radiosity.scene.Rgb;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+/** Light that is gathered anew at a point, against closed forms. */
+class FinalGatherTest {
+
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+
+    private static Rgb gather(Solution solution, Vec3 point, int count) {
+        return new FinalGather(new ElementRays(solution)).irradiance(point, UP, count, 0x123456789ABCDEFL);
+    }
+
+    /** In a room that is lit everywhere alike, whatever ray is chosen brings the same. */
+    @Test
+    void uniformRoom_givesItsLightExactly() {
+        Handmade room = new Handmade();
+        Vec3 x = new Vec3(1, 0, 0);
+        Vec3 z = new Vec3(0, 0, 1);
+        int wall = room.surface("wall", .5);
+        Rgb light = new Rgb(4, 2, 1);
+        room.grid(wall, Vec3.ZERO, z, x, 1, 2, p -> light).grid(wall, UP, x, z, 3, 4, p -> light)
+                .grid(wall, Vec3.ZERO, UP, z, 5, 3, p -> light).grid(wall, x, z, UP, 1, 1, p -> light)
+                .grid(wall, Vec3.ZERO, x, UP, 2, 2, p -> light).grid(wall, z, UP, x, 2, 1, p -> light);
+        Rgb got = gather(room.solution(), new Vec3(.3, 0, .7), 50);
+        for (int c = 0; c < 3; c++) {
+            assertEquals(light.channel(c) / 2, got.channel(c), 1e-9);
+        }
+    }
+
+    private static Handmade lamp() {
+        Handmade made = new Handmade();
+        made.grid(made.surface("floor", .5), new Vec3(-3, 0, -3), new Vec3(0, 0, 6), new Vec3(6, 0, 0), 1, 1,
+                p -> Rgb.grey(7));
+        made.grid(made.surface("lamp", new Rgb(10, 5, 1), Rgb.BLACK, false), new Vec3(-.5, 2, -.5),
+                new Vec3(1, 0, 0), new Vec3(0, 0, 1), 1, 1, p -> Rgb.BLACK);
+        return made;
+    }
+
+    private static double factor(Vec3 at, double right) {
+        return ContourFactor.factor(at.x(), at.y(), at.z(), 0, 1, 0, new double[] {-.5, 2, -.5, right, 2, -.5, right, 2,
+            .5, -.5, 2, .5});
+    }
+
+    /** Lambert's form factor of a square. */
+    @Test
+    void lamp_givesItsFormFactor() {
+        for (Vec3 at : new Vec3[] {Vec3.ZERO, new Vec3(2, 0, 1), new Vec3(-.4, 0, -2.9)}) {
+            Rgb got = gather(lamp().solution(), at, 256);
+            double factor = factor(at, .5);
+            assertEquals(10 * factor, got.r(), .005 * 10 * factor);
+            assertEquals(got.r() / 2, got.g(), 1e-9);
+        }
+    }
+
+    /** A screen that reaches to the middle of the lamp, as seen from the point, leaves the form factor of half of it. */
+    @Test
+    void screen_hidesItsPartOfTheLamp() {
+        Handmade made = lamp();
+        made.grid(made.surface("screen", Rgb.BLACK, Rgb.BLACK, true), new Vec3(0, 1, -3), new Vec3(3, 0, 0),
+                new Vec3(0, 0, 6), 1, 1, p -> Rgb.BLACK);
+        double half = factor(Vec3.ZERO, 0);
+        assertEquals(10 * half, gather(made.solution(), Vec3.ZERO, 1024).r(), .02 * 10 * half);
+    }
+}
