@@ -16,6 +16,7 @@ import radiosity.settings.ReadOptions;
 import radiosity.settings.StopRule;
 import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
+import radiosity.solution.Solution;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
 import radiosity.solver.World;
@@ -43,6 +44,8 @@ public final class Radiosity {
     private List<HostAddress> hosts = List.of();
     private HostKey key;
     private SavedState state = SavedState.NONE;
+    private Solution earlier;
+    private Consumer<String> anew;
     private Consumer<String> notices = line -> { };
 
     private Radiosity(Scene scene) {
@@ -176,6 +179,21 @@ public final class Radiosity {
     }
 
     /**
+     * Goes on from the solution of an earlier state of the scene, with the same settings: only the light that changed
+     * objects, materials and lamps take away or bring is calculated. Where too much has changed, all of it is, and a
+     * line says why.
+     *
+     * @param before of an earlier result
+     * @param lines  gets at most one line
+     * @return this calculation
+     */
+    public Radiosity change(Solution before, Consumer<String> lines) {
+        earlier = before;
+        anew = lines;
+        return this;
+    }
+
+    /**
      * Calculates until the stop rule holds or the listener asks to stop.
      *
      * @param listener asked after every step whether to go on
@@ -189,6 +207,9 @@ public final class Radiosity {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stop);
             if (!state.isEmpty()) {
                 radiosity.resume(state);
+            } else if (earlier != null) {
+                radiosity.change(earlier.state()).ifPresent(why ->
+                        anew.accept("the scene is rendered anew, as " + why));
             }
             radiosity.run(listener);
             return new RadiosityResult(radiosity.solution(), radiosity.certificate(threads), radiosity.progress());

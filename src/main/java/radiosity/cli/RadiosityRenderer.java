@@ -41,6 +41,8 @@ import radiosity.output.gltf.SceneInfo;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
+import radiosity.solution.SavedState;
+import radiosity.solver.ProgressiveRadiosity;
 
 /** Renders a scene and writes a scene file (appendix C.1 of the paper). */
 public final class RadiosityRenderer {
@@ -127,12 +129,14 @@ public final class RadiosityRenderer {
         Failures failures = new Failures();
         try (user) {
             SavedCalculation before = saved();
+            Optional<SavedCalculation> changed = changed();
             Scene scene = scene();
-            RadiositySettings settings = checked(scene, before);
+            RadiositySettings settings = checked(scene, before, changed.map(SavedCalculation::settings)
+                    .orElseGet(options.calculation::defaults));
             journal = new Journal(claim, settings, user::message, System::nanoTime);
             result = new RenderJob(options, scene, files, warnings, user).run(settings, radiosity -> {
-                if (!journal.resume(radiosity) && before != null) {
-                    radiosity.resume(before.state());
+                if (!journal.resume(radiosity)) {
+                    begin(radiosity, before, changed);
                 }
                 ending.begin(Optional.of(claim.journal()));
             }, RenderJob.Aims.of(options.calculation.aims()), Optional.of(journal), () -> !stop.made());
@@ -144,13 +148,29 @@ public final class RadiosityRenderer {
         finish(result, summary);
     }
 
+    private void begin(ProgressiveRadiosity radiosity, SavedCalculation before, Optional<SavedCalculation> changed)
+            throws IOException {
+        if (before != null) {
+            radiosity.resume(before.state());
+        } else if (options.file.change != null) {
+            user.phase("changing the light");
+            Optional<String> anew = radiosity.change(changed.isEmpty() ? SavedState.NONE : changed.get().state());
+            anew.ifPresent(why -> user.message(options.file.change + ": the scene is rendered anew, as " + why));
+        }
+    }
+
+    /** What {@code --change} names. */
+    private Optional<SavedCalculation> changed() throws IOException {
+        return options.file.change == null ? Optional.empty() : SavedCalculation.find(options.file.change);
+    }
+
     /** As exactly as can be done in a time. */
     private void calculate(TimeCourse course, TimeLimit limit, SaveBeforeExit ending) throws IOException {
         RenderResult result;
         String inTime;
         try (user) {
             Scene scene = scene();
-            RadiositySettings settings = checked(scene, null);
+            RadiositySettings settings = checked(scene, null, options.calculation.defaults());
             ending.begin(Optional.empty());
             TimedCalculation timed = new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
                     settings, limit, course, user, stop, files);
@@ -171,15 +191,14 @@ public final class RadiosityRenderer {
     }
 
     /** The settings, with which the scene can be calculated. */
-    private RadiositySettings checked(Scene scene, SavedCalculation saved) {
-        RadiositySettings settings = settings(scene, saved);
+    private RadiositySettings checked(Scene scene, SavedCalculation saved, RadiositySettings otherwise) {
+        RadiositySettings settings = settings(scene, saved, otherwise);
         check(scene, settings);
         return settings;
     }
 
-    private RadiositySettings settings(Scene scene, SavedCalculation saved) {
-        RadiositySettings otherwise = saved == null ? options.calculation.defaults() : saved.settings();
-        RadiositySettings settings = options.calculation.settings(scene, otherwise);
+    private RadiositySettings settings(Scene scene, SavedCalculation saved, RadiositySettings otherwise) {
+        RadiositySettings settings = options.calculation.settings(scene, saved == null ? otherwise : saved.settings());
         if (saved != null) {
             saved.checkSettings(settings);
         }

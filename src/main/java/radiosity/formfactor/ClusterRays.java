@@ -63,10 +63,11 @@ final class ClusterRays {
         float ty = fa * corner[at + 1] + fb * corner[at + 4] + fc * corner[at + 7];
         float tz = fa * corner[at + 2] + fb * corner[at + 5] + fc * corner[at + 8];
         float[] normal = s.normal;
-        if (sight.sees(px, py, pz, nx, ny, nz, tx - px, ty - py, tz - pz, normal[3 * found], normal[3 * found + 1],
-                normal[3 * found + 2])) {
+        int seen = sight.sees(px, py, pz, nx, ny, nz, tx - px, ty - py, tz - pz, normal[3 * found],
+                normal[3 * found + 1], normal[3 * found + 2]);
+        if (seen != 0) {
             double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
-            ShadowTest.reach(s, found, fa, fb, fc, power * sum, gathering);
+            ShadowTest.reach(s, found, fa, fb, fc, seen * (power * sum), gathering);
         }
         gathering.close(1 / (draws * Math.PI));
     }

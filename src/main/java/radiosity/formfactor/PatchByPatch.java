@@ -75,7 +75,7 @@ abstract class PatchByPatch implements FormFactorCalculator {
         float dy = a * corner[at + 1] + b * corner[at + 4] + c * corner[at + 7] - to.py;
         float dz = a * corner[at + 2] + b * corner[at + 5] + c * corner[at + 8] - to.pz;
         if (sight.sees(to.px, to.py, to.pz, to.nx, to.ny, to.nz, dx, dy, dz, normal[3 * node], normal[3 * node + 1],
-                normal[3 * node + 2])) {
+                normal[3 * node + 2]) != 0) {
             ShadowTest.reach(s, node, a, b, c, weight, to.gathering);
         }
     }

@@ -31,6 +31,7 @@ public final class RayCaster implements FormFactorCalculator {
     private final int rays;
     private final double tolerance;
     private final int mostRays;
+    private final ShadowTest sight;
 
     /**
      * @param rays      sample points per shooting node, at least 1
@@ -43,7 +44,16 @@ public final class RayCaster implements FormFactorCalculator {
 
     /** @param mostRays no more are cast at one element, whatever it carries */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance, int mostRays) {
-        ShadowTest sight = new ShadowTest(bounds);
+        this(new ShadowTest(bounds), rays, tolerance, mostRays);
+    }
+
+    /** What visibility that changes makes of the light that is received. */
+    public RayCaster(VisibilityChange change, int rays, double tolerance) {
+        this(change, rays, tolerance, Math.max(rays, MOST_RAYS));
+    }
+
+    private RayCaster(ShadowTest sight, int rays, double tolerance, int mostRays) {
+        this.sight = sight;
         clusters = new ClusterRays(sight);
         triangles = new TriangleRays(sight);
         this.rays = rays;
@@ -67,7 +77,7 @@ public final class RayCaster implements FormFactorCalculator {
         float ez = extent[4 * node + 2] - pz;
         float r2 = extent[4 * node + 3];
         float up = nx * ex + ny * ey + nz * ez;
-        if (strength == 0 || up < 0 && up * up >= r2) {
+        if (strength == 0 || up < 0 && up * up >= r2 || !sight.matters(px, py, pz, extent, 4 * node)) {
             return;
         }
         float d2 = ex * ex + ey * ey + ez * ez;

@@ -3,7 +3,7 @@ package radiosity.formfactor;
 import radiosity.visibility.RadiosityBounds;
 
 /** What a receiving point sees of a shooter's sample points. */
-final class ShadowTest {
+class ShadowTest {
 
     /** How far the ends of rays stand off their surfaces at most, of the scene's size. */
     private static final float LIFT = 4e-6f;
@@ -17,16 +17,30 @@ final class ShadowTest {
     }
 
     /**
-     * Whether nothing stands between a receiving point and a sample point. Both ends are lifted off their surfaces a
+     * 1 where nothing stands between a receiving point and a sample point, else 0. Both ends are lifted off their surfaces a
      * little, but by no more than half of what they see of each other's side: a ray that runs almost in a surface
      * would be stopped by that surface itself.
      */
-    boolean sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
-                 float sx, float sy, float sz) {
+    final int sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
+                   float sx, float sy, float sz) {
         float up = Math.min(LIFT, 0.5f * (nx * dx + ny * dy + nz * dz));
         float down = Math.min(LIFT, -0.5f * (sx * dx + sy * dy + sz * dz));
-        return !bounds.blocked(px + up * nx, py + up * ny, pz + up * nz,
+        return share(px + up * nx, py + up * ny, pz + up * nz,
                 px + dx + down * sx, py + dy + down * sy, pz + dz + down * sz);
+    }
+
+    /** What a ray between two points counts for. */
+    int share(float ox, float oy, float oz, float tx, float ty, float tz) {
+        return bounds.blocked(ox, oy, oz, tx, ty, tz) ? 0 : 1;
+    }
+
+    /**
+     * Whether rays from a point into a sphere may count.
+     *
+     * @param sphere middle, and squared radius, 4 from {@code at}
+     */
+    boolean matters(float px, float py, float pz, float[] sphere, int at) {
+        return true;
     }
 
     /** Finds the element under a sample point. */

@@ -68,9 +68,10 @@ final class TriangleRays {
                 float dx = ox + b * bx + c * cx;
                 float dy = oy + b * by + c * cy;
                 float dz = oz + b * bz + c * cz;
-                if (sight.sees(px, py, pz, nx, ny, nz, dx, dy, dz, s.normal[3 * node], s.normal[3 * node + 1],
-                        s.normal[3 * node + 2])) {
-                    ShadowTest.reach(s, node, 1 - b - c, b, c, group, gathering);
+                int seen = sight.sees(px, py, pz, nx, ny, nz, dx, dy, dz, s.normal[3 * node],
+                        s.normal[3 * node + 1], s.normal[3 * node + 2]);
+                if (seen != 0) {
+                    ShadowTest.reach(s, node, 1 - b - c, b, c, seen * group, gathering);
                 }
                 sum += group;
             }

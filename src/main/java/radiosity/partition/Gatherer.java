@@ -17,7 +17,7 @@ import radiosity.util.Hash;
 import radiosity.util.ParallelFor;
 
 /** How the vertices of a mesh receive what an order lets shoot. */
-final class Gatherer {
+public final class Gatherer {
 
     /** Vertices that a thread takes at a time. */
     static final int RUN = 64;
@@ -27,7 +27,7 @@ final class Gatherer {
     private final ParallelFor parallel;
     private final InteriorTest burial;
 
-    Gatherer(InitialMesh mesh, ParallelFor parallel) {
+    public Gatherer(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
         this.parallel = parallel;
         faces = mesh.faces;
@@ -40,7 +40,7 @@ final class Gatherer {
     }
 
     /** Marks which of some vertices lie inside a solid. */
-    void bury(RadiosityNodes nodes, int[] vertices) {
+    public void bury(RadiosityNodes nodes, int[] vertices) {
         parallel.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
     }
 
@@ -66,6 +66,19 @@ final class Gatherer {
         Arrays.setAll(made, slack -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(),
                 order.rules().tolerance() * (1 << slack)));
         return made;
+    }
+
+    /** What some vertices receive of an order is added to their irradiance: all of it, with the ambient light. */
+    public void gather(Order order, RadiosityNodes nodes, int[] vertices, int turn) {
+        ShooterHierarchy[] shooters = shooters(order);
+        FormFactorCalculator[] calculators = calculators(order);
+        receiveAmbient(order, nodes, vertices);
+        parallel.run(vertices.length, RUN, (from, to) -> {
+            int[] run = Arrays.copyOfRange(vertices, from, to);
+            for (ShooterHierarchy shooter : shooters) {
+                gather(calculators, shooter, nodes, run, turn);
+            }
+        });
     }
 
     /** Even light of closed rooms, at the beginning of a round, and what was lost of the light before. */
@@ -105,7 +118,7 @@ final class Gatherer {
     }
 
     /** What one vertex receives of one shooter. */
-    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v, int turn,
+    public void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v, int turn,
             GatherSink sum) {
         float[] x = nodes.receivers();
         int f = nodes.vertexPlane(v);

@@ -58,12 +58,12 @@ public final class GhostVertices {
         named = ends(edges());
         ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of ghost vertices", Long.BYTES,
                 named.length));
-        IntStream.of(named).forEach(v -> keys.putLong(key(v)));
+        IntStream.of(named).forEach(v -> keys.putLong(key(nodes, v)));
         return keys.array();
     }
 
     /** Equal for vertices with the same position, plane and creating split: there all hosts would gather the same. */
-    private long key(int v) {
+    public static long key(RadiosityNodes nodes, int v) {
         long key = Hash.mix(nodes.vertexKey(v), nodes.made(v));
         key = Hash.mix(key, nodes.vertexPlane(v));
         for (int a = 0; a < 3; a++) {

@@ -48,6 +48,8 @@ public final class InitialMesh {
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
 
+    /** As it was read. */
+    public final Scene original;
     /** With its long quadrangles cut. */
     public final Scene scene;
     public final RadiositySettings settings;
@@ -72,8 +74,8 @@ public final class InitialMesh {
 
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
-        this.scene = predicts() ? QuadSplitter.cut(scene, settings.patchArea() > 0 ? settings.patchArea()
-                : scene.area() / COARSE_PATCHES) : scene;
+        original = scene;
+        this.scene = predicts() ? QuadSplitter.cut(scene, quadrangleArea()) : scene;
         Faces whole = new Faces(this.scene, settings.layers());
         faces = predicts() ? DiscontinuityMesher.cut(whole) : whole;
         rooms = new ClosedRooms(faces, this::isBuried);
@@ -95,6 +97,16 @@ public final class InitialMesh {
                 emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
             }
         }
+    }
+
+    /** Area from which quadrangles may be cut, square scene units. */
+    private double quadrangleArea() {
+        return settings.patchArea() > 0 ? settings.patchArea() : original.area() / COARSE_PATCHES;
+    }
+
+    /** 1 per triangle of the scene with cut quadrangles: which triangle of the original scene it is a piece of. */
+    public int[] origins() {
+        return QuadSplitter.origins(original, predicts() ? quadrangleArea() : Double.POSITIVE_INFINITY);
     }
 
     /** Whether the middle of a face lies inside a solid. */

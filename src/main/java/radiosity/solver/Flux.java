@@ -58,6 +58,28 @@ final class Flux {
         }
     }
 
+    /**
+     * Takes over what was shot in an earlier scene.
+     *
+     * @param surfaces flux that the elements have shot, one per channel, W
+     * @param lights   flux of sources without geometry that arrives, one per channel, W
+     */
+    void change(double[] surfaces, double[] lights) {
+        for (int c = 0; c < shot.length; c++) {
+            shot[c] = surfaces[c] + lights[c];
+            emitted[c] = mesh.emitted[c] + lights[c];
+        }
+    }
+
+    /** Flux of sources without geometry that arrives, one per channel, W. */
+    double[] lights() {
+        double[] lights = new double[emitted.length];
+        for (int c = 0; c < lights.length; c++) {
+            lights[c] = emitted[c] - mesh.emitted[c];
+        }
+        return lights;
+    }
+
     /** Counts what is marked as shot, but gathered later. */
     void mark(Shot patch) {
         double[] flux = patch.flux(faces);

@@ -3,6 +3,7 @@ package radiosity.solver;
 import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
+import radiosity.change.Relight;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.prediction.AmbientLevel;
@@ -18,6 +20,7 @@ import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.settings.StopRule;
+import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 
 /**
@@ -49,7 +52,22 @@ final class Prediction implements Planner {
     }
 
     /** What the last round was. */
-    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE }
+    private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE, MEND }
+
+    /** Where a stage is written: the scene was changed, and its light is that of an earlier scene with corrections. */
+    private static final int CHANGED = 0x40;
+    /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
+    private static final double PREDICTED = 0.1;
+    /** Part of the unshot flux that may be left to later rounds of a changed scene. */
+    private static final double LEFT = 0.1;
+
+    /**
+     * What an earlier scene's calculation ended with.
+     *
+     * @param rules     how closely it looked
+     * @param isSettled whether what elements have not shot is only the noise of rays
+     */
+    record Earlier(Order.Rules rules, boolean isSettled) { }
 
     /** Looks at the solution anew; nothing where there is no light to look at. */
     interface Audit {
@@ -75,6 +93,7 @@ final class Prediction implements Planner {
      * 0 then.
      */
     private double left = Double.POSITIVE_INFINITY;
+    private boolean isChanged;
 
     /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
     Prediction(World world, double wanted, Audit audit) {
@@ -104,6 +123,9 @@ final class Prediction implements Planner {
 
     @Override
     public Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        if (isChanged) {
+            return nextOfChange(last, unsent, goOn);
+        }
         switch (stage) {
             case RENEW -> {
                 return regather();
@@ -145,6 +167,64 @@ final class Prediction implements Planner {
             return renew(unsent);
         }
         return shoot(shots, unsent);
+    }
+
+    /**
+     * Light and mesh are those of an earlier scene, and what its changes leave unshot is signed: it is shot where it
+     * is, the mesh is divided where the light has become another, and nobody gathers anew all that was ever shot but
+     * those who have received less than nothing.
+     */
+    private Order nextOfChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        if (stage == Stage.SPLIT) {
+            refined = last.elements == elements || splits == MOST_SPLITS;
+            left = Double.POSITIVE_INFINITY;
+            if (last.elements > elements) {
+                return gather();
+            }
+        }
+        if (stage == Stage.MEND && world.mesh.conserves()) {
+            return balance();
+        }
+        if (stage == Stage.MEND || stage == Stage.BALANCE) {
+            stage = Stage.DONE;
+            return null;
+        }
+        if (unsent > Math.min(wanted, StopRule.DEFAULT_UNSENT) && unsent < left) {
+            if (unsent > PREDICTED && coarse != null && !coarse.isMade()) {
+                return rows();
+            }
+            List<Shot> shots = unsent > PREDICTED && coarse != null ? withPrediction(last, goOn) : largest();
+            if (!shots.isEmpty()) {
+                return shoot(shots, unsent);
+            }
+        }
+        return refined ? mend() : split(last);
+    }
+
+    /** Those with most unshot flux, who have most of it together. */
+    private List<Shot> largest() throws IOException {
+        List<Shot> all = world.joined(world.answer(ALL).candidates);
+        double rest = all.stream().mapToDouble(Shot::flux).sum();
+        double enough = LEFT * rest;
+        List<Shot> chosen = new ArrayList<>();
+        for (Shot shot : all) {
+            if (rest > enough) {
+                chosen.add(world.mesh.rounding.of(shot));
+            }
+            rest -= shot.flux();
+        }
+        return chosen;
+    }
+
+    private Order mend() throws IOException {
+        List<Shot> totals = world.totals();
+        List<byte[]> mended = Relight.mended(world.mesh, world.blocks(),
+                order(Order.Kind.GATHER, totals, AmbientLevel.lowest(world.mesh, totals)), world.parallel);
+        if (!mended.isEmpty()) {
+            world.restore(mended);
+        }
+        stage = Stage.MEND;
+        return Order.asking(Order.Kind.ASK, 0);
     }
 
     /**
@@ -314,6 +394,7 @@ final class Prediction implements Planner {
     public void aim(double error) {
         if (error < loop.asked()) {
             loop.aim(error);
+            isChanged = false;
             stage = stage == Stage.DONE ? Stage.BALANCE : stage;
         }
     }
@@ -326,7 +407,7 @@ final class Prediction implements Planner {
 
     @Override
     public void write(DataOutput out) throws IOException {
-        out.writeByte(stage.ordinal());
+        out.writeByte(stage.ordinal() | (isChanged ? CHANGED : 0));
         loop.write(out);
         out.writeInt(splits);
         out.writeInt(elements);
@@ -339,7 +420,9 @@ final class Prediction implements Planner {
 
     @Override
     public void read(DataInput in) throws IOException {
-        stage = Stage.values()[in.readByte()];
+        int written = in.readByte();
+        stage = Stage.values()[written & ~CHANGED];
+        isChanged = (written & CHANGED) != 0;
         loop.read(in);
         splits = in.readInt();
         elements = in.readInt();
@@ -348,5 +431,41 @@ final class Prediction implements Planner {
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
+    }
+
+    /**
+     * Reads what an earlier scene's calculation wrote, to go on with that of a changed scene.
+     *
+     * @return how closely it looked, by its own weights; nothing where it was not at its end
+     */
+    Optional<Earlier> readChanged(DataInput in, InitialMesh before) throws IOException {
+        int written = in.readByte();
+        loop.read(in);
+        splits = in.readInt();
+        elements = in.readInt();
+        refined = in.readBoolean();
+        in.readDouble();
+        double[] old = new double[Weights.count(before.rooms, world.channels())];
+        for (int c = 0; c < old.length; c++) {
+            old[c] = in.readDouble();
+        }
+        for (int i = 0; i < weight.length; i++) {
+            int c = i % world.channels();
+            double lamps = before.emitted[c] > 0 && world.mesh.emitted[c] > 0
+                    ? before.emitted[c] / world.mesh.emitted[c] : 1;
+            weight[i] = old[weight.length == old.length ? i : c] * lamps;
+        }
+        stage = Stage.SHOOT;
+        splits = 0;
+        refined = false;
+        isChanged = true;
+        boolean isDone = Stage.values()[written & ~CHANGED] == Stage.DONE;
+        return !isDone ? Optional.empty() : Optional.of(new Earlier(new Order.Rules(loop.tolerance(), old,
+                loop.meshError(), new double[0], new double[0]), (written & CHANGED) == 0));
+    }
+
+    /** See {@link Weights}. */
+    double[] weight() {
+        return weight;
     }
 }

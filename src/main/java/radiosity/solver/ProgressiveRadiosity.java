@@ -11,6 +11,8 @@ import java.util.function.BooleanSupplier;
 import radiosity.certificate.Audit;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
+import radiosity.protocol.SavedScene;
+import radiosity.protocol.SceneBytes;
 import radiosity.protocol.Wire;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.Schedule;
@@ -46,6 +48,8 @@ public final class ProgressiveRadiosity {
     private Optional<Certificate> certificate = Optional.empty();
     private int certifiedRound = -1;
     private int certifiedShots;
+    /** What {@link #state} ends with; null until it is first wanted. */
+    private byte[] scene;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this(world, stop, StepSizer.STEP_SECONDS);
@@ -392,7 +396,44 @@ public final class ProgressiveRadiosity {
             pieces.add(Wire.bytes(out -> out.writeInt(block.length)));
             pieces.add(block);
         }
+        pieces.add(scene());
         return SavedState.of(pieces);
+    }
+
+    /** For whoever changes it later. */
+    private byte[] scene() {
+        if (scene == null) {
+            scene = SavedScene.write(SceneBytes.write(world.mesh.original, world.settings()));
+        }
+        return scene;
+    }
+
+    /**
+     * Goes on from the solution of an earlier scene, of which this one is an edited copy: light that no longer arrives
+     * is taken back, new light is sent, and nothing else is done again. The same bits for any number of threads and
+     * hosts. To be called before {@link #run} and before anything is asked for.
+     *
+     * @param earlier of the earlier {@link Solution}
+     * @return why the scene has to be rendered anew, in a few words; nothing where it goes on from the earlier solution
+     * @throws IllegalStateException where the calculation was run already, or was asked for anything
+     */
+    public Optional<String> change(SavedState earlier) throws IOException {
+        if (last.newest() != null) {
+            throw new IllegalStateException("change: expected a calculation that nobody has run or asked yet");
+        }
+        EditedScene edited = new EditedScene(world, earlier);
+        if (!earlier.isEmpty() && edited.isSame()) {
+            resume(earlier);
+            return Optional.empty();
+        }
+        Optional<String> obstacle = edited.obstacle();
+        if (obstacle.isPresent()) {
+            return obstacle;
+        }
+        prepare();
+        obstacle = edited.begin(counters, (Prediction) planner);
+        planner = obstacle.isPresent() ? null : planner;
+        return obstacle;
     }
 
     /**

@@ -34,6 +34,18 @@ final class SolveCounters {
         }
     }
 
+    /**
+     * Goes on counting after an earlier scene's calculation.
+     *
+     * @param surfaces flux that the elements have shot, one per channel, W
+     * @param lights   flux of sources without geometry that arrives, one per channel, W
+     */
+    void change(SolveCounters earlier, double[] surfaces, double[] lights) {
+        shots = earlier.shots;
+        rounds = earlier.rounds;
+        flux.change(surfaces, lights);
+    }
+
     /** The number of a round that begins now. */
     int nextRound() {
         return ++rounds;

@@ -383,6 +383,20 @@ final class TortureRun {
                 checks.sameBytes("done", expected, out.resolve(file));
             }
         }
+        if (command.runOptions.contains("--change") && !command.timed && !command.has("-dr")) {
+            unchanged();
+        }
+    }
+
+    /** A change that is none: the light is the same. */
+    private void unchanged() throws IOException, InterruptedException {
+        Path more = directory.resolve("unchanged.scene");
+        LightFile light = end("changing nothing", start(words(command.lightWithout(Set.of()), "--change", output,
+                scene.file(), more), java()), DONE) == null ? null : checks.whole("changing nothing", more);
+        if (light != null) {
+            checks.same("changing nothing", reference, light);
+            tally.count("option", "--change");
+        }
     }
 
     /** After --time: calculates by the options that it printed. False where there is nothing to compare. */

@@ -28,6 +28,11 @@ public final class FileOptions {
                     + " that the file was saved with, which is taken where n is not given.")
     public Resume resume;
 
+    @Option(names = "--change", paramLabel = "<old.scene>",
+            description = "Go on from the scene file of an earlier state of the scene: only light that the change of"
+                    + " objects, materials and lamps takes away or brings is calculated. With --schedule predict.")
+    public Path change;
+
     @Option(names = "--points", paramLabel = "<in.csv> <out.csv>", arity = "2", hideParamSyntax = true,
             parameterConsumer = PointsConsumer.class,
             description = "Write radiosity and irradiance at points: in.csv has x, y, z, nx, ny, nz per line.")
@@ -60,6 +65,9 @@ public final class FileOptions {
 
     /** Fails where the options of lightmap or grids do not fit. */
     void check() {
+        if (change != null && resume != null) {
+            throw Failure.commandLine("--change", "expected without -tf, got both");
+        }
         if (grids.isEmpty() != (spacing == null)) {
             throw spacing == null ? Failure.commandLine("--grid", "expected with --spacing, got it without")
                     : Failure.commandLine("--spacing", "expected with --grid, got it without");

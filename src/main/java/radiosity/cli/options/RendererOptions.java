@@ -130,6 +130,7 @@ public final class RendererOptions {
         others.put("-si", file.saveInterval != null);
         others.put("-sn", picture.snapshotInterval != null);
         others.put("-tf", file.resume != null);
+        others.put("--change", file.change != null);
         others.forEach((option, given) -> {
             if (given) {
                 throw Failure.commandLine(TimeLimit.OPTION, "expected without " + option + ", got both");

@@ -78,6 +78,9 @@ public final class OutputFiles {
         if (options.file.resume != null) {
             checks.input(options.file.resume.file()); // only the scene file may take its place
         }
+        if (options.file.change != null) {
+            checks.input(options.file.change); // only the scene file may take its place
+        }
         checks.reserve(Journal.of(options.output()), "the journal of " + options.output());
         if (options.picture.snapshotInterval != null) {
             checks.reserveSnapshots(options.output());

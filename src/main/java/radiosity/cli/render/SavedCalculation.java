@@ -6,6 +6,7 @@ import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import radiosity.cli.options.CalculationOptions;
 import radiosity.cli.options.Failure;
@@ -30,12 +31,17 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
     private static final MathContext DIGITS = new MathContext(9);
 
     public static SavedCalculation read(Path file) throws IOException {
+        return find(file).orElseThrow(() -> new SceneFormatException(file.toString(), "", "a calculation to go on from",
+                "none"));
+    }
+
+    /** The calculation of a scene file; nothing where it keeps none. */
+    public static Optional<SavedCalculation> find(Path file) throws IOException {
         try (SceneFile saved = SceneFile.open(file)) {
             Map<String, Object> extras = saved.extras();
-            if (!(extras.get("settings") instanceof Map<?, ?> settings) || !saved.hasState()) {
-                throw new SceneFormatException(file.toString(), "", "a calculation to go on from", "none");
-            }
-            return new SavedCalculation(file, (int) number(file, extras, "shots"), settings(file, settings));
+            return extras.get("settings") instanceof Map<?, ?> settings && saved.hasState()
+                    ? Optional.of(new SavedCalculation(file, (int) number(file, extras, "shots"),
+                            settings(file, settings))) : Optional.empty();
         }
     }
 

@@ -51,10 +51,23 @@ public final class QuadSplitter {
      * @return the same scene where there is nothing to cut
      */
     public static Scene cut(Scene scene, double patchArea) {
+        QuadSplitter strips = of(scene, patchArea);
+        return strips == null ? scene : strips.made();
+    }
+
+    /** 1 per triangle of the scene that {@link #cut} makes: the triangle that it is, or is a piece of. */
+    public static int[] origins(Scene scene, double patchArea) {
+        QuadSplitter strips = of(scene, patchArea);
+        return strips == null ? IntStream.range(0, scene.triangles()).toArray()
+                : Arrays.copyOf(strips.origin, strips.triangles);
+    }
+
+    /** Null where there is nothing to cut. */
+    private static QuadSplitter of(Scene scene, double patchArea) {
         QuadSplitter strips = new QuadSplitter(scene);
         int[] partner = strips.partners(patchArea);
         if (Arrays.stream(partner).allMatch(t -> t < 0)) {
-            return scene;
+            return null;
         }
         for (int t = 0; t < partner.length; t++) {
             if (partner[t] < 0) {
@@ -63,7 +76,7 @@ public final class QuadSplitter {
                 strips.cut(t, partner[t]);
             }
         }
-        return strips.made();
+        return strips;
     }
 
     /** 1 per triangle: that with which it makes a long quadrangle, or -1. */

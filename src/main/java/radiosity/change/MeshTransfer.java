@@ -1,0 +1,323 @@
+package radiosity.change;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.mesh.face.Subdivision;
+import radiosity.partition.GhostVertices;
+import radiosity.protocol.BlockState;
+import radiosity.scene.Vec3;
+import radiosity.setup.InitialMesh;
+import radiosity.util.Hash;
+
+/**
+ * The elements of an earlier scene's mesh and their light on the mesh of a later scene.
+ *
+ * <p>Faces with the same corners keep their elements as they are. Faces of unchanged triangles that are cut otherwise,
+ * as something stands on them elsewhere, are divided as finely, and take what was at the same places. Elements of what
+ * has come are those of the initial mesh, and dark.
+ */
+final class MeshTransfer {
+
+    /** Number of splits that the earlier mesh had in its initial mesh, or not at all. */
+    private static final int SPLIT = 1;
+    /** An element is divided where one of the earlier mesh in it is smaller by this. */
+    private static final double SMALLER = 1.5;
+    /** How far inside an element it is looked what was at its corner. */
+    private static final double INSIDE = 1e-3;
+
+    final RadiosityNodes made;
+    /** Vertices that have nothing of the earlier light. */
+    final BitSet fresh = new BitSet();
+    /** Vertices of faces that were cut otherwise. */
+    final BitSet moved = new BitSet();
+    /** Vertices that were inside a solid. */
+    final BitSet wasBuried = new BitSet();
+
+    private final RadiosityNodes old;
+    private final Faces before;
+    private final Faces now;
+    private final int channels;
+    /** 1 per face of the later scene: the face with the same corners, or -1. */
+    private final int[] same;
+    private final long[] groupsNow;
+    private final FaceLocator earlier;
+    private final FaceLocator later;
+    /** Faces of the earlier scene that are cut otherwise now. */
+    private final int[] recut;
+    private final long[] groupsBefore;
+    private final BitSet known = new BitSet();
+
+    /** @param old elements of the earlier scene, of all its blocks */
+    MeshTransfer(SceneChange change, RadiosityNodes old, InitialMesh mesh) {
+        this.old = old;
+        before = old.faces();
+        now = mesh.faces;
+        channels = now.channels();
+        made = new RadiosityNodes(mesh.patcher, mesh.blocks);
+        groupsNow = change.groupsNow();
+        groupsBefore = change.groupsBefore();
+        boolean[] gone = change.goneFaces();
+        same = same(gone);
+        boolean[] kept = new boolean[before.count()];
+        for (int f : same) {
+            if (f >= 0) {
+                kept[f] = true;
+            }
+        }
+        recut = IntStream.range(0, kept.length).filter(f -> !kept[f] && !gone[f]).toArray();
+        earlier = new FaceLocator(before, recut, groupsBefore);
+        int[] others = IntStream.range(0, same.length).filter(f -> same[f] < 0 && groupsNow[f] >= 0).toArray();
+        later = new FaceLocator(now, others, groupsNow);
+        shape();
+        for (int node = 0; node < made.nodes(); node++) {
+            if (made.isElement(node)) {
+                fill(node);
+            }
+        }
+        alignCopies();
+        fresh.set(0, made.vertices());
+        fresh.andNot(known);
+    }
+
+    /** Reads the elements of all blocks. */
+    static RadiosityNodes nodes(InitialMesh mesh, List<byte[]> blocks) {
+        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
+        for (int b = 0; b < blocks.size(); b++) {
+            BlockState.restore(nodes, nodes.tops(mesh.blocks.get(b)), blocks.get(b));
+        }
+        return nodes;
+    }
+
+    private int[] same(boolean[] gone) {
+        Map<Long, List<Integer>> places = new HashMap<>();
+        for (int f = 0; f < gone.length; f++) {
+            if (!gone[f]) {
+                places.computeIfAbsent(place(before, f), p -> new ArrayList<>()).add(f);
+            }
+        }
+        int[] found = new int[now.count()];
+        for (int f = 0; f < found.length; f++) {
+            List<Integer> here = groupsNow[f] < 0 ? null : places.get(place(now, f));
+            int at = here == null ? -1 : sameGroup(here, groupsNow[f]);
+            found[f] = at < 0 ? -1 : here.remove(at);
+        }
+        return found;
+    }
+
+    private int sameGroup(List<Integer> faces, long group) {
+        for (int i = 0; i < faces.size(); i++) {
+            if (groupsBefore[faces.get(i)] == group) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private static long place(Faces faces, int f) {
+        long key = faces.side(f) & 1;
+        for (int i = 0; i < 9; i++) {
+            key = Hash.mix(key, Float.floatToRawIntBits(faces.corner(f, i / 3, i % 3)));
+        }
+        return key;
+    }
+
+    /*---- How elements are divided ----*/
+
+    private void shape() {
+        made.beginSplits(old.elements() / 3);
+        for (int top : made.tops()) {
+            if (same[made.face(top)] >= 0) {
+                shape(top, same[made.face(top)]);
+            }
+        }
+        boolean[] wanted = new boolean[before.count()];
+        for (int f : recut) {
+            wanted[f] = true;
+        }
+        for (int node = 0; node < old.nodes(); node++) {
+            if (old.isElement(node) && wanted[old.face(node)]) {
+                divideAround(node);
+            }
+        }
+    }
+
+    /** Divides a node as the one of the same name was. */
+    private void shape(int node, int face) {
+        long path = made.path(node);
+        int twin = old.find(face, path);
+        if (twin >= 0 ? old.isElement(twin) : !isAboveTops(face, path)) {
+            return;
+        }
+        int first = made.isElement(node)
+                ? made.split(node, twin < 0 ? SPLIT : Math.max(SPLIT, old.dividedWith(twin))) : made.child(node);
+        for (int k = 0; k < 4; k++) {
+            shape(first + k, face);
+        }
+    }
+
+    /** Whether nodes of a face begin below this place. */
+    private boolean isAboveTops(int face, long path) {
+        for (long p = path; p >= NodePath.FACE; p >>= 2) {
+            if (old.find(face, p) >= 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Divides the element in which the middle of an earlier one lies until it is about as small. */
+    private void divideAround(int element) {
+        Vec3[] corner = corners(old, element);
+        Vec3 middle = corner[0].plus(corner[1]).plus(corner[2]).times(1.0 / 3);
+        int f = old.face(element);
+        FaceLocator.Place place = later.find(middle, before.exactNormal(f), groupsBefore[f]);
+        if (place == null) {
+            return;
+        }
+        long path = NodePath.FACE;
+        double[] weights = place.weights();
+        while (NodePath.level(path) < NodePath.MAX_LEVEL) {
+            int node = made.find(place.face(), path);
+            if (node >= 0 && made.isElement(node)) {
+                if (made.area(node) <= SMALLER * old.area(element)) {
+                    return;
+                }
+                made.split(node, SPLIT);
+            }
+            path = NodePath.child(path, FaceLocator.descend(weights));
+        }
+    }
+
+    private static Vec3[] corners(RadiosityNodes nodes, int node) {
+        double[] at = new double[9];
+        Vec3[] corner = new Vec3[3];
+        for (int k = 0; k < 3; k++) {
+            nodes.position(node, k, at, 3 * k);
+            corner[k] = new Vec3(at[3 * k], at[3 * k + 1], at[3 * k + 2]);
+        }
+        return corner;
+    }
+
+    /*---- Their light ----*/
+
+    private void fill(int element) {
+        int face = made.face(element);
+        if (same[face] >= 0) {
+            copy(element, same[face]);
+        } else if (groupsNow[face] >= 0) {
+            interpolate(element);
+        }
+    }
+
+    /** Takes what the element of the same name had, or the larger one that it is a part of. */
+    private void copy(int element, int face) {
+        long path = made.path(element);
+        long at = path;
+        int twin = old.find(face, at);
+        while (twin < 0 && at > NodePath.FACE) {
+            at >>= 2;
+            twin = old.find(face, at);
+        }
+        if (twin < 0 || !old.isElement(twin)) {
+            return;
+        }
+        double[] shot = new double[3 * channels];
+        double[] arrived = new double[3 * channels];
+        old.light().shot(twin, shot, 0);
+        for (int i = 0; i < arrived.length; i++) {
+            arrived[i] = old.light().irradiance(twin, i / channels, i % channels);
+        }
+        for (int level = NodePath.level(at) + 1; level <= NodePath.level(path); level++) {
+            shot = Subdivision.values(shot, channels, NodePath.step(path, level));
+            arrived = Subdivision.values(arrived, channels, NodePath.step(path, level));
+        }
+        for (int k = 0; k < 3; k++) {
+            put(element, k, shot, arrived);
+        }
+        for (int k = 0; k < 3 && at == path; k++) {
+            if (old.isBuried(old.corner(twin, k))) {
+                wasBuried.set(made.corner(element, k));
+            }
+        }
+    }
+
+    /** @param arrived at the element's corners; where several share a vertex, the first says what that is */
+    private void put(int element, int k, double[] shot, double[] arrived) {
+        double[] irradiance = made.light().irradiance();
+        int v = made.corner(element, k);
+        for (int c = 0; c < channels; c++) {
+            made.light().setShot(element, k, c, shot[channels * k + c]);
+            if (!known.get(v)) {
+                irradiance[channels * v + c] = made.isPoint(element)
+                        ? (arrived[c] + arrived[channels + c] + arrived[2 * channels + c]) / 3
+                        : arrived[channels * k + c];
+            }
+        }
+        known.set(v);
+    }
+
+    /** Copies of a vertex that hosts may have gathered by one of them have the same light: that of the first known. */
+    private void alignCopies() {
+        Map<Long, Integer> first = new HashMap<>();
+        known.stream().forEach(v -> first.putIfAbsent(GhostVertices.key(made, v), v));
+        double[] irradiance = made.light().irradiance();
+        for (int v = 0; v < made.vertices(); v++) {
+            Integer from = first.get(GhostVertices.key(made, v));
+            if (from != null && from != v) {
+                System.arraycopy(irradiance, channels * from, irradiance, channels * v, channels);
+                known.set(v);
+                wasBuried.set(v, wasBuried.get(from));
+            }
+        }
+    }
+
+    /** Takes what was where its corners are. */
+    private void interpolate(int element) {
+        int face = made.face(element);
+        Vec3[] corner = corners(made, element);
+        Vec3 middle = corner[0].plus(corner[1]).plus(corner[2]).times(1.0 / 3);
+        double[] shot = new double[3 * channels];
+        double[] arrived = new double[3 * channels];
+        boolean[] isFound = new boolean[3];
+        for (int k = 0; k < 3; k++) {
+            moved.set(made.corner(element, k));
+            Vec3 p = corner[k].plus(middle.minus(corner[k]).times(INSIDE));
+            isFound[k] = look(p, now.exactNormal(face), groupsNow[face], shot, arrived, channels * k);
+        }
+        for (int k = 0; k < 3; k++) {
+            if (isFound[k]) {
+                put(element, k, shot, arrived);
+            }
+        }
+    }
+
+    private boolean look(Vec3 p, Vec3 normal, long group, double[] shot, double[] arrived, int to) {
+        FaceLocator.Place place = earlier.find(p, normal, group);
+        if (place == null) {
+            return false;
+        }
+        long path = NodePath.FACE;
+        double[] weights = place.weights();
+        int node = old.find(place.face(), path);
+        while ((node < 0 || !old.isElement(node)) && NodePath.level(path) < NodePath.MAX_LEVEL) {
+            path = NodePath.child(path, FaceLocator.descend(weights));
+            node = old.find(place.face(), path);
+        }
+        boolean isSeen = false;
+        for (int k = 0; k < 3 && node >= 0; k++) {
+            isSeen |= !old.isBuried(old.corner(node, k));
+            for (int c = 0; c < channels; c++) {
+                shot[to + c] += weights[k] * old.light().shot(node, k, c);
+                arrived[to + c] += weights[k] * old.light().irradiance(node, k, c);
+            }
+        }
+        return isSeen;
+    }
+}

@@ -1,0 +1,221 @@
+package radiosity.change;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.IntPredicate;
+import radiosity.mesh.face.Faces;
+import radiosity.protocol.SceneBytes;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.setup.InitialMesh;
+import radiosity.util.Aabb;
+import radiosity.util.Hash;
+
+/**
+ * Which triangles of a scene are gone in a later one, and which have come: those whose corners are not the same points.
+ *
+ * <p>Where a surface of an object has long quadrangles that are cut, all of it counts as gone and come if some of it
+ * does, as pieces may lie on two triangles.
+ */
+public final class SceneChange {
+
+    /** Objects whose bounds are kept apart; of more, one box is around all. */
+    private static final int MOST_BOXES = 32;
+
+    private final InitialMesh before;
+    private final InitialMesh now;
+    /** 1 per original triangle of the later scene: the same one of the earlier scene, or -1. */
+    private final int[] twin;
+    /** 1 per original triangle of the earlier scene. */
+    private final boolean[] gone;
+
+    public SceneChange(InitialMesh before, InitialMesh now) {
+        this.before = before;
+        this.now = now;
+        twin = twins(before.original, now.original);
+        gone = new boolean[before.original.triangles()];
+        mark();
+        Set<Long> tornBefore = torn(before, t -> gone[t]);
+        Set<Long> tornNow = torn(now, t -> twin[t] < 0);
+        for (int t = 0; t < twin.length; t++) {
+            if (twin[t] >= 0 && (tornNow.contains(group(now.original, t))
+                    || tornBefore.contains(group(before.original, twin[t])))) {
+                twin[t] = -1;
+            }
+        }
+        mark();
+    }
+
+    private void mark() {
+        Arrays.fill(gone, true);
+        for (int t : twin) {
+            if (t >= 0) {
+                gone[t] = false;
+            }
+        }
+    }
+
+    private static int[] twins(Scene before, Scene now) {
+        Map<Long, Deque<Integer>> places = new HashMap<>();
+        for (int t = 0; t < before.triangles(); t++) {
+            places.computeIfAbsent(place(before, t), p -> new ArrayDeque<>()).add(t);
+        }
+        int[] twin = new int[now.triangles()];
+        for (int t = 0; t < twin.length; t++) {
+            Deque<Integer> same = places.get(place(now, t));
+            twin[t] = same == null || same.isEmpty() ? -1 : same.remove();
+        }
+        return twin;
+    }
+
+    private static long place(Scene scene, int t) {
+        long key = scene.surface(t).twoSided() ? 1 : 2;
+        for (int k = 0; k < 3; k++) {
+            Vec3 p = scene.corner(t, k);
+            for (int a = 0; a < 3; a++) {
+                key = Hash.mix(key, Double.doubleToLongBits(p.coordinate(a)));
+            }
+        }
+        return key;
+    }
+
+    /** Object and surface of a triangle. */
+    private static long group(Scene scene, int t) {
+        return (long) scene.hierarchy().of(t) << 32 | scene.surfaceOf()[t];
+    }
+
+    /** Of which quadrangles are cut, and some triangles changed. */
+    private static Set<Long> torn(InitialMesh mesh, IntPredicate isChanged) {
+        Set<Long> cut = new HashSet<>();
+        int[] origin = mesh.origins();
+        int[] pieces = new int[mesh.original.triangles()];
+        for (int t : origin) {
+            pieces[t]++;
+        }
+        for (int t = 0; t < pieces.length; t++) {
+            if (pieces[t] != 1) {
+                cut.add(group(mesh.original, t));
+            }
+        }
+        Set<Long> torn = new HashSet<>();
+        for (int t = 0; t < pieces.length; t++) {
+            if (isChanged.test(t) && cut.contains(group(mesh.original, t))) {
+                torn.add(group(mesh.original, t));
+            }
+        }
+        return torn;
+    }
+
+    /** Whether anything stands elsewhere than before. */
+    public boolean isOfGeometry() {
+        return gone() + come() > 0;
+    }
+
+    /** Number of original triangles that are gone. */
+    public int gone() {
+        int count = 0;
+        for (boolean is : gone) {
+            count += is ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Number of original triangles that have come. */
+    public int come() {
+        return (int) Arrays.stream(twin).filter(t -> t < 0).count();
+    }
+
+    /** Whether sources without geometry differ. */
+    public boolean isOfLights() {
+        return !Arrays.equals(lights(before), lights(now));
+    }
+
+    /** Without their names. */
+    private static byte[] lights(InitialMesh mesh) {
+        return SceneBytes.write(new Scene("", new double[0], new int[0], new int[0], List.of(),
+                mesh.original.lights(), Optional.empty()), mesh.settings);
+    }
+
+    /** 1 per face of the earlier scene. */
+    boolean[] goneFaces() {
+        int[] origin = before.origins();
+        boolean[] faces = new boolean[before.faces.count()];
+        for (int f = 0; f < faces.length; f++) {
+            faces[f] = gone[origin[before.faces.triangle(f)]];
+        }
+        return faces;
+    }
+
+    /** 1 per face of the later scene: group of the same surface in the earlier scene, or -1 where the face has come. */
+    long[] groupsNow() {
+        int[] origin = now.origins();
+        long[] groups = new long[now.faces.count()];
+        for (int f = 0; f < groups.length; f++) {
+            int t = twin[origin[now.faces.triangle(f)]];
+            groups[f] = t < 0 ? -1 : group(before.original, t) & Long.MAX_VALUE;
+        }
+        return groups;
+    }
+
+    /** 1 per face of the earlier scene: its object and surface, at least 0. */
+    long[] groupsBefore() {
+        int[] origin = before.origins();
+        long[] groups = new long[before.faces.count()];
+        for (int f = 0; f < groups.length; f++) {
+            groups[f] = group(before.original, origin[before.faces.triangle(f)]) & Long.MAX_VALUE;
+        }
+        return groups;
+    }
+
+    /** Corners of triangles that are gone, of the scene brought to size 1, 9 per triangle. */
+    float[] goneCorners() {
+        return corners(before.original, t -> gone[t]);
+    }
+
+    /** Corners of triangles that have come, likewise. */
+    float[] comeCorners() {
+        return corners(now.original, t -> twin[t] < 0);
+    }
+
+    private float[] corners(Scene scene, IntPredicate wanted) {
+        List<Vec3> found = new ArrayList<>();
+        Faces faces = now.faces;
+        for (int t = 0; t < scene.triangles(); t++) {
+            for (int k = 0; k < 3 && wanted.test(t); k++) {
+                found.add(faces.unit(scene.corner(t, k)));
+            }
+        }
+        float[] corners = new float[3 * found.size()];
+        for (int i = 0; i < found.size(); i++) {
+            found.get(i).write(corners, 3 * i);
+        }
+        return corners;
+    }
+
+    /** Boxes around what is gone and what has come, object by object, of the scene brought to size 1. */
+    List<Aabb> boxes() {
+        List<Aabb> boxes = new ArrayList<>(boxes(before.original, t -> gone[t]).values());
+        boxes.addAll(boxes(now.original, t -> twin[t] < 0).values());
+        return boxes.size() <= MOST_BOXES ? boxes : List.of(boxes.stream().reduce(Aabb::with).orElseThrow());
+    }
+
+    private Map<Integer, Aabb> boxes(Scene scene, IntPredicate wanted) {
+        Map<Integer, Aabb> boxes = new TreeMap<>();
+        for (int t = 0; t < scene.triangles(); t++) {
+            for (int k = 0; k < 3 && wanted.test(t); k++) {
+                Vec3 p = now.faces.unit(scene.corner(t, k));
+                boxes.merge(scene.hierarchy().of(t), new Aabb(p, p), Aabb::with);
+            }
+        }
+        return boxes;
+    }
+}

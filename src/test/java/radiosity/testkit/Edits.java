@@ -1,0 +1,100 @@
+package radiosity.testkit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import radiosity.scene.Hierarchy;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+
+/** What a user does to a scene between two renders. */
+public final class Edits {
+
+    private Edits() { }
+
+    /** Triangles of objects whose names begin so, and of what belongs to them. */
+    public static IntPredicate object(Scene scene, String name) {
+        Hierarchy hierarchy = scene.hierarchy();
+        return t -> {
+            for (int n = hierarchy.of(t); n >= 0; n = hierarchy.nodes().get(n).parent()) {
+                if (hierarchy.nodes().get(n).name().startsWith(name)) {
+                    return true;
+                }
+            }
+            return false;
+        };
+    }
+
+    /** Triangles of a surface. */
+    public static IntPredicate surface(Scene scene, String name) {
+        return t -> scene.surface(t).name().equals(name);
+    }
+
+    public static Scene moved(Scene scene, IntPredicate which, Vec3 by) {
+        double[] points = Arrays.copyOf(scene.points(), 2 * scene.points().length);
+        int count = scene.points().length / 3;
+        for (int p = 0; p < count; p++) {
+            for (int a = 0; a < 3; a++) {
+                points[3 * (count + p) + a] = points[3 * p + a] + by.coordinate(a);
+            }
+        }
+        int[] corners = scene.corners().clone();
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] += which.test(i / 3) ? count : 0;
+        }
+        return new Scene(scene.name(), points, corners, scene.surfaceOf(), scene.surfaces(), scene.lights(),
+                scene.camera(), scene.textureCoordinates(), scene.vertexColours(), scene.hierarchy(), scene.units());
+    }
+
+    /** Of scenes without texture coordinates and colours at vertices. */
+    public static Scene without(Scene scene, IntPredicate which) {
+        int[] kept = IntStream.range(0, scene.triangles()).filter(which.negate()).toArray();
+        int[] corners = IntStream.of(kept).flatMap(t -> Arrays.stream(scene.corners(), 3 * t, 3 * t + 3)).toArray();
+        int[] surfaceOf = IntStream.of(kept).map(t -> scene.surfaceOf()[t]).toArray();
+        Hierarchy before = scene.hierarchy();
+        Hierarchy hierarchy = before.nodes().isEmpty() ? before
+                : new Hierarchy(before.nodes(), IntStream.of(kept).map(before::of).toArray());
+        return new Scene(scene.name(), scene.points(), corners, surfaceOf, scene.surfaces(), scene.lights(),
+                scene.camera(), new float[0], new float[0], hierarchy, scene.units());
+    }
+
+    public static Scene with(Scene scene, String surface, UnaryOperator<Surface> other) {
+        List<Surface> surfaces = new ArrayList<>();
+        for (Surface s : scene.surfaces()) {
+            surfaces.add(s.name().equals(surface) ? other.apply(s) : s);
+        }
+        return scene.with(surfaces, scene.lights());
+    }
+
+    /** Points spread evenly over all visible sides of what does not emit: x, y, z, nx, ny, nz each. */
+    public static double[] places(Scene scene, int count) {
+        double[] upTo = new double[scene.triangles()];
+        double sum = 0;
+        for (int t = 0; t < upTo.length; t++) {
+            sum += scene.surface(t).emits() ? 0 : scene.area(t) * (scene.surface(t).twoSided() ? 2 : 1);
+            upTo[t] = sum;
+        }
+        double[] places = new double[6 * count];
+        for (int i = 0; i < count; i++) {
+            double at = (i + 0.5) / count * sum;
+            int t = Arrays.binarySearch(upTo, at);
+            t = Math.min(upTo.length - 1, t < 0 ? -1 - t : t);
+            double u = (0.5 + 0.7548776662466927 * i) % 1;
+            double v = (0.5 + 0.5698402909980532 * i) % 1;
+            double r = Math.sqrt(u);
+            Vec3 a = scene.corner(t, 0);
+            Vec3 p = a.plus(scene.corner(t, 1).minus(a).times(r * (1 - v)))
+                    .plus(scene.corner(t, 2).minus(a).times(r * v));
+            Vec3 n = scene.cross(t).unit().times(scene.surface(t).twoSided() && i % 2 == 1 ? -1 : 1);
+            for (int k = 0; k < 3; k++) {
+                places[6 * i + k] = p.coordinate(k);
+                places[6 * i + 3 + k] = n.coordinate(k);
+            }
+        }
+        return places;
+    }
+}
