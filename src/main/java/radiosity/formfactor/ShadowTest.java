@@ -17,9 +17,9 @@ class ShadowTest {
     }
 
     /**
-     * 1 where nothing stands between a receiving point and a sample point, else 0. Both ends are lifted off their surfaces a
-     * little, but by no more than half of what they see of each other's side: a ray that runs almost in a surface
-     * would be stopped by that surface itself.
+     * 1 where nothing stands between a receiving point and a sample point, else 0. Both ends are lifted off their
+     * surfaces a little, but by no more than half of what they see of each other's side: a ray that runs almost in a
+     * surface would be stopped by that surface itself.
      */
     final int sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
                    float sx, float sy, float sz) {
