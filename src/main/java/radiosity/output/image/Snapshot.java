@@ -17,7 +17,6 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
-import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -67,7 +66,8 @@ public final class Snapshot {
     private Snapshot(Solution open, Vec3 eye, int gathered) {
         solution = TJunctions.close(open);
         this.gathered = gathered;
-        rays = gathered > 0 || EyeRays.shines(open) ? new EyeRays(solution, gathered) : null;
+        int perRay = (gathered + SAMPLES * SAMPLES - 1) / (SAMPLES * SAMPLES);
+        rays = gathered > 0 || EyeRays.shines(open) ? new EyeRays(solution, perRay) : null;
         this.eye = eye;
         Aabb box = Aabb.of(solution.positions());
         centre = box.centre();
@@ -191,7 +191,7 @@ public final class Snapshot {
             double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
             directions[s] = camera.direction(x, y);
         }
-        Rgb[] seen = rays == null ? null : seen(directions, Hash.mix(row, column));
+        Rgb[] seen = rays == null ? null : seen(directions, EyeRays.number(column, row) * directions.length);
         double r = 0;
         double g = 0;
         double b = 0;
@@ -234,9 +234,9 @@ public final class Snapshot {
     /**
      * What the rays of a pixel meet, where they may go on; light is gathered once for those that meet one triangle.
      *
-     * @param pixel its number
+     * @param first number of the first of them
      */
-    private Rgb[] seen(Vec3[] directions, long pixel) {
+    private Rgb[] seen(Vec3[] directions, long first) {
         int[] element = new int[directions.length];
         float[][] hit = new float[directions.length][3];
         for (int s = 0; s < directions.length; s++) {
@@ -246,26 +246,25 @@ public final class Snapshot {
         for (int s = 0; s < directions.length; s++) {
             if (seen[s] == null && element[s] >= 0 && gathered > 0
                     && solution.surface(element[s]).specular().isEmpty()) {
-                gather(element, hit, s, pixel, seen);
+                gather(element, hit, s, first, seen);
             } else if (seen[s] == null) {
                 seen[s] = element[s] < 0 ? Rgb.BLACK
-                        : rays.seen(element[s], eye, directions[s], pixel, s, directions.length);
+                        : rays.seen(element[s], eye, directions[s], first + s);
             }
         }
         return seen;
     }
 
     /** Gathers light for all rays that meet the same side of the same triangle as one of them. */
-    private void gather(int[] element, float[][] hit, int first, long pixel, Rgb[] seen) {
-        int face = solution.faceOf()[element[first]];
-        int[] same = IntStream.range(first, element.length)
+    private void gather(int[] element, float[][] hit, int ray, long first, Rgb[] seen) {
+        int face = solution.faceOf()[element[ray]];
+        int[] same = IntStream.range(ray, element.length)
                 .filter(s -> element[s] >= 0 && solution.faceOf()[element[s]] == face).toArray();
         Vec3 sum = Vec3.ZERO;
         for (int s : same) {
             sum = sum.plus(Elements.point(solution, element[s], hit[s][1], hit[s][2]));
         }
-        Rgb irradiance = rays.irradiance(element[first], sum.times(1.0 / same.length),
-                (double) same.length / element.length, Hash.mix(pixel, first));
+        Rgb irradiance = rays.irradiance(element[ray], sum.times(1.0 / same.length), first + ray, same.length);
         for (int s : same) {
             seen[s] = solution.scene().look(face >> 1, Elements.point(solution, element[s], hit[s][1], hit[s][2]))
                     .radiosity(irradiance);

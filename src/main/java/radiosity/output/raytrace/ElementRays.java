@@ -85,21 +85,26 @@ final class ElementRays {
         return new Hit(element, a.plus(ab.times(v)).plus(ac.times(w)), v, w, isWithin);
     }
 
+    /** What a ray may meet instead of a visible side. */
+    static final int NOTHING = -1;
+    static final int BACK = -2;
+
     /**
-     * What the first surface along a ray reflects diffusely, W/m²: of a back nothing; null where there is none.
+     * The first element along a ray whose visible side it meets, {@link #BACK} where it meets a back before, or
+     * {@link #NOTHING}.
      *
      * @param from off the surfaces
+     * @param hit  modified: distance, weights of corners 1 and 2
      */
-    Rgb reflected(Vec3 from, Vec3 direction) {
-        float[] hit = new float[3];
+    int element(Vec3 from, Vec3 direction, float[] hit) {
         int found = bounds.nearestFront(from.minus(centre).times(scale), direction, FAR, true, hit);
-        if (found < 0) {
-            return null;
-        }
-        if (found >= within || Elements.cross(solution, found).dot(direction) >= 0) {
-            return Rgb.BLACK;
-        }
-        return irradiance(found, hit[1], hit[2]).times(reflectance(found, hit[1], hit[2]));
+        return found < 0 ? NOTHING
+                : found >= within || Elements.cross(solution, found).dot(direction) >= 0 ? BACK : found;
+    }
+
+    /** What an element reflects diffusely at a place, W/m². */
+    Rgb reflected(int element, double v, double w) {
+        return irradiance(element, v, w).times(reflectance(element, v, w));
     }
 
     private Rgb reflectance(int element, double v, double w) {

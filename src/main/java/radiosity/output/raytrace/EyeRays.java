@@ -34,7 +34,7 @@ public final class EyeRays {
 
     /**
      * @param solution with T-junctions closed
-     * @param gathered rays by which the light at a place that is seen is gathered; 0: between the mesh's vertices
+     * @param gathered rays by which the light at the end of a ray is gathered; 0: between the mesh's vertices
      */
     public EyeRays(Solution solution, int gathered) {
         this.solution = solution;
@@ -53,23 +53,32 @@ public final class EyeRays {
      *
      * @param eye       where the ray begins, scene units
      * @param direction unit direction of the ray from the eye
-     * @param pixel     number of the pixel
-     * @param sample    number of the ray among those of the pixel
-     * @param samples   rays of the pixel
+     * @param ray       its number in the picture
      */
-    public Rgb seen(int element, Vec3 eye, Vec3 direction, long pixel, int sample, int samples) {
-        int end = (gathered + samples - 1) / samples;
-        return along(rays.exact(element, false, eye, direction), direction, 1, 0, new Way(pixel, sample, end, false));
+    public Rgb seen(int element, Vec3 eye, Vec3 direction, long ray) {
+        return along(rays.exact(element, false, eye, direction), direction, 1, 0, new Way(0, ray, gathered, false));
     }
 
     /**
      * The light that arrives at a place on an element, gathered anew, W/m².
      *
-     * @param share of the rays that are asked for, in (0, 1]
-     * @param seed  of the choice of rays
+     * @param first number of the first of the rays to the place
+     * @param count number of these rays
      */
-    public Rgb irradiance(int element, Vec3 point, double share, long seed) {
-        return gather.irradiance(point, Elements.normal(solution, element), (int) Math.ceil(share * gathered), seed);
+    public Rgb irradiance(int element, Vec3 point, long first, int count) {
+        return gather.irradiance(point, Elements.normal(solution, element), first * gathered, count * gathered);
+    }
+
+    /**
+     * The number of a pixel along a curve through all of them (G. Morton, 1966): those near each other have numbers
+     * near each other, so that their rays, numbered by pixels, are spread evenly, and what noise they have is fine.
+     */
+    public static long number(int column, int row) {
+        long number = 0;
+        for (int bit = 0; bit < Integer.SIZE - 1; bit++) {
+            number |= (column >>> bit & 1L) << 2 * bit | (row >>> bit & 1L) << 2 * bit + 1;
+        }
+        return number;
     }
 
     /**
@@ -80,20 +89,15 @@ public final class EyeRays {
      * @param end     rays to gather with where it ends
      * @param blurred whether a rough surface was on its way
      */
-    private record Way(long seed, int number, int end, boolean blurred) {
-
-        /** Beyond a surface, or back from it. */
-        Way on(int side) {
-            return new Way(Hash.mix(seed, side), number, end, blurred);
-        }
+    private record Way(long seed, long number, int end, boolean blurred) {
 
         /** By one of the normals of a rough surface. */
-        Way blurred(int k) {
-            return new Way(Hash.mix(seed, 2 + k), 0, 0, true);
+        Way blurred(long k) {
+            return new Way(Hash.mix(seed, k), 0, 0, true);
         }
 
         /** Two numbers from 0 to 1. */
-        double[] choice(int k) {
+        double[] choice(long k) {
             return new double[] {(PointSequence.u(k) + (seed >>> 40) * 0x1p-24) % 1,
                 (PointSequence.v(k) + (seed >>> 16 & 0xFFFFFF) * 0x1p-24) % 1};
         }
@@ -122,7 +126,7 @@ public final class EyeRays {
             return look.exitance();
         }
         Rgb h = way.end == 0 ? rays.irradiance(hit.element(), hit.v(), hit.w())
-                : gather.irradiance(hit.point(), normal, way.end, Hash.mix(way.seed, way.number));
+                : gather.irradiance(hit.point(), normal, way.number * way.end, way.end);
         return look.radiosity(h.times(share));
     }
 
@@ -148,7 +152,7 @@ public final class EyeRays {
         int count = way.blurred ? 1 : BLURRED;
         Rgb sum = Rgb.BLACK;
         for (int i = 0; i < count; i++) {
-            int k = way.number * BLURRED + i + 1;
+            long k = way.number * BLURRED + i + 1;
             double[] choice = way.choice(k);
             sum = sum.plus(divided(place, direction, facets.normal(choice[0], choice[1]), facets, way.blurred(k)));
         }
@@ -188,7 +192,7 @@ public final class EyeRays {
             return Rgb.BLACK;
         }
         Hit next = rays.first(place.hit.point(), place.normal.times(side), direction);
-        Rgb brought = along(next, direction, weight, place.depth + 1, way.on(side));
+        Rgb brought = along(next, direction, weight, place.depth + 1, way);
         return share.times(brought).times(facets == null ? 1 : facets.free(direction));
     }
 }

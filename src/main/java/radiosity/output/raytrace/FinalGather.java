@@ -1,7 +1,10 @@
 package radiosity.output.raytrace;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import radiosity.formfactor.LightSources;
 import radiosity.formfactor.PointSequence;
 import radiosity.mesh.face.Faces;
@@ -9,17 +12,24 @@ import radiosity.output.mesh.Elements;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * The light that arrives at a point, found anew: what surfaces emit by rays to them, what they reflect by rays all
- * round that find the solution at their ends (M. Reichert, A two-pass radiosity method driven by lights and viewer
- * position, 1992), and that of lights without geometry.
+ * The light that arrives at a point, found anew: from what is bright by rays to it, from all else by rays all round,
+ * which find the solution at their ends (M. Reichert, A two-pass radiosity method driven by lights and viewer position,
+ * 1992), and that of lights without geometry.
+ *
+ * <p>Bright is what emits, and what reflects much more than the mean, such as the inside of a lampshade: of rays all
+ * round too few would meet it.
  */
 final class FinalGather {
 
-    /** Pieces of what emits: large surfaces are divided until there are at least so many, by area. */
+    /** Pieces of what is bright: large surfaces are divided until there are at least so many, by area. */
     private static final int PIECES = 256;
+    /** What reflects so many times the mean counts as bright, but no more sides than these. */
+    private static final double BRIGHT = 3;
+    private static final int MOST_BRIGHT = 2048;
     /** How far from its surface a ray begins or ends, of the scene's size. */
     private static final double LIFT = 1e-5;
     /** Least part of what a piece might send at best with which it is chosen, as it may be in view only in part. */
@@ -32,6 +42,8 @@ final class FinalGather {
     private final LightSources lights;
     private final boolean hasSky;
     private final List<Piece> pieces = new ArrayList<>();
+    /** 1 per side of a triangle: whether its reflected light is that of pieces. */
+    private final boolean[] isBright;
 
     FinalGather(ElementRays rays) {
         this.rays = rays;
@@ -40,20 +52,47 @@ final class FinalGather {
         bounds = new RadiosityBounds(faces.occluders());
         lights = new LightSources(faces, bounds);
         hasSky = scene.lights().stream().anyMatch(light -> light.kind().isSky());
-        double area = 0;
-        for (int t = 0; t < scene.triangles(); t++) {
-            area += scene.surface(t).emits() ? scene.area(t) : 0;
-        }
-        for (int t = 0; t < scene.triangles(); t++) {
-            for (int side = 0; side < 2 && scene.surface(t).emits() && scene.area(t) > 0; side++) {
-                if (side == 0 || scene.surface(t).twoSided()) {
-                    int face = 2 * t + side;
-                    divide(new Piece(face, Elements.corner(scene, face, 0), Elements.corner(scene, face, 1),
-                            Elements.corner(scene, face, 2), scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1),
-                                    scene.corner(t, 2)).exitance()), area / PIECES);
-                }
+        isBright = new boolean[2 * scene.triangles()];
+        List<Piece> whole = bright();
+        for (int face = 0; face < isBright.length; face++) {
+            int t = face >> 1;
+            if (scene.surface(t).emits() && ((face & 1) == 0 || scene.surface(t).twoSided())) {
+                whole.add(piece(face, false, scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1),
+                        scene.corner(t, 2)).exitance()));
             }
         }
+        double area = whole.stream().mapToDouble(piece -> piece.cross.length() / 2).sum();
+        whole.stream().filter(piece -> piece.cross.length() > 0).forEach(piece -> divide(piece, area / PIECES));
+    }
+
+    /** The sides of triangles that reflect much more than the mean. */
+    private List<Piece> bright() {
+        Solution solution = rays.solution();
+        double[] area = new double[isBright.length];
+        Rgb[] flux = new Rgb[isBright.length];
+        Arrays.fill(flux, Rgb.BLACK);
+        double sum = 0;
+        for (int e = 0; e < solution.elements(); e++) {
+            int face = solution.faceOf()[e];
+            double a = Elements.cross(solution, e).length() / 2;
+            area[face] += a;
+            flux[face] = flux[face].plus(rays.reflected(e, 1.0 / 3, 1.0 / 3).times(a));
+            sum += rays.reflected(e, 1.0 / 3, 1.0 / 3).max() * a;
+        }
+        double least = BRIGHT * sum / Arrays.stream(area).sum();
+        List<Piece> bright = new ArrayList<>();
+        IntStream.range(0, area.length).filter(f -> flux[f].max() > least * area[f])
+                .boxed().sorted(Comparator.comparingDouble(f -> -flux[f].max() / area[f])).limit(MOST_BRIGHT)
+                .forEach(face -> {
+                    isBright[face] = true;
+                    bright.add(piece(face, true, flux[face].times(1 / area[face])));
+                });
+        return bright;
+    }
+
+    private Piece piece(int face, boolean isReflected, Rgb radiosity) {
+        return new Piece(face, isReflected, Elements.corner(scene, face, 0), Elements.corner(scene, face, 1),
+                Elements.corner(scene, face, 2), radiosity);
     }
 
     private void divide(Piece piece, double most) {
@@ -65,21 +104,23 @@ final class FinalGather {
         Vec3 bc = piece.b.plus(piece.c).times(0.5);
         Vec3 ca = piece.c.plus(piece.a).times(0.5);
         for (Vec3[] part : new Vec3[][] {{piece.a, ab, ca}, {ab, piece.b, bc}, {bc, ca, ab}, {ca, bc, piece.c}}) {
-            divide(new Piece(piece.face, part[0], part[1], part[2], piece.exitance), most);
+            divide(new Piece(piece.face, piece.isReflected, part[0], part[1], part[2], piece.radiosity), most);
         }
     }
 
     /**
-     * A part of a triangle that emits.
+     * A part of a triangle that is bright.
      *
-     * @param a        its corners, counter-clockwise seen from the side that emits, scene units
-     * @param exitance W/m²
-     * @param cross    at right angles to it, twice as long as its area is large
+     * @param face      2 * triangle, + 1 for its back
+     * @param isReflected whether this is what it reflects, or what it emits
+     * @param a         its corners, counter-clockwise seen from the side that is bright, scene units
+     * @param radiosity in the mean, W/m²
+     * @param cross     at right angles to it, twice as long as its area is large
      */
-    private record Piece(int face, Vec3 a, Vec3 b, Vec3 c, Rgb exitance, Vec3 cross) {
+    private record Piece(int face, boolean isReflected, Vec3 a, Vec3 b, Vec3 c, Rgb radiosity, Vec3 cross) {
 
-        Piece(int face, Vec3 a, Vec3 b, Vec3 c, Rgb exitance) {
-            this(face, a, b, c, exitance, b.minus(a).cross(c.minus(a)));
+        Piece(int face, boolean isReflected, Vec3 a, Vec3 b, Vec3 c, Rgb radiosity) {
+            this(face, isReflected, a, b, c, radiosity, b.minus(a).cross(c.minus(a)));
         }
     }
 
@@ -88,14 +129,13 @@ final class FinalGather {
      *
      * @param point scene units
      * @param n     unit normal of the side that receives
-     * @param count of rays to what emits, and again to what reflects, at least 1
-     * @param seed  of the choice of rays
+     * @param first number of the first ray; near points are to have rays with near numbers
+     * @param count rays all round, and again to what is bright, at least 1
      */
-    Rgb irradiance(Vec3 point, Vec3 n, int count, long seed) {
-        double first = (seed >>> 40) * 0x1p-24;
-        double second = (seed >>> 16 & 0xFFFFFF) * 0x1p-24;
-        Rgb sum = fromLights(point, n).plus(emitted(point, n, count, first, second));
-        return sum.plus(reflected(point.plus(n.times(LIFT * faces.size())), n, count, first, second));
+    Rgb irradiance(Vec3 point, Vec3 n, long first, int count) {
+        Vec3 above = point.plus(n.times(LIFT * faces.size()));
+        return fromLights(point, n).plus(fromBright(point, above, n, first, count))
+                .plus(fromAround(above, n, first, count));
     }
 
     private Rgb fromLights(Vec3 point, Vec3 n) {
@@ -111,24 +151,29 @@ final class FinalGather {
     }
 
     /** Rays uniform in the circle below the hemisphere (W. Nusselt, 1928): each brings the same. */
-    private Rgb reflected(Vec3 from, Vec3 n, int count, double first, double second) {
+    private Rgb fromAround(Vec3 from, Vec3 n, long first, int count) {
         Vec3 u = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
         Vec3 v = n.cross(u);
+        float[] hit = new float[3];
         Rgb sum = Rgb.BLACK;
         for (int i = 1; i <= count; i++) {
-            double square = (PointSequence.u(i) + first) % 1;
-            double angle = 2 * Math.PI * ((PointSequence.v(i) + second) % 1);
+            double square = PointSequence.u(first + i);
+            double angle = 2 * Math.PI * PointSequence.v(first + i);
             double r = Math.sqrt(square);
             Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
                     .plus(n.times(Math.sqrt(1 - square)));
-            Rgb light = rays.reflected(from, d);
-            sum = sum.plus(light != null ? light : hasSky ? rgb(lights.sky(d)) : Rgb.BLACK);
+            int element = rays.element(from, d, hit);
+            if (element >= 0 && !isBright[rays.solution().faceOf()[element]]) {
+                sum = sum.plus(rays.reflected(element, hit[1], hit[2]));
+            } else if (element == ElementRays.NOTHING && hasSky) {
+                sum = sum.plus(rgb(lights.sky(d)));
+            }
         }
         return sum.times(1.0 / count);
     }
 
-    /** Rays to places on what emits, as many to each piece as it sends if nothing is in the way. */
-    private Rgb emitted(Vec3 point, Vec3 n, int count, double first, double second) {
+    /** Rays to places on what is bright, as many to each piece as it sends if nothing is in the way. */
+    private Rgb fromBright(Vec3 point, Vec3 above, Vec3 n, long first, int count) {
         double[] upTo = new double[pieces.size()];
         double all = 0;
         for (int i = 0; i < upTo.length; i++) {
@@ -137,15 +182,16 @@ final class FinalGather {
         }
         Rgb sum = Rgb.BLACK;
         int i = 0;
+        double begin = PointSequence.u(first + 0.5);
         for (int k = 0; k < count && all > 0; k++) {
-            double at = (k + first) / count * all;
+            double at = (k + begin) / count * all;
             while (i < upTo.length - 1 && upTo[i] <= at) {
                 i++;
             }
             double chance = (upTo[i] - (i == 0 ? 0 : upTo[i - 1])) / all;
-            double r = Math.sqrt((PointSequence.u(k + 1) + second) % 1);
-            double s = (PointSequence.v(k + 1) + first) % 1;
-            sum = sum.plus(sample(pieces.get(i), point, n, r, s).times(1 / (chance * count)));
+            double r = Math.sqrt(PointSequence.u(first + k + 1));
+            double s = PointSequence.v(first + k + 1);
+            sum = sum.plus(sample(pieces.get(i), point, above, n, r, s).times(1 / (chance * count)));
         }
         return sum;
     }
@@ -162,16 +208,17 @@ final class FinalGather {
         }
         double reach = piece.a.minus(middle).dot(piece.a.minus(middle));
         double square = Math.max(d.dot(d), reach);
-        return piece.exitance.max() * (height / square) * Math.max(d.dot(n), LEAST * Math.sqrt(square)) / square;
+        return piece.radiosity.max() * (height / square) * Math.max(d.dot(n), LEAST * Math.sqrt(square)) / square;
     }
 
     /**
      * What a place on a piece sends if all of the piece is like it.
      *
-     * @param r where it is, from corner a, 0, to the opposite edge, 1
-     * @param s and along that edge, from b to c
+     * @param above the point, off its surface
+     * @param r     where it is, from corner a, 0, to the opposite edge, 1
+     * @param s     and along that edge, from b to c
      */
-    private Rgb sample(Piece piece, Vec3 point, Vec3 n, double r, double s) {
+    private Rgb sample(Piece piece, Vec3 point, Vec3 above, Vec3 n, double r, double s) {
         Vec3 y = piece.a.times(1 - r).plus(piece.b.times(r * (1 - s))).plus(piece.c.times(r * s));
         Vec3 d = y.minus(point);
         double square = d.dot(d);
@@ -179,11 +226,15 @@ final class FinalGather {
         if (!(d.dot(n) > 0 && factor > 0)) {
             return Rgb.BLACK;
         }
-        Vec3 end = y.minus(d.times(LIFT * faces.size() / Math.sqrt(square)));
-        if (bounds.blocked(faces.unit(point), faces.unit(end))) {
-            return Rgb.BLACK;
+        if (piece.isReflected) {
+            float[] hit = new float[3];
+            int element = rays.element(above, y.minus(above).unit(), hit);
+            return element < 0 || rays.solution().faceOf()[element] != piece.face ? Rgb.BLACK
+                    : rays.reflected(element, hit[1], hit[2]).times(factor);
         }
+        Vec3 end = y.minus(d.times(LIFT * faces.size() / Math.sqrt(square)));
         int triangle = piece.face >> 1;
-        return (scene.isMapped(triangle) ? scene.look(triangle, y).exitance() : piece.exitance).times(factor);
+        return bounds.blocked(faces.unit(point), faces.unit(end)) ? Rgb.BLACK
+                : (scene.isMapped(triangle) ? scene.look(triangle, y).exitance() : piece.radiosity).times(factor);
     }
 }

@@ -15,7 +15,7 @@ class FinalGatherTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
     private static Rgb gather(Solution solution, Vec3 point, int count) {
-        return new FinalGather(new ElementRays(solution)).irradiance(point, UP, count, 0x123456789ABCDEFL);
+        return new FinalGather(new ElementRays(solution)).irradiance(point, UP, 12_345, count);
     }
 
     /** In a room that is lit everywhere alike, whatever ray is chosen brings the same. */
