@@ -34,6 +34,8 @@ class StopTest {
 
     private static final String WORD = "distributing";
     private static final String LONG_RENDER = "--schedule paper -pa 300 foobar.lws foobar.scene";
+    private static final String LONG_PICTURE = "-pa 5000 -it 2 --picture a.png --final-gather 30000 foobar.lws"
+            + " foobar.scene";
 
     @TempDir
     Path directory;
@@ -83,16 +85,40 @@ class StopTest {
 
     @Test
     void anyKey_savesAndEndsWell() throws Exception {
-        Process render = program.start(onTerminal("x", Program.command(LONG_RENDER)));
+        Process render = program.start(onTerminal("x", WORD, Program.command(LONG_RENDER)));
         String shown = Program.rest(render);
         assertEquals(ExitCode.DONE, render.waitFor(), shown);
         assertTrue(shown.contains("distributing light [") && shown.contains("] 0 %"), shown);
         goesOn(1);
     }
 
+    /** The scene file is saved before pictures are drawn, and stays. */
+    @Test
+    void anyKey_leavesOutPicturesThatTakeLong() throws Exception {
+        Process render = program.start(onTerminal("x", "drawing", Program.command(LONG_PICTURE)));
+        String shown = Program.rest(render);
+        assertEquals(ExitCode.DONE, render.waitFor(), shown);
+        assertTrue(shown.contains("leaving out the pictures that are not finished"), shown);
+        assertTrue(shown.contains("a.png: left out, as it was not wanted any more"), shown);
+        assertTrue(!Files.exists(program.file("a.png")));
+        goesOn(1);
+    }
+
+    @Test
+    void signal_leavesOutPicturesThatTakeLong() throws Exception {
+        Process render = program.start(LONG_PICTURE);
+        Program.readUntil(render, "drawing");
+        new ProcessBuilder("kill", "-TERM", Long.toString(render.pid())).start().waitFor();
+        String rest = Program.rest(render);
+        assertEquals(143, render.waitFor(), rest);
+        assertTrue(rest.contains("a.png: left out"), rest);
+        assertTrue(!Files.exists(program.file("a.png")));
+        goesOn(1);
+    }
+
     @Test
     void controlC_onATerminalIsASignal() throws Exception {
-        Process render = program.start(onTerminal("\u0003",
+        Process render = program.start(onTerminal("\u0003", WORD,
                 RendererWithPatience.command(RendererWithPatience.ENDLESS, LONG_RENDER)));
         String shown = Program.rest(render);
         assertEquals(130, render.waitFor(), shown);
@@ -124,10 +150,10 @@ class StopTest {
         assertEquals("the old file", Files.readString(output));
     }
 
-    private List<String> onTerminal(String key, List<String> command) throws Exception {
+    private List<String> onTerminal(String key, String after, List<String> command) throws Exception {
         assumeTrue(hasPython(), "needs python3 for a pseudo terminal");
         Path script = Path.of(StopTest.class.getResource("press-key.py").toURI());
-        List<String> all = new ArrayList<>(List.of("python3", script.toString(), key, WORD));
+        List<String> all = new ArrayList<>(List.of("python3", script.toString(), key, after));
         all.addAll(command);
         return all;
     }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import radiosity.output.mesh.Elements;
@@ -58,7 +58,7 @@ public final class Snapshot {
         /** Whether to go on. */
         public interface Progress {
 
-            /** @param done part of the rows, in (0, 1] */
+            /** @param done part of the pixels, in (0, 1] */
             boolean goesOn(double done);
         }
     }
@@ -132,12 +132,14 @@ public final class Snapshot {
         float[] rgb = new float[ArraySize.of("picture of " + width + "x" + rows + " pixels", 3, width, rows)];
         int height = (int) rows;
         Snapshot snapshot = new Snapshot(solution, camera.position(), drawing.gathered);
-        AtomicInteger done = new AtomicInteger();
+        AtomicLong done = new AtomicLong();
         IntStream.range(0, height).parallel().forEach(row -> {
-            if (!drawing.progress.goesOn((double) done.incrementAndGet() / height)) {
-                throw new CancellationException();
-            }
             for (int column = 0; column < width; column++) {
+                long drawn = done.incrementAndGet();
+                if ((column == 0 || drawing.gathered > 0)
+                        && !drawing.progress.goesOn((double) drawn / ((long) width * height))) {
+                    throw new CancellationException();
+                }
                 Rgb pixel = snapshot.pixel(camera, column, row, width, height, film);
                 int i = 3 * (row * width + column);
                 rgb[i] = (float) pixel.r();
