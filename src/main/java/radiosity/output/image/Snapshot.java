@@ -187,23 +187,27 @@ public final class Snapshot {
     }
 
     private Rgb pixel(Camera camera, int column, int row, int width, int height, UnaryOperator<Rgb> film) {
-        Vec3[] directions = new Vec3[SAMPLES * SAMPLES];
-        for (int s = 0; s < directions.length; s++) {
-            double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
-            double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
-            directions[s] = camera.direction(x, y);
-        }
-        Rgb[] seen = rays == null ? null : seen(directions, EyeRays.number(column, row) * directions.length);
+        Rgb[] seen = rays == null ? null : seen(IntStream.range(0, SAMPLES * SAMPLES)
+                .mapToObj(s -> direction(camera, column, row, width, height, s)).toArray(Vec3[]::new),
+                EyeRays.number(column, row) * SAMPLES * SAMPLES);
         double r = 0;
         double g = 0;
         double b = 0;
-        for (int s = 0; s < directions.length; s++) {
-            Rgb light = film.apply(rays == null ? along(directions[s]) : seen[s]);
+        for (int s = 0; s < SAMPLES * SAMPLES; s++) {
+            Rgb light = film.apply(seen != null ? seen[s]
+                    : along(direction(camera, column, row, width, height, s)));
             r += light.r();
             g += light.g();
             b += light.b();
         }
         return new Rgb(r, g, b).times(1.0 / (SAMPLES * SAMPLES));
+    }
+
+    /** Of a sample of a pixel. */
+    private static Vec3 direction(Camera camera, int column, int row, int width, int height, int s) {
+        double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
+        double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
+        return camera.direction(x, y);
     }
 
     /** Radiosity of what a ray from the eye meets. */
