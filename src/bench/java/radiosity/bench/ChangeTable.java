@@ -17,12 +17,15 @@ import radiosity.settings.Accuracy;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.StopRule;
 import radiosity.solution.Certificate;
+import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.Edits;
 import radiosity.testkit.Evaluate;
+import radiosity.util.Hash;
 
 /**
  * Prints what changes of the study cost and how exact they are, see {@code scripts/change --help}.
@@ -33,6 +36,7 @@ import radiosity.testkit.Evaluate;
 public final class ChangeTable {
 
     private static final int POINTS = 4000;
+    private static final int EDITS = 50;
 
     private final RadiositySettings settings;
     private final double truth;
@@ -53,15 +57,21 @@ public final class ChangeTable {
         Scene scene = Radiosity.read(Path.of(arguments[0]), line -> { });
         ChangeTable table = new ChangeTable(Double.parseDouble(arguments[1]) / 100,
                 Double.parseDouble(arguments[2]) / 100, Integer.parseInt(arguments[3]));
-        table.print(scene, List.of(arguments).subList(4, arguments.length));
+        List<String> rows = List.of(arguments).subList(4, arguments.length);
+        if (rows.contains("edits")) {
+            table.edits(EDITS);
+        } else if (rows.contains("room")) {
+            table.print(ofRoom(ColouredRoom.SCENE), rows.subList(1, rows.size()));
+        } else {
+            table.print(edits(scene), rows);
+        }
     }
 
     private static Map<String, Scene> edits(Scene scene) {
         Map<String, Scene> edits = new LinkedHashMap<>();
         edits.put("nothing", scene);
-        edits.put("repaint", Edits.with(scene, surface(scene, "pillow-cream"),
-                s -> new Surface(s.name(), s.exitance(), new Rgb(.5, .1, .1), s.twoSided())));
-        edits.put("wall", Edits.with(scene, "wall",
+        edits.put("repaint", Edits.repainted(scene, Edits.object(scene, "pillow-teal"), new Rgb(.6, .15, .1)));
+        edits.put("wall", Edits.with(scene, "accent wall",
                 s -> new Surface(s.name(), s.exitance(), new Rgb(.45, .55, .6), s.twoSided())));
         edits.put("chair", Edits.moved(scene, Edits.object(scene, "chair"), new Vec3(0, 0, -1)));
         edits.put("removed", Edits.without(scene, Edits.object(scene, "plant")));
@@ -69,34 +79,94 @@ public final class ChangeTable {
         return edits;
     }
 
-    /** The first surface of an object. */
-    private static String surface(Scene scene, String object) {
-        for (int t = 0; t < scene.triangles(); t++) {
-            if (Edits.object(scene, object).test(t)) {
-                return scene.surface(t).name();
+    /** Edits of the coloured room one after another, each from the one before. */
+    private void edits(int count) throws IOException {
+        Scene room = ColouredRoom.SCENE;
+        Run now = run(room, settings, Optional.empty());
+        Scene scene = room;
+        double seconds = 0;
+        int anews = 0;
+        double worst = 0;
+        double gained = 0;
+        for (int n = 1; n <= count; n++) {
+            scene = edited(room, n);
+            now = run(scene, settings, Optional.of(now.solution.state()));
+            seconds += now.seconds;
+            anews += now.anew.isEmpty() ? 0 : 1;
+            if (Boolean.getBoolean("edits")) {
+                System.out.printf("  %d: %.2f CPU s, %d elements, %.2f %%, shots %d%s%n", n, now.seconds,
+                        now.solution.elements(), 100 * now.certificate.expected(), now.solution.shots(), now.anew);
+            }
+            EnergyLedger ledger = now.solution.ledger();
+            for (int c = 0; c < ledger.emitted().length; c++) {
+                worst = Math.max(worst, Math.abs(ledger.imbalance(c)));
+                gained = Math.max(gained, -ledger.deficit(c) / ledger.emitted()[c]);
             }
         }
-        throw new IllegalArgumentException("no object " + object);
+        Run anew = run(scene, settings, Optional.empty());
+        double[] places = Edits.places(scene, POINTS);
+        double[] reference = Evaluate.radiosity(run(scene, RadiositySettings.defaults().accurate(truth),
+                Optional.empty()).solution, places);
+        double error = difference(scene, reference, Evaluate.radiosity(now.solution, places), places);
+        double ofAnew = difference(scene, reference, Evaluate.radiosity(anew.solution, places), places);
+        System.out.printf("%d edits, %d of them rendered anew: %.2f CPU s, once anew %.2f; error %.2f %%, anew %.2f %%,"
+                + " ratio %.2f; certificate %.2f %%; ledger off by %.1e at most; gained %.4f %% at most; %d elements,"
+                + " anew %d%n", count, anews, seconds, anew.seconds, 100 * error, 100 * ofAnew, error / ofAnew,
+                100 * now.certificate.expected(), worst, 100 * gained, now.solution.elements(),
+                anew.solution.elements());
     }
 
-    private void print(Scene scene, List<String> rows) throws IOException {
-        Run old = run(scene, settings, Optional.empty());
+    /** The room as it is after a number of edits: each is of one kind and what follows from its number. */
+    private static Scene edited(Scene room, int n) {
+        Scene scene = room;
+        for (int kind = 0; kind < 3; kind++) {
+            int last = n - (n - kind + 3) % 3;
+            long dice = Hash.mix(7, last);
+            double u = (dice >>> 40) * 0x1p-24;
+            double v = (dice >>> 16 & 0xffffff) * 0x1p-24;
+            scene = last < 1 ? scene : switch (kind) {
+                case 0 -> Edits.moved(scene, Edits.surface(scene, "block"), new Vec3(-.07 * u, 0, .25 * v));
+                case 1 -> Edits.with(scene, "wall " + last % 6, s -> new Surface(s.name(), s.exitance(),
+                        new Rgb(.2 + .6 * u, .2 + .6 * v, .5), s.twoSided()));
+                default -> Edits.with(scene, "lamp", s -> new Surface(s.name(), new Rgb(.7 + .6 * u, 1, .7 + .6 * v),
+                        s.reflectance(), s.twoSided()));
+            };
+        }
+        return scene;
+    }
+
+    /** Those of the coloured room. */
+    private static Map<String, Scene> ofRoom(Scene room) {
+        Map<String, Scene> edits = new LinkedHashMap<>();
+        edits.put("nothing", room);
+        edits.put("repaint", Edits.repainted(room, Edits.surface(room, "block"), new Rgb(.7, .1, .1)));
+        edits.put("wall", Edits.repainted(room, Edits.surface(room, "wall 4"), new Rgb(.2, .3, .6)));
+        edits.put("moved", Edits.moved(room, Edits.surface(room, "block"), new Vec3(-.05, 0, .25)));
+        edits.put("removed", Edits.without(room, Edits.surface(room, "block")));
+        edits.put("lamp dimmed", Edits.with(room, "lamp",
+                s -> new Surface(s.name(), new Rgb(.8, .7, .6), s.reflectance(), s.twoSided())));
+        return edits;
+    }
+
+    private void print(Map<String, Scene> edits, List<String> rows) throws IOException {
+        run(ColouredRoom.SCENE, settings, Optional.empty());
+        Run old = run(edits.get("nothing"), settings, Optional.empty());
         System.out.printf("before: %d elements, %.2f CPU s, expected %.2f %%%n", old.solution.elements(), old.seconds,
                 100 * old.certificate.expected());
         System.out.println("| change | CPU s anew | CPU s changed | ratio | certificate, CPU s | elements anew"
                 + " | changed | expected anew | changed | difference | true error anew | changed | certificate over"
                 + " true |");
         System.out.println("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-        for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
+        for (Map.Entry<String, Scene> edit : edits.entrySet()) {
             if (rows.isEmpty() || rows.contains(edit.getKey())) {
-                line(edit.getKey(), edit.getValue(), old.solution.state());
+                line(edit.getKey(), edit.getValue(), old);
             }
         }
     }
 
-    private void line(String name, Scene scene, SavedState before) throws IOException {
-        Run changed = run(scene, settings, Optional.of(before));
-        Run anew = run(scene, settings, Optional.empty());
+    private void line(String name, Scene scene, Run before) throws IOException {
+        Run changed = run(scene, settings, Optional.of(before.solution.state()));
+        Run anew = name.equals("nothing") ? before : run(scene, settings, Optional.empty());
         double[] places = Edits.places(scene, POINTS);
         double[] a = Evaluate.radiosity(anew.solution, places);
         double[] b = Evaluate.radiosity(changed.solution, places);

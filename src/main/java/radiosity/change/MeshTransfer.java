@@ -7,11 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.partition.GhostVertices;
+import radiosity.partition.MeshRefinement;
 import radiosity.protocol.BlockState;
+import radiosity.protocol.Order;
 import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
 import radiosity.util.Hash;
@@ -41,6 +44,7 @@ final class MeshTransfer {
     final BitSet wasBuried = new BitSet();
 
     private final RadiosityNodes old;
+    private final MeshRefinement refinement;
     private final Faces before;
     private final Faces now;
     private final int channels;
@@ -54,9 +58,14 @@ final class MeshTransfer {
     private final long[] groupsBefore;
     private final BitSet known = new BitSet();
 
-    /** @param old elements of the earlier scene, of all its blocks */
-    MeshTransfer(SceneChange change, RadiosityNodes old, InitialMesh mesh) {
+    /**
+     * @param old   elements of the earlier scene, of all its blocks
+     * @param rules how finely light is meshed there
+     */
+    MeshTransfer(SceneChange change, RadiosityNodes old, Order.Rules rules, InitialMesh earlierMesh, InitialMesh mesh) {
         this.old = old;
+        refinement = new MeshRefinement(old, new Weights(earlierMesh.rooms, old.channels(), rules.weight()),
+                rules.meshError());
         before = old.faces();
         now = mesh.faces;
         channels = now.channels();
@@ -152,7 +161,7 @@ final class MeshTransfer {
     private void shape(int node, int face) {
         long path = made.path(node);
         int twin = old.find(face, path);
-        if (twin >= 0 ? old.isElement(twin) : !isAboveTops(face, path)) {
+        if (twin >= 0 ? old.isElement(twin) || refinement.isTooFine(twin) : !isAboveTops(face, path)) {
             return;
         }
         int first = made.isElement(node)
@@ -216,7 +225,7 @@ final class MeshTransfer {
         }
     }
 
-    /** Takes what the element of the same name had, or the larger one that it is a part of. */
+    /** Takes what the element of the same name had, or the larger one that it is a part of, or its own parts. */
     private void copy(int element, int face) {
         long path = made.path(element);
         long at = path;
@@ -225,14 +234,18 @@ final class MeshTransfer {
             at >>= 2;
             twin = old.find(face, at);
         }
-        if (twin < 0 || !old.isElement(twin)) {
+        if (twin < 0 || at != path && !old.isElement(twin)) {
             return;
         }
         double[] shot = new double[3 * channels];
         double[] arrived = new double[3 * channels];
-        old.light().shot(twin, shot, 0);
         for (int i = 0; i < arrived.length; i++) {
-            arrived[i] = old.light().irradiance(twin, i / channels, i % channels);
+            int part = twin;
+            while (!old.isElement(part)) {
+                part = old.child(part) + i / channels;
+            }
+            shot[i] = old.light().shot(part, i / channels, i % channels);
+            arrived[i] = old.light().irradiance(part, i / channels, i % channels);
         }
         for (int level = NodePath.level(at) + 1; level <= NodePath.level(path); level++) {
             shot = Subdivision.values(shot, channels, NodePath.step(path, level));
@@ -240,9 +253,7 @@ final class MeshTransfer {
         }
         for (int k = 0; k < 3; k++) {
             put(element, k, shot, arrived);
-        }
-        for (int k = 0; k < 3 && at == path; k++) {
-            if (old.isBuried(old.corner(twin, k))) {
+            if (at == path && old.isBuried(old.corner(twin, k))) {
                 wasBuried.set(made.corner(element, k));
             }
         }

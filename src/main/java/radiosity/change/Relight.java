@@ -71,7 +71,7 @@ public final class Relight {
         if (isSettled) {
             settle(old);
         }
-        transfer = new MeshTransfer(change, old, now);
+        transfer = new MeshTransfer(change, old, rules, before, now);
         nodes = transfer.made;
         bury();
         int[] kept = IntStream.range(0, nodes.vertices())

@@ -14,9 +14,11 @@ final class ClusterRays {
     /**
      * One ray into a cluster of triangles: a few of them are drawn in proportion to what they shoot, and of these one
      * in proportion to how it stands.
+     *
+     * @param chance with which it was chosen to be cast, in (0, 1]
      */
     void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, int draws,
-                               ShooterHierarchy s, int cluster, GatherSink gathering) {
+                               double chance, ShooterHierarchy s, int cluster, GatherSink gathering) {
         int u = (int) (rotation >>> 32);
         int v = (int) rotation;
         int lot = R2.lot(rotation);
@@ -69,7 +71,7 @@ final class ClusterRays {
             double power = s.strength[cluster] * s.area[cluster] / s.strength[found];
             ShadowTest.reach(s, found, fa, fb, fc, seen * (power * sum), gathering);
         }
-        gathering.close(1 / (draws * Math.PI));
+        gathering.close(1 / (draws * Math.PI) / chance);
     }
 
     /** The triangle at a place in [0, 1) of a cluster, where each takes as much room as it shoots. */

@@ -32,6 +32,7 @@ public final class RayCaster implements FormFactorCalculator {
     private final double tolerance;
     private final int mostRays;
     private final ShadowTest sight;
+    private final boolean sparing;
 
     /**
      * @param rays      sample points per shooting node, at least 1
@@ -44,16 +45,26 @@ public final class RayCaster implements FormFactorCalculator {
 
     /** @param mostRays no more are cast at one element, whatever it carries */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance, int mostRays) {
-        this(new ShadowTest(bounds), rays, tolerance, mostRays);
+        this(new ShadowTest(bounds), rays, tolerance, mostRays, false);
+    }
+
+    /**
+     * A ray is cast at what carries less than an eighth of the tolerance at some receiving points only, chosen with a
+     * probability in proportion to what it carries, and stands for that of the others (Russian roulette: J. Arvo,
+     * D. Kirk, Particle transport and image synthesis, 1990).
+     */
+    public static RayCaster sparing(RadiosityBounds bounds, int rays, double tolerance) {
+        return new RayCaster(new ShadowTest(bounds), rays, tolerance, Math.max(rays, MOST_RAYS), true);
     }
 
     /** What visibility that changes makes of the light that is received. */
     public RayCaster(VisibilityChange change, int rays, double tolerance) {
-        this(change, rays, tolerance, Math.max(rays, MOST_RAYS));
+        this(change, rays, tolerance, Math.max(rays, MOST_RAYS), false);
     }
 
-    private RayCaster(ShadowTest sight, int rays, double tolerance, int mostRays) {
+    private RayCaster(ShadowTest sight, int rays, double tolerance, int mostRays, boolean sparing) {
         this.sight = sight;
+        this.sparing = sparing;
         clusters = new ClusterRays(sight);
         triangles = new TriangleRays(sight);
         this.rays = rays;
@@ -105,8 +116,15 @@ public final class RayCaster implements FormFactorCalculator {
         }
         int wanted = carried > tolerance ? (int) Math.min(mostRays, rays * Math.ceil(carried / tolerance)) : rays;
         int choices = near > NEAR_8 ? Math.max(1, 8 / wanted) : near > NEAR_4 ? Math.max(1, 4 / wanted) : 1;
-        triangles.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), factor, wanted, choices, s, node,
-                gathering);
+        long rotation = Hash.mix(key, s.key[node]);
+        double chance = sparing ? Math.min(1, CLUSTER_DRAWS * carried / tolerance) : 1;
+        if (isChosen(rotation, chance)) {
+            triangles.sample(px, py, pz, nx, ny, nz, rotation, factor / chance, wanted, choices, s, node, gathering);
+        }
+    }
+
+    private static boolean isChosen(long rotation, double chance) {
+        return chance == 1 || (Hash.mix(rotation, 2) >>> 11) * 0x1p-53 < chance;
     }
 
     /**
@@ -127,8 +145,13 @@ public final class RayCaster implements FormFactorCalculator {
             double most = s.strength[node] * s.area[node] * out * NormalCones.most(up / d, sin, cos);
             double may = tolerance * Math.PI * (d - r) * (d - r);
             if (most <= may) {
-                int draws = (int) Math.ceil(CLUSTER_DRAWS * most / may);
-                clusters.sample(px, py, pz, nx, ny, nz, Hash.mix(key, s.key[node]), draws, s, node, gathering);
+                double draws = CLUSTER_DRAWS * most / may;
+                long rotation = Hash.mix(key, s.key[node]);
+                double chance = sparing ? Math.min(1, draws) : 1;
+                if (isChosen(rotation, chance)) {
+                    clusters.sample(px, py, pz, nx, ny, nz, rotation, (int) Math.ceil(draws), chance, s, node,
+                            gathering);
+                }
                 return;
             }
         }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
+import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
@@ -63,8 +64,7 @@ public final class Gatherer {
     /** One per {@link Patcher#slack}. */
     FormFactorCalculator[] calculators(Order order) {
         FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
-        Arrays.setAll(made, slack -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(),
-                order.rules().tolerance() * (1 << slack)));
+        Arrays.setAll(made, slack -> calculator(order.rules(), order.rules().tolerance() * (1 << slack)));
         return made;
     }
 
@@ -79,6 +79,11 @@ public final class Gatherer {
                 gather(calculators, shooter, nodes, run, turn);
             }
         });
+    }
+
+    private FormFactorCalculator calculator(Order.Rules rules, double tolerance) {
+        return rules.sparing() ? RayCaster.sparing(mesh.bounds(), mesh.rays(), tolerance)
+                : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), tolerance);
     }
 
     /** Even light of closed rooms, at the beginning of a round, and what was lost of the light before. */

@@ -13,7 +13,7 @@ import radiosity.util.ParallelFor;
  * ends is the error that the parent would have had; a child that touches such a middle is divided. Decided from the
  * element's own surroundings only.
  */
-final class MeshRefinement {
+public final class MeshRefinement {
 
     /** Nodes that a thread looks at at a time. */
     private static final int RUN = 256;
@@ -27,6 +27,8 @@ final class MeshRefinement {
      * hands that on to everything.
      */
     private static final double FLUX = 0.005;
+    /** Error that four elements may have as one for not to be divided again soon, of that at which it is divided. */
+    private static final double COARSE = 0.25;
 
     private final RadiosityNodes nodes;
     private final Faces faces;
@@ -39,7 +41,7 @@ final class MeshRefinement {
      * @param meshError error times square root of area that an element may have, relative to the mean, or to what
      *                  is there where that is bright, and to the whole area
      */
-    MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
+    public MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
         this.nodes = nodes;
         faces = nodes.faces();
         this.weights = weights;
@@ -71,6 +73,17 @@ final class MeshRefinement {
                 nodes.split(top, round);
             }
         }
+    }
+
+    /** Whether a node has four elements where one would do, in a scene whose light has changed since. */
+    public boolean isTooFine(int node) {
+        for (int k = 0; k < 4; k++) {
+            if (nodes.isElement(node) || !nodes.isElement(nodes.child(node) + k)) {
+                return false;
+            }
+        }
+        return nodes.dividedWith(node) > 0
+                && !wants(node, Math.max(touching(ofMiddles(node), 3), fromAbove(node)) / COARSE);
     }
 
     private static int count(byte[] wanted) {

@@ -54,6 +54,11 @@ final class AccuracyLoop {
         return asked;
     }
 
+    /** Relative error that points found last; what was asked for where none was looked at. */
+    double found() {
+        return reached < Double.POSITIVE_INFINITY ? reached : asked;
+    }
+
     /** Asks for less error than before. */
     void aim(double error) {
         asked = error;

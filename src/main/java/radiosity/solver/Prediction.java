@@ -58,8 +58,12 @@ final class Prediction implements Planner {
     private static final int CHANGED = 0x40;
     /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
     private static final double PREDICTED = 0.1;
+    /** Unshot flux of a changed scene, relative to the emitted, that may be left, over the error that is asked for. */
+    private static final double ENOUGH = 0.1;
+    /** Error of a changed scene, over that when all had gathered anew last, that is taken. */
+    private static final double WORSE = 1.2;
     /** Part of the unshot flux that may be left to later rounds of a changed scene. */
-    private static final double LEFT = 0.1;
+    private static final double LEFT = 0.05;
 
     /**
      * What an earlier scene's calculation ended with.
@@ -186,10 +190,10 @@ final class Prediction implements Planner {
             return balance();
         }
         if (stage == Stage.MEND || stage == Stage.BALANCE) {
-            stage = Stage.DONE;
-            return null;
+            return endOfChange(unsent);
         }
-        if (unsent > Math.min(wanted, StopRule.DEFAULT_UNSENT) && unsent < left) {
+        double enough = wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.asked());
+        if (unsent > enough && unsent < left) {
             if (unsent > PREDICTED && coarse != null && !coarse.isMade()) {
                 return rows();
             }
@@ -199,6 +203,17 @@ final class Prediction implements Planner {
             }
         }
         return refined ? mend() : split(last);
+    }
+
+    /** Where independent points find clearly more error than before, all gather anew what was ever shot. */
+    private Order endOfChange(double unsent) throws IOException {
+        Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
+        if (certificate.isPresent() && certificate.get().expected() > WORSE * loop.found()) {
+            isChanged = false;
+            return renew(unsent);
+        }
+        stage = Stage.DONE;
+        return null;
     }
 
     /** Those with most unshot flux, who have most of it together. */
@@ -375,7 +390,7 @@ final class Prediction implements Planner {
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
         return new Order(kind, shots, new Order.Rules(loop.tolerance(), weight, loop.meshError(), even,
-                new double[0]),
+                new double[0], isChanged && kind == Order.Kind.SHOOT),
                 Order.Question.candidates(0));
     }
 

@@ -7,6 +7,7 @@ import java.util.function.IntPredicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import radiosity.scene.Hierarchy;
+import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -60,6 +61,23 @@ public final class Edits {
                 : new Hierarchy(before.nodes(), IntStream.of(kept).map(before::of).toArray());
         return new Scene(scene.name(), scene.points(), corners, surfaceOf, scene.surfaces(), scene.lights(),
                 scene.camera(), new float[0], new float[0], hierarchy, scene.units());
+    }
+
+    /** Some triangles with a surface of their own that reflects something else. */
+    public static Scene repainted(Scene scene, IntPredicate which, Rgb reflectance) {
+        List<Surface> surfaces = new ArrayList<>(scene.surfaces());
+        int[] surfaceOf = scene.surfaceOf().clone();
+        for (int t = 0; t < surfaceOf.length; t++) {
+            if (which.test(t)) {
+                Surface s = scene.surface(t);
+                if (surfaces.size() == scene.surfaces().size()) {
+                    surfaces.add(new Surface("repainted " + s.name(), s.exitance(), reflectance, s.twoSided()));
+                }
+                surfaceOf[t] = surfaces.size() - 1;
+            }
+        }
+        return new Scene(scene.name(), scene.points(), scene.corners(), surfaceOf, surfaces, scene.lights(),
+                scene.camera(), scene.textureCoordinates(), scene.vertexColours(), scene.hierarchy(), scene.units());
     }
 
     public static Scene with(Scene scene, String surface, UnaryOperator<Surface> other) {
