@@ -26,6 +26,7 @@ public final class Display {
     private final Lighting lighting;
     private final Walker walker;
     private final Walking walking;
+    private final Photo photo;
     private Extent extent;
     private CompletableFuture<Optional<Obstacles>> obstacles;
     private SceneShapes shapes;
@@ -55,6 +56,7 @@ public final class Display {
         walking = new Walking(walker, this::look, () -> extent.size());
         textures = settings.textures();
         lighting = new Lighting(settings, shader);
+        photo = new Photo(settings.followed(), this::status);
         show(scene);
         if (settings.wireframe()) {
             wireframe();
@@ -297,7 +299,13 @@ public final class Display {
         changed.run();
     }
 
+    /** Draws what is shown by the second pass, into a file. */
+    void photo() {
+        photo.take(lighting.scene(), camera(), Math.max(1, stage.canvas().getWidth()), lighting.toneMapping());
+    }
+
     void close() {
+        photo.close();
         walking.stop();
     }
 }

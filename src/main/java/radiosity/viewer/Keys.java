@@ -28,6 +28,7 @@ final class Keys extends KeyAdapter {
         {"X", "wireframe"},
         {"U", "light of textures or of vertices"},
         {"K", "walk through walls or not"},
+        {"F", "photo: a picture with mirrors and glass, beside the scene file"},
         {"P", "panel for the mouse: exposure, lamps"},
         {"F11", "full screen"},
         {"H", "this help"},
@@ -87,6 +88,7 @@ final class Keys extends KeyAdapter {
             case KeyEvent.VK_C -> display.falseColour();
             case KeyEvent.VK_X -> display.wireframe();
             case KeyEvent.VK_U -> display.textures();
+            case KeyEvent.VK_F -> display.photo();
             case KeyEvent.VK_P -> display.panel();
             case KeyEvent.VK_K -> display.collisions();
             case KeyEvent.VK_F11 -> display.fullScreen();

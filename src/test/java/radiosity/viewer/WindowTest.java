@@ -75,6 +75,17 @@ class WindowTest {
     }
 
     @Test
+    void photo_isTheRenderersPicture() throws Exception {
+        window.tap("F");
+        Path photo = folder.resolve(scene.getFileName() + "-photo-1.png");
+        for (int look = 0; look < 600 && !Files.exists(photo); look++) {
+            Thread.sleep(100);
+        }
+        double difference = difference(Rendered.picture(photo), Rendered.picture(folder.resolve("box.png")));
+        assertTrue(difference <= .5, "mean difference " + difference + " of 255");
+    }
+
+    @Test
     void keyOfTheDisplay_reachesTheWindow() throws IOException {
         double[] start = window.camera();
         assertEquals("walked", window.say("real UP"));

@@ -8,6 +8,7 @@ import java.util.Optional;
 import radiosity.output.image.DefaultCamera;
 import radiosity.output.image.ToneMapping;
 import radiosity.output.mesh.Elements;
+import radiosity.output.mesh.MergedMeshes;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
@@ -49,6 +50,8 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     private static final Vec3 SHADE_FROM = new Vec3(0.4, 0.8, 0.45).unit();
     /** The least shade of a surface. */
     private static final double DARKEST = 0.4;
+    private static final EnergyLedger NO_LEDGER = new EnergyLedger(new double[3], new double[3], new double[3],
+            new double[3], new double[3]);
 
     public LitScene {
         meshes = List.copyOf(meshes);
@@ -77,6 +80,11 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
                     camera.isPresent() ? camera.get() : DefaultCamera.of(file.solution()),
                     file.lamps(), textures(file), file.extras().get("shots") + " shots");
         }
+    }
+
+    /** The same as a solution, for pictures: images of surfaces are there in the mean only. */
+    public Solution solution() {
+        return new MergedMeshes(meshes, origin).solution(progress, 0, 0, 0, NO_LEDGER, Optional.of(camera));
     }
 
     private static Optional<Textures> textures(SceneFile file) throws IOException {
@@ -122,9 +130,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
                 Arrays.fill(shade, 3 * i, 3 * i + 3, itsShade);
             }
         }
-        double[] none = new double[3];
-        return new Solution(scene, 3, positions, shade, corners, faces, 0, 0, 0,
-                new EnergyLedger(none, none, none, none, none), SavedState.NONE);
+        return new Solution(scene, 3, positions, shade, corners, faces, 0, 0, 0, NO_LEDGER, SavedState.NONE);
     }
 
     private static int[] faces(Scene scene) {

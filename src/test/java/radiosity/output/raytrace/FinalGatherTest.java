@@ -2,11 +2,14 @@ package radiosity.output.raytrace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import radiosity.formfactor.ContourFactor;
 import radiosity.output.gltf.Handmade;
+import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
+import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 
 /** Light that is gathered anew at a point, against closed forms. */
@@ -68,5 +71,42 @@ class FinalGatherTest {
                 new Vec3(0, 0, 6), 1, 1, p -> Rgb.BLACK);
         double half = factor(Vec3.ZERO, 0);
         assertEquals(10 * half, gather(made.solution(), Vec3.ZERO, 1024).r(), .02 * 10 * half);
+    }
+
+    private static Solution floor(Light light) {
+        Handmade made = new Handmade();
+        made.grid(made.surface("floor", .5), new Vec3(-3, 0, -3), new Vec3(0, 0, 6), new Vec3(6, 0, 0), 1, 1,
+                p -> Rgb.grey(7));
+        Solution s = made.solution();
+        return new Solution(s.scene().with(s.scene().surfaces(), List.of(light)), 3, s.positions(), s.irradiance(),
+                s.corners(), s.faceOf(), 0, 0, 0, s.ledger(), SavedState.NONE);
+    }
+
+    /** Inverse square of a light at height 2: at its foot a quarter of what it has at distance 1. */
+    @Test
+    void lightWithoutGeometry_isAdded() {
+        Light point = new Light("l", Light.Kind.POINT, Rgb.grey(8), new Vec3(0, 2, 0), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1,
+                0, 0);
+        assertEquals(2, gather(floor(point), Vec3.ZERO, 1).g(), 1e-6);
+    }
+
+    /** A level place in the open has the illuminance of the sky, but for how finely that sees the horizon. */
+    @Test
+    void skyInTheOpen_hasItsIlluminance() {
+        assertEquals(100, gather(floor(Light.sky(Light.Kind.SKY_UNIFORM, 100, UP, UP)), Vec3.ZERO, 9).r(), .5);
+        assertEquals(100, gather(floor(Light.sky(Light.Kind.SKY_OVERCAST, 100, UP, UP)), Vec3.ZERO, 4096).r(), .5);
+    }
+
+    /** What reflects much more than the mean is found by rays of its own: few that go all round would meet it. */
+    @Test
+    void brightSpot_givesItsFormFactorByFewRays() {
+        Handmade made = new Handmade();
+        made.grid(made.surface("floor", .5), new Vec3(-30, 0, -30), new Vec3(0, 0, 60), new Vec3(60, 0, 0), 1, 1,
+                p -> Rgb.BLACK);
+        made.grid(made.surface("spot", .5), new Vec3(-.05, 2, -.05), new Vec3(.1, 0, 0), new Vec3(0, 0, .1), 1, 1,
+                p -> Rgb.grey(2000));
+        double factor = ContourFactor.factor(1, 0, 0, 0, 1, 0, new double[] {-.05, 2, -.05, .05, 2, -.05, .05, 2, .05,
+            -.05, 2, .05});
+        assertEquals(1000 * factor, gather(made.solution(), new Vec3(1, 0, 0), 16).b(), .005 * 1000 * factor);
     }
 }
