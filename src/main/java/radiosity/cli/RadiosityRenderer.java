@@ -55,7 +55,7 @@ public final class RadiosityRenderer {
     private final StopRequest stop;
     private final PrintStream err = System.err;
 
-    private RadiosityRenderer(RendererOptions options, List<String> arguments, StopRequest stop) {
+    RadiosityRenderer(RendererOptions options, List<String> arguments, StopRequest stop) {
         this.options = options;
         this.stop = stop;
         files = new OutputFiles(options, arguments);
@@ -89,7 +89,11 @@ public final class RadiosityRenderer {
                     printInfo(options.described());
                 } else {
                     options.check();
-                    new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
+                    if (options.scene.frames != null) {
+                        new Animation(List.of(arguments), stop, ending).render(options);
+                    } else {
+                        new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
+                    }
                 }
             }, arguments);
         }
@@ -101,7 +105,7 @@ public final class RadiosityRenderer {
     }
 
     /** Figure 7 of the paper, from top to bottom; {@link RenderJob} is the middle. */
-    private void render(SaveBeforeExit ending) throws IOException {
+    void render(SaveBeforeExit ending) throws IOException {
         files.check();
         if (course instanceof TimeCourse timed) {
             calculate(timed, options.calculation.time, ending);

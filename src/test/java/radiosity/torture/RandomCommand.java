@@ -24,14 +24,13 @@ final class RandomCommand {
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
             "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info",
             "--change", "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size",
-            "--exposure", "--tone-mapping", "--final-gather", "--frame", "--content", "--map", "--emission", "--lights",
-            "--srgb", "--unit",
-            "--photometric", "--luminaire", "--sky", "--sun",
+            "--exposure", "--tone-mapping", "--final-gather", "--frame", "--frames", "--content", "--map", "--emission",
+            "--lights", "--srgb", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
             "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
-    private static final Set<String> RUN = Set.of("-t", "-tf", "--change", "--info", "-h", "-key", "--statistics",
-            "--help", "--version");
+    private static final Set<String> RUN = Set.of("-t", "-tf", "--change", "--frames", "--info", "-h", "-key",
+            "--statistics", "--help", "--version");
 
     private final Dice dice;
     private final Path directory;

@@ -15,7 +15,7 @@ public final class ExitCode {
     static final int NO_WORKER = 4;
 
     /** The work is done, but not as exactly as {@code --accuracy} asked for. */
-    static final int NOT_ACCURATE = 5;
+    public static final int NOT_ACCURATE = 5;
 
     private ExitCode() { }
 }

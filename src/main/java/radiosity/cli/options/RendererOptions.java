@@ -5,6 +5,7 @@ import static java.util.stream.Collectors.joining;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
@@ -95,6 +96,9 @@ public final class RendererOptions {
                     : "; hosts are " + host.hosts.stream().map(HostAddress::toString).collect(joining(", "))));
         }
         checkOutput(output().toString());
+        if (scene.frames != null) {
+            checkFrames();
+        }
     }
 
     private static void checkOutput(String name) {
@@ -136,6 +140,41 @@ public final class RendererOptions {
                 throw Failure.commandLine(TimeLimit.OPTION, "expected without " + option + ", got both");
             }
         });
+    }
+
+    /** Fails where frames are asked for with what is not numbered, or of what has none. */
+    private void checkFrames() {
+        Map<String, Boolean> others = new LinkedHashMap<>();
+        others.put("--frame", scene.frame != null);
+        others.put("-tf", file.resume != null);
+        others.put(TimeLimit.OPTION, calculation.time != null);
+        others.put("-dr", file.disableRendering);
+        others.put("--grid", !file.grids.isEmpty());
+        others.forEach((option, given) -> {
+            if (given) {
+                throw Failure.commandLine("--frames", "expected without " + option + ", got both");
+            }
+        });
+        if (!input().toString().toLowerCase(Locale.ROOT).endsWith(".lws")) {
+            throw Failure.commandLine("--frames", "expected a LightWave scene (.lws), got " + input());
+        }
+    }
+
+    /**
+     * Makes the options those of one of {@code --frames}: outputs are numbered.
+     *
+     * @param before scene file to go on from, or null
+     */
+    public void toFrame(int frame, Path before) {
+        scene.frame = (double) frame;
+        file.change = before;
+        files = List.of(input(), FrameRange.numbered(output(), frame));
+        picture.pictures.replaceAll(name -> FrameRange.numbered(name, frame));
+        picture.falseColours.replaceAll(name -> FrameRange.numbered(name, frame));
+        file.lightmap = file.lightmap == null ? null : FrameRange.numbered(file.lightmap, frame);
+        file.report = file.report == null ? null : FrameRange.numbered(file.report, frame);
+        file.points = file.points == null ? null
+                : new FileOptions.PointFiles(file.points.in(), FrameRange.numbered(file.points.out(), frame));
     }
 
     /** The scene to be lit. */

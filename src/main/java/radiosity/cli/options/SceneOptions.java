@@ -27,6 +27,11 @@ public final class SceneOptions {
             description = "LightWave: frame at which motions are taken. Default: the scene's first.")
     Double frame;
 
+    @Option(names = "--frames", paramLabel = "<a-b[:n]>", converter = FrameRange.Parser.class,
+            description = "LightWave: every n:th frame from a to b, each calculated from the one before (see --change);"
+                    + " the names of all outputs get its number: out-0012.scene.")
+    public FrameRange frames;
+
     @Option(names = "--content", paramLabel = "<dir>",
             description = "Directory in which files that the scene names are searched besides its own. Repeatable.")
     public List<Path> content = new ArrayList<>();

@@ -25,6 +25,7 @@ public final class SaveBeforeExit implements AutoCloseable {
     private final Duration patience;
     private final CountDownLatch saved = new CountDownLatch(1);
     private final Thread hook = new Thread(this::stopAndWait, "save before exit");
+    private boolean begun;
     private volatile Optional<Path> journal = Optional.empty();
 
     /** @param patience how long a signal waits for the end of saving */
@@ -34,12 +35,16 @@ public final class SaveBeforeExit implements AutoCloseable {
     }
 
     /**
-     * From now on, until closed, there is something to save.
+     * From now on, until closed, there is something to save; frames begin one after another.
      *
      * @param kept journal of it, where there is one
      */
     public void begin(Optional<Path> kept) {
         journal = kept;
+        if (begun) {
+            return;
+        }
+        begun = true;
         try {
             Runtime.getRuntime().addShutdownHook(hook);
         } catch (IllegalStateException e) {

@@ -1,0 +1,73 @@
+package radiosity.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import radiosity.cli.options.CommandLineParser;
+import radiosity.cli.options.ErrorReport;
+import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.Failure;
+import radiosity.cli.options.RendererOptions;
+import radiosity.cli.render.SaveBeforeExit;
+import radiosity.cli.terminal.StopRequest;
+import radiosity.output.gltf.SceneFile;
+
+/**
+ * The frames of a LightWave scene ({@code --frames}), each from the one before.
+ *
+ * <p>The same command goes on where it was stopped: a frame is there if its scene file was made by it, to the end, and
+ * after the scene.
+ */
+final class Animation {
+
+    private final List<String> arguments;
+    private final StopRequest stop;
+    private final SaveBeforeExit ending;
+
+    Animation(List<String> arguments, StopRequest stop, SaveBeforeExit ending) {
+        this.arguments = arguments;
+        this.stop = stop;
+        this.ending = ending;
+    }
+
+    /** All frames that are not there yet; those that are less exact than was asked for are no reason to stop. */
+    void render(RendererOptions options) throws IOException {
+        int[] frames = options.scene.frames.all();
+        List<Exception> inexact = new ArrayList<>();
+        Path before = options.file.change;
+        for (int i = 0; i < frames.length && !stop.made(); i++) {
+            RendererOptions frame = new RendererOptions();
+            new CommandLineParser(frame).parse(arguments.toArray(String[]::new));
+            frame.toFrame(frames[i], before);
+            before = frame.output();
+            if (!isThere(frame)) {
+                System.err.println("frame " + frames[i] + " (" + (i + 1) + " of " + frames.length + ")");
+                try {
+                    new RadiosityRenderer(frame, arguments, stop).render(ending);
+                } catch (Failure e) {
+                    if (e.exitCode() != ExitCode.NOT_ACCURATE) {
+                        throw e;
+                    }
+                    System.err.println(ErrorReport.line(e));
+                    inexact.add(e);
+                }
+            }
+        }
+        if (!inexact.isEmpty()) {
+            throw Failure.notAccurate(inexact.size() + " of " + frames.length + " frames are less exact than"
+                    + " --accuracy asked for");
+        }
+    }
+
+    private boolean isThere(RendererOptions frame) throws IOException {
+        if (!Files.isRegularFile(frame.output()) || Files.getLastModifiedTime(frame.output())
+                .compareTo(Files.getLastModifiedTime(frame.input())) < 0) {
+            return false;
+        }
+        try (SceneFile file = SceneFile.open(frame.output())) {
+            return arguments.equals(file.extras().get("commandLine")) && file.extras().containsKey("certificate");
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package radiosity.cli.options;
+
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+
+/**
+ * Frames of an animation.
+ *
+ * @param first at least 0
+ * @param last  at least the first
+ * @param step  from one to the next, at least 1
+ */
+public record FrameRange(int first, int last, int step) {
+
+    private static final Pattern TEXT = Pattern.compile("(\\d{1,6})-(\\d{1,6})(?::(\\d{1,6}))?");
+
+    /** Reads {@code 0-100} and {@code 0-100:2}. */
+    static final class Parser extends Values.Value<FrameRange> {
+
+        @Override
+        String expected() {
+            return "frames like 0-100 or 0-100:2";
+        }
+
+        @Override
+        public FrameRange parse(String text) {
+            Matcher words = TEXT.matcher(text);
+            if (!words.matches()) {
+                return null;
+            }
+            FrameRange range = new FrameRange(Integer.parseInt(words.group(1)), Integer.parseInt(words.group(2)),
+                    words.group(3) == null ? 1 : Integer.parseInt(words.group(3)));
+            return range.last >= range.first && range.step > 0 ? range : null;
+        }
+    }
+
+    /** All of them, in their order. */
+    public int[] all() {
+        return IntStream.rangeClosed(0, (last - first) / step).map(i -> first + i * step).toArray();
+    }
+
+    /** A file's name with the number of a frame before its ending: {@code room-0012.scene}. */
+    static Path numbered(Path file, int frame) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        String number = String.format("-%04d", frame);
+        return file.resolveSibling(dot <= 0 ? name + number : name.substring(0, dot) + number + name.substring(dot));
+    }
+}
