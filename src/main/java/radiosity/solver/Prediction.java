@@ -61,7 +61,7 @@ final class Prediction implements Planner {
     /** Unshot flux of a changed scene, relative to the emitted, that may be left, over the error that is asked for. */
     private static final double ENOUGH = 0.1;
     /** Error of a changed scene, over that when all had gathered anew last, that is taken. */
-    private static final double WORSE = 1.2;
+    private static final double WORSE = 1.15;
     /** Part of the unshot flux that may be left to later rounds of a changed scene. */
     private static final double LEFT = 0.05;
 

@@ -1,6 +1,7 @@
 package radiosity.cli.options;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -45,7 +46,7 @@ public record FrameRange(int first, int last, int step) {
     static Path numbered(Path file, int frame) {
         String name = file.getFileName().toString();
         int dot = name.lastIndexOf('.');
-        String number = String.format("-%04d", frame);
+        String number = String.format(Locale.ROOT, "-%04d", frame);
         return file.resolveSibling(dot <= 0 ? name + number : name.substring(0, dot) + number + name.substring(dot));
     }
 }
