@@ -187,15 +187,12 @@ public final class Snapshot {
     }
 
     private Rgb pixel(Camera camera, int column, int row, int width, int height, UnaryOperator<Rgb> film) {
-        Rgb[] seen = rays == null ? null : seen(IntStream.range(0, SAMPLES * SAMPLES)
-                .mapToObj(s -> direction(camera, column, row, width, height, s)).toArray(Vec3[]::new),
-                EyeRays.number(column, row) * SAMPLES * SAMPLES);
         double r = 0;
         double g = 0;
         double b = 0;
+        Rgb[] seen = rays == null ? null : seen(camera, column, row, width, height);
         for (int s = 0; s < SAMPLES * SAMPLES; s++) {
-            Rgb light = film.apply(seen != null ? seen[s]
-                    : along(direction(camera, column, row, width, height, s)));
+            Rgb light = film.apply(seen == null ? along(direction(camera, column, row, width, height, s)) : seen[s]);
             r += light.r();
             g += light.g();
             b += light.b();
@@ -237,12 +234,11 @@ public final class Snapshot {
                 .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
     }
 
-    /**
-     * What the rays of a pixel meet, where they may go on; light is gathered once for those that meet one triangle.
-     *
-     * @param first number of the first of them
-     */
-    private Rgb[] seen(Vec3[] directions, long first) {
+    /** What the rays of a pixel meet, where they may go on; light is gathered once for those that meet one triangle. */
+    private Rgb[] seen(Camera camera, int column, int row, int width, int height) {
+        Vec3[] directions = IntStream.range(0, SAMPLES * SAMPLES)
+                .mapToObj(s -> direction(camera, column, row, width, height, s)).toArray(Vec3[]::new);
+        long first = EyeRays.number(column, row) * directions.length;
         int[] element = new int[directions.length];
         float[][] hit = new float[directions.length][3];
         for (int s = 0; s < directions.length; s++) {
