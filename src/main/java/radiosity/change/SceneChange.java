@@ -117,21 +117,20 @@ public final class SceneChange {
 
     /** Whether anything stands elsewhere than before. */
     public boolean isOfGeometry() {
-        return gone() + come() > 0;
+        return share() > 0;
     }
 
-    /** Number of original triangles that are gone. */
-    public int gone() {
-        int count = 0;
-        for (boolean is : gone) {
-            count += is ? 1 : 0;
+    /** Part of the area of the earlier scene that is gone, or of the later one that has come: the larger of both. */
+    public double share() {
+        return Math.max(share(before.original, t -> gone[t]), share(now.original, t -> twin[t] < 0));
+    }
+
+    private static double share(Scene scene, IntPredicate wanted) {
+        double sum = 0;
+        for (int t = 0; t < scene.triangles(); t++) {
+            sum += wanted.test(t) ? Math.max(scene.area(t), Double.MIN_NORMAL) : 0;
         }
-        return count;
-    }
-
-    /** Number of original triangles that have come. */
-    public int come() {
-        return (int) Arrays.stream(twin).filter(t -> t < 0).count();
+        return sum == 0 ? 0 : sum / Math.max(scene.area(), sum);
     }
 
     /** Whether sources without geometry differ. */

@@ -19,8 +19,8 @@ import radiosity.solution.SavedState;
 /** The beginning of a calculation from the solution of an earlier scene, or why that is none. */
 final class EditedScene {
 
-    /** Part of the triangles that may have come or gone. */
-    private static final double MOST_TRIANGLES = 0.5;
+    /** Part of all area that may have come or gone. */
+    private static final double MOST_AREA = 0.5;
     /** Unshot flux, relative to the emitted, above which little of the old light would be left. */
     private static final double MOST_UNSHOT = 0.7;
 
@@ -59,10 +59,9 @@ final class EditedScene {
             return Optional.of("lamps or colours have come or gone that light is kept apart for");
         }
         change = new SceneChange(before, now);
-        double changed = Math.max((double) change.gone() / before.original.triangles(),
-                (double) change.come() / now.original.triangles());
-        return changed <= MOST_TRIANGLES ? Optional.empty()
-                : Optional.of(Math.round(100 * changed) + " % of the triangles have changed");
+        double changed = change.share();
+        return changed <= MOST_AREA ? Optional.empty()
+                : Optional.of(Math.round(100 * changed) + " % of all area has come or gone");
     }
 
     private String fingerprint() throws IOException {

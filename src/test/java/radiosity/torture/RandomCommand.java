@@ -97,7 +97,7 @@ final class RandomCommand {
                 light("--content", scene.library().toString());
             }
         }
-        if (is("--frame", .1)) {
+        if (is("--frame", .1) || wanted.equals("--frames")) {
             light("--frame", "" + dice.integer(0, 30));
         }
         if (is("--emission", .1)) {
@@ -282,6 +282,11 @@ final class RandomCommand {
         Set<String> used = new TreeSet<>(light.keySet());
         used.addAll(rest.keySet());
         return used;
+    }
+
+    /** The frame that is asked for; empty where there is none. */
+    String frame() {
+        return light.containsKey("--frame") ? light.get("--frame").get(0) : "";
     }
 
     boolean has(String option) {

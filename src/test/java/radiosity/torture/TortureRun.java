@@ -386,6 +386,23 @@ final class TortureRun {
         if (command.runOptions.contains("--change") && !command.timed && !command.has("-dr")) {
             unchanged();
         }
+        if (command.runOptions.contains("--frames") && !command.frame().isEmpty() && !command.timed
+                && !command.has("-dr") && !command.has("--grid") && scene.file().toString().endsWith(".lws")) {
+            animation();
+        }
+    }
+
+    /** An animation of one frame: the light is that of the frame. */
+    private void animation() throws IOException, InterruptedException {
+        String frame = command.frame();
+        List<String> words = words(command.lightWithout(Set.of("--frame")), "--frames", frame + "-" + frame,
+                scene.file(), directory.resolve("frames.scene"));
+        Path made = directory.resolve(String.format("frames-%04d.scene", Integer.parseInt(frame)));
+        LightFile light = end("animation", start(words, java()), DONE) == null ? null : checks.whole("animation", made);
+        if (light != null) {
+            checks.same("animation", reference, light);
+            tally.count("option", "--frames");
+        }
     }
 
     /** A change that is none: the light is the same. */
