@@ -41,8 +41,19 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
      * @throws IOException where the file cannot be written or its format is not known
      */
     public void writePicture(Path file, int width) throws IOException {
+        writePicture(file, width, 0);
+    }
+
+    /**
+     * The same, with the light that arrives found anew, so that no mesh shows.
+     *
+     * @param gathered rays per pixel with which it is found, 256 for instance; 0: the mesh's light
+     * @throws IOException where the file cannot be written or its format is not known
+     */
+    public void writePicture(Path file, int width, int gathered) throws IOException {
         Camera camera = DefaultCamera.of(solution);
-        Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution));
+        Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution),
+                new Snapshot.Drawing(gathered, done -> true));
     }
 
     /** Finds the light at points; making this takes time, so ask one object for all points. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Option;
 import radiosity.output.image.DefaultCamera;
+import radiosity.output.image.Snapshot;
 import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
 import radiosity.solution.Solution;
@@ -49,7 +50,7 @@ public final class PictureOptions {
     /** Reads a number of rays. */
     static final class GatherRays extends Values.Whole {
         GatherRays() {
-            super("a whole number from 1 to 1000000", 1, 1_000_000);
+            super("a whole number from 1 to " + Snapshot.Drawing.MOST_GATHERED, 1, Snapshot.Drawing.MOST_GATHERED);
         }
     }
 

@@ -52,6 +52,16 @@ public final class Snapshot {
      */
     public record Drawing(int gathered, Progress progress) {
 
+        /** Rays per pixel, at most. */
+        public static final int MOST_GATHERED = 1_000_000;
+
+        public Drawing {
+            if (gathered < 0 || gathered > MOST_GATHERED) {
+                throw new IllegalArgumentException("gathered rays: expected a number from 0 to " + MOST_GATHERED
+                        + ", got " + gathered);
+            }
+        }
+
         /** From the solution alone, to the end. */
         public static final Drawing PLAIN = new Drawing(0, done -> true);
 

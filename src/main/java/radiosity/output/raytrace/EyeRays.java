@@ -24,7 +24,7 @@ public final class EyeRays {
     /** How often a ray goes on, at most. */
     private static final int DEEPEST = 64;
     /** Rays that go on from a rough surface, where it is the first one on the way. */
-    private static final int BLURRED = 16;
+    private static final int BLURRED = 32;
 
     private final Solution solution;
     private final ElementRays rays;

@@ -241,6 +241,15 @@ class SnapshotTest {
     }
 
     @Test
+    void numbersOfRaysThatCannotBe_areRefused() {
+        for (int rays : new int[] {-1, 1_000_001, Integer.MIN_VALUE}) {
+            assertEquals("gathered rays: expected a number from 0 to 1000000, got " + rays,
+                    assertThrows(IllegalArgumentException.class, () -> new Snapshot.Drawing(rays, done -> true))
+                            .getMessage());
+        }
+    }
+
+    @Test
     void pictureThatIsNotWantedAnyMore_isNotWritten() {
         Path file = folder.resolve("a.png");
         List<Double> parts = Collections.synchronizedList(new ArrayList<>());
