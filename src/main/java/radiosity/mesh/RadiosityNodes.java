@@ -268,12 +268,12 @@ public final class RadiosityNodes {
         return points.receivers();
     }
 
-    /** The face on which a vertex lies. */
+    /** A face on which a vertex lies, or next to it: the same whichever of its faces the vertex was made for. */
     public int vertexFace(int vertex) {
         return points.face(vertex);
     }
 
-    /** The face in whose plane a vertex receives: the same whichever of its faces the vertex was made for. */
+    /** The face in whose plane a vertex receives, as {@link #vertexFace} the same for all. */
     public int vertexPlane(int vertex) {
         return points.plane(vertex);
     }

@@ -20,10 +20,8 @@ final class ReceivingPoints {
     private float[] position = new float[3 * 64];
     /** 3 per vertex: where its light is gathered. */
     private float[] receiver = new float[3 * 64];
-    /** 1 per vertex: a face on which it lies. */
+    /** 1 per vertex: the face that stands for it, the same whoever has it; see {@link VertexKey#face}. */
     private int[] face = new int[64];
-    /** 1 per vertex: the face in whose plane it receives. */
-    private int[] plane = new int[64];
     /** 1 per vertex: what it is, whoever owns it. */
     private long[] key = new long[64];
     /** 1 per vertex: number of the split that made it; 0 in the initial mesh. */
@@ -76,8 +74,7 @@ final class ReceivingPoints {
         }
         System.arraycopy(at, from, position, 3 * v, 3);
         patcher.pull(f, w, wAt, depth, position, receiver, 3 * v);
-        face[v] = f;
-        plane[v] = VertexKey.plane(patcher.faces(), f, w, wAt);
+        face[v] = VertexKey.face(patcher.faces(), f, w, wAt);
         key[v] = id;
         made[v] = with;
         count++;
@@ -140,7 +137,6 @@ final class ReceivingPoints {
         position = Arrays.copyOf(position, 3 * room);
         receiver = Arrays.copyOf(receiver, 3 * room);
         face = Arrays.copyOf(face, room);
-        plane = Arrays.copyOf(plane, room);
         key = Arrays.copyOf(key, room);
         made = Arrays.copyOf(made, room);
         buried = Arrays.copyOf(buried, room);
@@ -161,7 +157,7 @@ final class ReceivingPoints {
     }
 
     int plane(int v) {
-        return plane[v];
+        return patcher.faces().plane(face[v]);
     }
 
     long key(int v) {

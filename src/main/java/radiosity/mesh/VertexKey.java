@@ -30,23 +30,23 @@ final class VertexKey {
     }
 
     /**
-     * The face in whose plane a vertex receives, the same for whichever of its faces it is made: that of the lowest
-     * face round the corner, or of the lowest round the ends of the edge.
+     * The face that stands for a vertex, the same for whichever of its faces it is made: the lowest face round the
+     * corner, or the lowest round the ends of the edge.
      *
      * @param w weights of the face's corners, 3 from {@code at}, in units of 2^-30; not modified
      */
-    static int plane(Faces faces, int f, int[] w, int at) {
+    static int face(Faces faces, int f, int[] w, int at) {
         for (int k = 0; k < 3; k++) {
             int p = faces.fan[3 * f + (k + 1) % 3] / 3;
             int q = faces.fan[3 * f + (k + 2) % 3] / 3;
             if (w[at + k] == NodePath.ONE) {
-                return faces.plane(faces.fan[3 * f + k] / 3);
+                return faces.fan[3 * f + k] / 3;
             }
             if (w[at + k] == 0 && w[at + (k + 1) % 3] != 0 && w[at + (k + 2) % 3] != 0
                     && (faces.border[f] >> k & 1) == 0) {
-                return faces.plane(Math.min(p, q));
+                return Math.min(p, q);
             }
         }
-        return faces.plane(f);
+        return f;
     }
 }

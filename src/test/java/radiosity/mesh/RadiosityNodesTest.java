@@ -1,10 +1,14 @@
 package radiosity.mesh;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Vec3;
@@ -27,5 +31,38 @@ class RadiosityNodesTest {
             IntStream.range(0, 3 * n).parallel().forEach(i -> nodes.position(i / 3, i % 3, got, 3 * i));
             assertArrayEquals(expected, got);
         }
+    }
+
+    /** By that face is decided how exactly a vertex gathers: it must not depend on who else is on the same host. */
+    @Test
+    void verticesThatTwoFacesShare_haveTheSameFaceOnEveryHost() {
+        Scene scene = new SceneBuilder()
+                .polygon(RoomScenes.grey("floor", 0, .5), Vec3.ZERO, new Vec3(0, 0, 9), new Vec3(9, 0, 0))
+                .polygon(RoomScenes.grey("small", 0, .5), new Vec3(1, 1, 1), new Vec3(1, 1, 1.01),
+                        new Vec3(1.01, 1, 1.01), new Vec3(1.003, 1, 1.001)).scene("two triangles over a floor");
+        Faces faces = new Faces(scene);
+        Patcher patcher = new Patcher(faces, faces.area(), true);
+        int[] small = IntStream.range(0, faces.count()).filter(patcher::isPoint).toArray();
+        assertEquals(2, small.length);
+        assertNotEquals(patcher.slack(small[0]), patcher.slack(small[1]), "one is as exact as the other");
+        RadiosityNodes one = divided(patcher, small[0]);
+        RadiosityNodes other = divided(patcher, small[1]);
+        int shared = 0;
+        for (int v : one.verticesMade(1)) {
+            for (int w : other.verticesMade(1)) {
+                if (one.vertexKey(v) == other.vertexKey(w)) {
+                    assertEquals(one.vertexFace(v), other.vertexFace(w));
+                    shared++;
+                }
+            }
+        }
+        assertEquals(3, shared, "two corners and the middle between them");
+    }
+
+    private static RadiosityNodes divided(Patcher patcher, int face) {
+        RadiosityNodes nodes = new RadiosityNodes(patcher,
+                List.of(new Block(0, new int[] {face}, new long[] {NodePath.FACE})));
+        nodes.split(nodes.patch(0), 1);
+        return nodes;
     }
 }
