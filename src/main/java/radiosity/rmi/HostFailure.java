@@ -20,8 +20,16 @@ public final class HostFailure {
 
     private HostFailure() { }
 
-    /** @param error what a call to the host has thrown */
+    /**
+     * Why a host is lost.
+     *
+     * @param error what a call to the host has thrown
+     * @throws OutOfMemoryError where it was thrown here: what a host lacks comes in an exception of RMI
+     */
     public static HostLostException because(Throwable error) {
+        if (error instanceof OutOfMemoryError here) {
+            throw here;
+        }
         Throwable cause = cause(error);
         boolean computation = cause instanceof ServerError || !(cause instanceof RemoteException);
         return new HostLostException(words(cause), computation, error);

@@ -122,7 +122,7 @@ final class RandomCommand {
             light("--sky", dice.of("uniform", "cie-overcast", "cie-clear") + "=1e-6"); // adds next to nothing to the rest
             light("--sun", "1,2,3", "1e-6");
         }
-        if (is("--strict", .03)) {
+        if (scene.kind() != SceneKind.STUDY && is("--strict", .03)) { // there is something to warn of in the study
             light("--strict");
         }
     }

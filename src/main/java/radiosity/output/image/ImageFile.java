@@ -15,6 +15,7 @@ import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
 import radiosity.scene.ImageSource;
 import radiosity.scene.Srgb;
 
@@ -67,8 +68,9 @@ final class ImageFile {
 
     /** @throws IOException with a reason for the user if it cannot be read */
     static ImageFile read(ImageSource source) throws IOException {
-        Object input = source.content().isPresent() ? stream(source.content().get()) : Path.of(source.name()).toFile();
-        try (ImageInputStream in = ImageIO.createImageInputStream(input)) {
+        try (ImageInputStream in = source.content().isPresent()
+                ? new MemoryCacheImageInputStream(stream(source.content().get()))
+                : ImageIO.createImageInputStream(Path.of(source.name()).toFile())) {
             Iterator<ImageReader> readers = in == null ? null : ImageIO.getImageReaders(in);
             if (readers == null || !readers.hasNext()) {
                 throw new IOException(in == null ? "a file that cannot be read" : "a format that is not known");

@@ -36,6 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.master.RemoteWorld;
+import radiosity.rmi.HostFailure;
 import radiosity.rmi.RemotePartition;
 import radiosity.rmi.SessionEndedException;
 import radiosity.settings.Schedule;
@@ -189,6 +190,11 @@ class HostNoticesTest {
         });
         assertEquals("host igge: expected the round to be computed there or elsewhere, got internal error there, "
                 + "StackOverflowError", end.getMessage());
+    }
+
+    @Test
+    void memoryThatTheMasterLacks_isNoFailureOfTheHost() {
+        assertThrows(OutOfMemoryError.class, () -> HostFailure.because(new OutOfMemoryError("Java heap space")));
     }
 
     /** Its heartbeat would keep the host from this master, and from every other. */
