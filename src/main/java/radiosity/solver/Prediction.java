@@ -54,13 +54,14 @@ final class Prediction implements Planner {
     /** What the last round was. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE, MEND }
 
-    /** Where a stage is written: the scene was changed, and its light is that of an earlier scene with corrections. */
-    private static final int CHANGED = 0x40;
+    /** Where a stage is written: from which bit on the number of changes is, of which no more than so many count. */
+    private static final int CHANGES_BIT = 5;
+    private static final int MOST_CHANGES = 3;
     /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
     private static final double PREDICTED = 0.1;
     /** Unshot flux of a changed scene, relative to the emitted, that may be left, over the error that is asked for. */
     private static final double ENOUGH = 0.1;
-    /** Error of a changed scene, over that when all had gathered anew last, that is taken. */
+    /** Error after some changes, over that when all had gathered anew last, that is taken. */
     private static final double WORSE = 1.15;
     /** Part of the unshot flux that may be left to later rounds of a changed scene. */
     private static final double LEFT = 0.05;
@@ -97,7 +98,8 @@ final class Prediction implements Planner {
      * 0 then.
      */
     private double left = Double.POSITIVE_INFINITY;
-    private boolean isChanged;
+    /** How often the scene was changed since all have gathered anew; above 0, the light is an earlier scene's. */
+    private int changes;
 
     /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
     Prediction(World world, double wanted, Audit audit) {
@@ -127,7 +129,7 @@ final class Prediction implements Planner {
 
     @Override
     public Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        if (isChanged) {
+        if (changes > 0) {
             return nextOfChange(last, unsent, goOn);
         }
         switch (stage) {
@@ -205,11 +207,15 @@ final class Prediction implements Planner {
         return refined ? mend() : split(last);
     }
 
-    /** Where independent points find clearly more error than before, all gather anew what was ever shot. */
+    /**
+     * Where independent points find clearly more error than was asked for, or than before after several changes, all
+     * gather anew what was ever shot: the noise of one change is little, but that of many adds up.
+     */
     private Order endOfChange(double unsent) throws IOException {
         Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
-        if (certificate.isPresent() && certificate.get().expected() > WORSE * loop.found()) {
-            isChanged = false;
+        double most = WORSE * (changes < MOST_CHANGES ? Math.max(loop.asked(), loop.found()) : loop.found());
+        if (certificate.isPresent() && certificate.get().expected() > most) {
+            changes = 0;
             return renew(unsent);
         }
         stage = Stage.DONE;
@@ -390,7 +396,7 @@ final class Prediction implements Planner {
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
         return new Order(kind, shots, new Order.Rules(loop.tolerance(), weight, loop.meshError(), even,
-                new double[0], isChanged && kind == Order.Kind.SHOOT),
+                new double[0], changes > 0 && kind == Order.Kind.SHOOT),
                 Order.Question.candidates(0));
     }
 
@@ -409,7 +415,7 @@ final class Prediction implements Planner {
     public void aim(double error) {
         if (error < loop.asked()) {
             loop.aim(error);
-            isChanged = false;
+            changes = 0;
             stage = stage == Stage.DONE ? Stage.BALANCE : stage;
         }
     }
@@ -422,7 +428,7 @@ final class Prediction implements Planner {
 
     @Override
     public void write(DataOutput out) throws IOException {
-        out.writeByte(stage.ordinal() | (isChanged ? CHANGED : 0));
+        out.writeByte(stage.ordinal() | changes << CHANGES_BIT);
         loop.write(out);
         out.writeInt(splits);
         out.writeInt(elements);
@@ -436,8 +442,8 @@ final class Prediction implements Planner {
     @Override
     public void read(DataInput in) throws IOException {
         int written = in.readByte();
-        stage = Stage.values()[written & ~CHANGED];
-        isChanged = (written & CHANGED) != 0;
+        stage = Stage.values()[written & (1 << CHANGES_BIT) - 1];
+        changes = written >> CHANGES_BIT;
         loop.read(in);
         splits = in.readInt();
         elements = in.readInt();
@@ -453,30 +459,31 @@ final class Prediction implements Planner {
      *
      * @return how closely it looked, by its own weights; nothing where it was not at its end
      */
-    Optional<Earlier> readChanged(DataInput in, InitialMesh before) throws IOException {
+    Optional<Earlier> readChanged(DataInput in, InitialMesh earlier) throws IOException {
         int written = in.readByte();
         loop.read(in);
         splits = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();
         in.readDouble();
-        double[] old = new double[Weights.count(before.rooms, world.channels())];
+        double[] old = new double[Weights.count(earlier.rooms, world.channels())];
         for (int c = 0; c < old.length; c++) {
             old[c] = in.readDouble();
         }
         for (int i = 0; i < weight.length; i++) {
             int c = i % world.channels();
-            double lamps = before.emitted[c] > 0 && world.mesh.emitted[c] > 0
-                    ? before.emitted[c] / world.mesh.emitted[c] : 1;
+            double lamps = earlier.emitted[c] > 0 && world.mesh.emitted[c] > 0
+                    ? earlier.emitted[c] / world.mesh.emitted[c] : 1;
             weight[i] = old[weight.length == old.length ? i : c] * lamps;
         }
         stage = Stage.SHOOT;
         splits = 0;
         refined = false;
-        isChanged = true;
-        boolean isDone = Stage.values()[written & ~CHANGED] == Stage.DONE;
+        int before = written >> CHANGES_BIT;
+        changes = Math.min(MOST_CHANGES, before + 1);
+        boolean isDone = Stage.values()[written & (1 << CHANGES_BIT) - 1] == Stage.DONE;
         return !isDone ? Optional.empty() : Optional.of(new Earlier(new Order.Rules(loop.tolerance(), old,
-                loop.meshError(), new double[0], new double[0]), (written & CHANGED) == 0));
+                loop.meshError(), new double[0], new double[0]), before == 0));
     }
 
     /** See {@link Weights}. */

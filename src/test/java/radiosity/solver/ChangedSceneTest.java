@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.master.RemoteWorld;
@@ -70,6 +71,8 @@ class ChangedSceneTest {
         Solution anew = anew(scene);
         Solution changed = changed(scene, OLD, 2, 1);
         assertAlike(anew, changed);
+        double least = DoubleStream.of(changed.irradiance()).min().orElseThrow();
+        assertTrue(least >= -1e-6 * DoubleStream.of(changed.irradiance()).average().orElseThrow(), "least " + least);
         EnergyLedger ledger = changed.ledger();
         for (int c = 0; c < 3; c++) {
             assertEquals(0, ledger.imbalance(c), 1e-12);
@@ -93,7 +96,6 @@ class ChangedSceneTest {
             }
         }
         double difference = Math.sqrt(squares / count) / (sum / count);
-        System.out.println("difference " + difference);
         assertTrue(difference < 2 * ERROR, "difference " + difference);
     }
 
@@ -154,6 +156,21 @@ class ChangedSceneTest {
             Solution one = changed(scene, OLD, 1, 1);
             assertSame(one, changed(scene, OLD, 2, 3));
             assertSame(one, changed(scene, OLD, 1, 7));
+        }
+    }
+
+    @Test
+    void stoppedOnTheWay_endsWithTheSameBits() throws IOException {
+        try (LocalWorld world = new LocalWorld(blockMoved(), SETTINGS, 2);
+                LocalWorld other = new LocalWorld(blockMoved(), SETTINGS, 1)) {
+            ProgressiveRadiosity first = new ProgressiveRadiosity(world, STOP);
+            first.change(OLD);
+            int elements = first.progress().elements();
+            first.run(progress -> progress.elements() == elements);
+            ProgressiveRadiosity rest = new ProgressiveRadiosity(other, STOP);
+            rest.resume(first.state());
+            rest.run(progress -> true);
+            assertSame(changed(blockMoved(), OLD, 2, 1), rest.solution());
         }
     }
 
