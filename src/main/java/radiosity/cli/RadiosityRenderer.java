@@ -137,7 +137,8 @@ public final class RadiosityRenderer {
             Scene scene = scene();
             RadiositySettings settings = checked(scene, before, changed.map(SavedCalculation::settings)
                     .orElseGet(options.calculation::defaults));
-            journal = new Journal(claim, settings, user::message, System::nanoTime);
+            journal = new Journal(claim, settings + (options.file.change == null ? "" : " --change "
+                    + options.file.change), user::message, System::nanoTime);
             result = new RenderJob(options, scene, files, warnings, user).run(settings, radiosity -> {
                 if (!journal.resume(radiosity)) {
                     begin(radiosity, before, changed);

@@ -50,8 +50,13 @@ public final class Journal {
      * @param clock for differences, ns
      */
     public Journal(JournalClaim claim, RadiositySettings settings, Consumer<String> notices, LongSupplier clock) {
+        this(claim, settings.toString(), notices, clock);
+    }
+
+    /** @param settings in words, with what else a render must have in common with one that was cut off */
+    public Journal(JournalClaim claim, String settings, Consumer<String> notices, LongSupplier clock) {
         file = claim.journal();
-        this.settings = settings.toString();
+        this.settings = settings;
         this.notices = notices;
         this.clock = clock;
         last = clock.getAsLong();
