@@ -69,7 +69,7 @@ public final class MeshRefinement {
             }
         }
         for (int top : nodes.tops()) {
-            if (nodes.isElement(top) && wants(top, ofFace(top))) {
+            if (nodes.isElement(top) && wantsUnseen(top)) {
                 nodes.split(top, round);
             }
         }
@@ -180,19 +180,12 @@ public final class MeshRefinement {
     }
 
     /**
-     * An original triangle has no parent: a quarter of its light, as nothing is known of what lies between its corners,
-     * even if these are lit alike.
+     * An original triangle has no parent: nothing is known of what lies between its corners, even if these are dark. At
+     * most all of what is there is missed, and errors of what is bright are relative to that part of it.
      */
-    private double ofFace(int node) {
-        double largest = 0;
-        for (int c = 0; c < nodes.channels(); c++) {
-            double high = 0;
-            for (int k = 0; k < 3; k++) {
-                high = Math.max(high, nodes.light().irradiance(node, k, c));
-            }
-            largest = Math.max(largest, weigh(node, c, high / 4));
-        }
-        return largest;
+    private boolean wantsUnseen(int top) {
+        double share = nodes.area(top) / area;
+        return share > LEAST_AREA && Accuracy.BRIGHT * Math.sqrt(share) > meshError;
     }
 
     /** How many times as bright as is {@linkplain Accuracy#BRIGHT bright} it is; at least 1. */

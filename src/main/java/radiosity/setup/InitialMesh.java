@@ -35,6 +35,8 @@ public final class InitialMesh {
     private static final int PATCHES = 6000;
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
+    /** Number of the way in which calculations are saved: those of another one are refused. */
+    private static final int STATE = 2;
     /** Where a fingerprint is split into scene and options. */
     private static final String PARTS = ",? (?=-)";
     /** What is shared out: where borders cost time, and where every point is computed once. */
@@ -194,8 +196,8 @@ public final class InitialMesh {
 
     /** What two calculations must have in common for one to go on from the other. */
     public String fingerprint() {
-        return String.format(Locale.ROOT, "scene %016x in %d blocks, -pa %s -nr %d -mt %s --schedule %s", digest(),
-                blocks.size(), text(patchArea()), rays(), text(settings.meshing()),
+        return String.format(Locale.ROOT, "scene %016x in %d blocks, state %d, -pa %s -nr %d -mt %s --schedule %s",
+                digest(), blocks.size(), STATE, text(patchArea()), rays(), text(settings.meshing()),
                 settings.schedule().name().toLowerCase(Locale.ROOT))
                 + (settings.layers() ? " --layers" : "")
                 + (settings.factors() == FormFactors.RAYCAST ? ""

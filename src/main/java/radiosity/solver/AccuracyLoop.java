@@ -30,6 +30,8 @@ final class AccuracyLoop {
      */
     private static final double SLOWEST = 0.25;
     private static final double GROWTH = 1.2;
+    /** Looks: one of them may have met the worst element of all. */
+    private static final int MOST_IN_VAIN = 2;
     /** And where this part of what is usual for the error that is asked for leaves it, or nothing is to be divided. */
     private static final double LEAST = 0.01;
 
@@ -42,6 +44,8 @@ final class AccuracyLoop {
     private double reached = Double.POSITIVE_INFINITY;
     /** Elements that there were then, over what a ray carried; 0 before. */
     private double work;
+    /** Looks in a row that found it no better than the best before them, for the work. */
+    private int inVain;
 
     AccuracyLoop(InitialMesh mesh) {
         asked = mesh.accuracy();
@@ -82,20 +86,26 @@ final class AccuracyLoop {
      * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster.
      */
     boolean goesOn(Certificate certificate, int elements) {
+        double found = certificate.expected();
+        double now = elements / tolerance;
         boolean isNewAim = Double.isNaN(reached);
-        double grown = work == 0 ? 1 : elements / tolerance / work;
-        boolean isBetter = work == 0 || certificate.expected() < reached * StrictMath.pow(grown, -SLOWEST);
-        reached = certificate.expected();
-        work = elements / tolerance;
-        if (reached <= asked || isNewAim) {
-            return reached > asked;
+        boolean isBetter = isNewAim || work == 0 || found < reached * StrictMath.pow(now / work, -SLOWEST);
+        if (isBetter) {
+            reached = found;
+            work = now;
+            inVain = 0;
+        } else if (now > GROWTH * work) {
+            inVain++;
         }
-        if (!isBetter && (grown > GROWTH || isFinest())) {
+        if (found <= asked || isNewAim) {
+            return found > asked;
+        }
+        if (inVain == MOST_IN_VAIN || !isBetter && isFinest()) {
             return false;
         }
         double wanted = MARGIN * asked * asked;
         double rays = certificate.sampling() * certificate.sampling();
-        double mesh = Math.max(0, reached * reached - rays);
+        double mesh = Math.max(0, found * found - rays);
         double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
         if (rays > forRays) {
             tolerance = Accuracy.tolerance(Accuracy.of(tolerance) * Math.sqrt(Math.max(STEP, forRays / rays)));
@@ -117,6 +127,7 @@ final class AccuracyLoop {
         out.writeDouble(meshError);
         out.writeDouble(reached);
         out.writeDouble(work);
+        out.writeInt(inVain);
     }
 
     void read(DataInput in) throws IOException {
@@ -125,5 +136,6 @@ final class AccuracyLoop {
         meshError = in.readDouble();
         reached = in.readDouble();
         work = in.readDouble();
+        inVain = in.readInt();
     }
 }

@@ -53,7 +53,19 @@ class AccuracyLoopTest {
     void moreElementsWithoutProgress_end() {
         AccuracyLoop loop = loop();
         assertTrue(loop.goesOn(certificate(.04, .01, .038), 1000));
-        assertFalse(loop.goesOn(certificate(.039, .01, .037), 2000));
+        assertTrue(loop.goesOn(certificate(.039, .01, .037), 2000));
+        assertFalse(loop.goesOn(certificate(.038, .01, .036), 4000));
+    }
+
+    /** One look may have met the worst element of all. */
+    @Test
+    void oneWorseLook_isNotTheEnd() {
+        AccuracyLoop loop = loop();
+        assertTrue(loop.goesOn(certificate(.2, .01, .2), 1000));
+        assertTrue(loop.goesOn(certificate(1, .01, 1), 2000));
+        assertTrue(loop.goesOn(certificate(.1, .01, .1), 4000), "better than the first, for the work");
+        assertTrue(loop.goesOn(certificate(1, .01, 1), 8000));
+        assertFalse(loop.goesOn(certificate(1, .01, 1), 16_000));
     }
 
     /** Nothing was fine enough to be divided: then more has to be, until that is not the cause of the error. */
