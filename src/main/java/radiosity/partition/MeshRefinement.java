@@ -136,7 +136,27 @@ public final class MeshRefinement {
      */
     private double fromAbove(int node) {
         int parent = nodes.parent(node);
-        return parent < 0 ? 0 : touching(ofMiddles(parent), node - nodes.child(parent)) / 4;
+        return Math.max(unseen(node), parent < 0 ? 0 : touching(ofMiddles(parent), node - nodes.child(parent)) / 4);
+    }
+
+    /**
+     * Where corners and middles are all dark, they may all be covered: the middle of a window sill is where the bar
+     * stands. Then as much may be missed between them as on a face that nothing has divided, a quarter of it for each
+     * division since.
+     */
+    private double unseen(int node) {
+        double brightest = 0;
+        for (int k = 0; k < 6; k++) {
+            int v = k < 3 ? nodes.corner(node, k) : nodes.corner(nodes.child(node) + 3, k - 3);
+            for (int c = 0; c < nodes.channels() && !nodes.isBuried(v); c++) {
+                brightest = Math.max(brightest, weigh(node, c, at(v, c)));
+            }
+        }
+        int divisions = 1;
+        for (int above = nodes.parent(node); above >= 0; above = nodes.parent(above)) {
+            divisions++;
+        }
+        return brightest < 1 / Accuracy.BRIGHT ? Accuracy.BRIGHT / (1L << 2 * divisions) : 0;
     }
 
     private boolean wants(int element, double error) {

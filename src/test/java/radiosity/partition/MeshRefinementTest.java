@@ -2,6 +2,7 @@ package radiosity.partition;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import radiosity.mesh.Block;
@@ -19,22 +20,38 @@ import radiosity.util.ParallelFor;
 /** What is divided, by the light that is known of it. */
 class MeshRefinementTest {
 
-    private static int elements(double meshError) {
+    private static RadiosityNodes bar() {
         Scene scene = new SceneBuilder()
                 .polygon(RoomScenes.grey("wall", 0, .5), Vec3.ZERO, new Vec3(0, 0, 10), new Vec3(10, 0, 0))
                 .polygon(RoomScenes.grey("bar", 0, .5), new Vec3(1, 1, 1), new Vec3(1, 1, 2), new Vec3(2, 1, 1))
                 .scene("a bar before a wall");
         Faces faces = new Faces(scene);
-        RadiosityNodes bar = new RadiosityNodes(new Patcher(faces, faces.area(), true),
+        return new RadiosityNodes(new Patcher(faces, faces.area(), true),
                 List.of(new Block(0, new int[] {1}, new long[] {NodePath.FACE})));
-        new MeshRefinement(bar, Weights.of(new double[] {1, 1, 1}), meshError).splitAll(1, new ParallelFor(1));
+    }
+
+    private static int divided(RadiosityNodes bar, double meshError, int with) {
+        new MeshRefinement(bar, Weights.of(new double[] {1, 1, 1}), meshError).splitAll(with, new ParallelFor(1));
         return bar.elements();
     }
 
     /** Its corners are where other bars cover it: between them may be the sky. */
     @Test
     void faceWithDarkCorners_isDivided_whereItsAreaMatters() {
-        assertEquals(4, elements(.1));
-        assertEquals(1, elements(.5));
+        assertEquals(4, divided(bar(), .1, 1));
+        assertEquals(1, divided(bar(), .5, 1));
+    }
+
+    /** Its middle is where the next bar crosses it. */
+    @Test
+    void faceWithDarkMiddles_isDividedAgain_asLongAsItIsNotLit() {
+        RadiosityNodes bar = bar();
+        assertEquals(4, divided(bar, .03, 1));
+        assertEquals(16, divided(bar, .03, 2));
+        assertEquals(16, divided(bar, .03, 3), "too small to matter");
+        RadiosityNodes lit = bar();
+        divided(lit, .03, 1);
+        Arrays.fill(lit.light().irradiance(), 1);
+        assertEquals(4, divided(lit, .03, 2), "it is lit evenly");
     }
 }
