@@ -69,7 +69,7 @@ public final class MeshRefinement {
             }
         }
         for (int top : nodes.tops()) {
-            if (nodes.isElement(top) && wantsUnseen(top)) {
+            if (nodes.isElement(top) && (nodes.isPoint(top) ? wants(top, ofPoint(top)) : wantsUnseen(top))) {
                 nodes.split(top, round);
             }
         }
@@ -156,7 +156,7 @@ public final class MeshRefinement {
         for (int above = nodes.parent(node); above >= 0; above = nodes.parent(above)) {
             divisions++;
         }
-        return brightest < 1 / Accuracy.BRIGHT ? Accuracy.BRIGHT / (1L << 2 * divisions) : 0;
+        return brightest < 1 / Accuracy.BRIGHT ? missed(node) / (1L << 2 * divisions) : 0;
     }
 
     private boolean wants(int element, double error) {
@@ -205,7 +205,25 @@ public final class MeshRefinement {
      */
     private boolean wantsUnseen(int top) {
         double share = nodes.area(top) / area;
-        return share > LEAST_AREA && Accuracy.BRIGHT * Math.sqrt(share) > meshError;
+        return share > LEAST_AREA && missed(top) * Math.sqrt(share) > meshError;
+    }
+
+    /** Error where all light of a node is missed, as far as its surface reflects it. */
+    private double missed(int node) {
+        double importance = 0;
+        for (int c = 0; c < nodes.channels(); c++) {
+            importance = Math.max(importance, faces.importance(nodes.face(node), c));
+        }
+        return Accuracy.BRIGHT * importance;
+    }
+
+    /** What receives at its middle only counts a quarter of its light as error, as nothing is known of its corners. */
+    private double ofPoint(int node) {
+        double largest = 0;
+        for (int c = 0; c < nodes.channels(); c++) {
+            largest = Math.max(largest, weigh(node, c, nodes.light().irradiance(node, 0, c) / 4));
+        }
+        return largest;
     }
 
     /** How many times as bright as is {@linkplain Accuracy#BRIGHT bright} it is; at least 1. */

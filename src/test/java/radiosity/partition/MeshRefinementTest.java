@@ -23,7 +23,7 @@ class MeshRefinementTest {
     private static RadiosityNodes bar() {
         Scene scene = new SceneBuilder()
                 .polygon(RoomScenes.grey("wall", 0, .5), Vec3.ZERO, new Vec3(0, 0, 10), new Vec3(10, 0, 0))
-                .polygon(RoomScenes.grey("bar", 0, .5), new Vec3(1, 1, 1), new Vec3(1, 1, 2), new Vec3(2, 1, 1))
+                .polygon(RoomScenes.grey("bar", 0, .9), new Vec3(1, 1, 1), new Vec3(1, 1, 2), new Vec3(2, 1, 1))
                 .scene("a bar before a wall");
         Faces faces = new Faces(scene);
         return new RadiosityNodes(new Patcher(faces, faces.area(), true),
