@@ -100,7 +100,7 @@ final class Sky {
         Place(Vec3 n, Predicate<Vec3> free) {
             this.n = n;
             this.free = free;
-            u = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+            u = n.perpendicular();
             v = n.cross(u);
             up = new double[] {u.dot(light.up()), v.dot(light.up()), n.dot(light.up())};
         }

@@ -41,6 +41,11 @@ public record Vec3(double x, double y, double z) {
         return length == 0 ? this : times(1 / length);
     }
 
+    /** A unit vector at right angles to this unit vector. */
+    public Vec3 perpendicular() {
+        return cross(Math.abs(x) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+    }
+
     /** Along x (0), y (1) or z (2). */
     public double coordinate(int axis) {
         return axis == 0 ? x : axis == 1 ? y : z;

@@ -40,9 +40,9 @@ final class AccuracyLoop {
     private double tolerance;
     /** What interpolation on one element may add to the whole error. */
     private double meshError;
-    /** What points found last: relative error; NaN where that was before there was a new aim. */
+    /** Relative error that points found in the best look for its work; NaN where none was made at a new aim. */
     private double reached = Double.POSITIVE_INFINITY;
-    /** Elements that there were then, over what a ray carried; 0 before. */
+    /** Work of that look: elements, over what a ray carried; 0 before the first. */
     private double work;
     /** Looks in a row that found it no better than the best before them, for the work. */
     private int inVain;
@@ -58,7 +58,7 @@ final class AccuracyLoop {
         return asked;
     }
 
-    /** Relative error that points found last; what was asked for where none was looked at. */
+    /** Relative error that points found in the best look for its work; the one asked for before the first look. */
     double found() {
         return reached < Double.POSITIVE_INFINITY ? reached : asked;
     }

@@ -54,8 +54,7 @@ final class Prediction implements Planner {
     /** What the last round was. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE, MEND }
 
-    /** Where a stage is written: from which bit on the number of changes is, of which no more than so many count. */
-    private static final int CHANGES_BIT = 5;
+    /** Changes of the scene of which no more count. */
     private static final int MOST_CHANGES = 3;
     /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
     private static final double PREDICTED = 0.1;
@@ -428,7 +427,8 @@ final class Prediction implements Planner {
 
     @Override
     public void write(DataOutput out) throws IOException {
-        out.writeByte(stage.ordinal() | changes << CHANGES_BIT);
+        out.writeByte(stage.ordinal());
+        out.writeByte(changes);
         loop.write(out);
         out.writeInt(splits);
         out.writeInt(elements);
@@ -441,9 +441,8 @@ final class Prediction implements Planner {
 
     @Override
     public void read(DataInput in) throws IOException {
-        int written = in.readByte();
-        stage = Stage.values()[written & (1 << CHANGES_BIT) - 1];
-        changes = written >> CHANGES_BIT;
+        stage = Stage.values()[in.readByte()];
+        changes = in.readByte();
         loop.read(in);
         splits = in.readInt();
         elements = in.readInt();
@@ -460,7 +459,8 @@ final class Prediction implements Planner {
      * @return how closely it looked, by its own weights; nothing where it was not at its end
      */
     Optional<Earlier> readChanged(DataInput in, InitialMesh earlier) throws IOException {
-        int written = in.readByte();
+        boolean isDone = Stage.values()[in.readByte()] == Stage.DONE;
+        int before = in.readByte();
         loop.read(in);
         splits = in.readInt();
         elements = in.readInt();
@@ -479,9 +479,7 @@ final class Prediction implements Planner {
         stage = Stage.SHOOT;
         splits = 0;
         refined = false;
-        int before = written >> CHANGES_BIT;
         changes = Math.min(MOST_CHANGES, before + 1);
-        boolean isDone = Stage.values()[written & (1 << CHANGES_BIT) - 1] == Stage.DONE;
         return !isDone ? Optional.empty() : Optional.of(new Earlier(new Order.Rules(loop.tolerance(), old,
                 loop.meshError(), new double[0], new double[0]), before == 0));
     }

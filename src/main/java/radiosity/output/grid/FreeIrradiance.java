@@ -65,7 +65,7 @@ final class FreeIrradiance {
     }
 
     private Rgb reflected(Vec3 x, Vec3 n) {
-        Vec3 u = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+        Vec3 u = n.perpendicular();
         Vec3 v = n.cross(u);
         Rgb sum = Rgb.BLACK;
         for (int i = 0; i < SIDE * SIDE; i++) {

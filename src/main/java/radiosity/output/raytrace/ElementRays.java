@@ -12,6 +12,10 @@ import radiosity.visibility.RadiosityBounds;
 /** What rays meet among the elements of a solution: their visible sides, and those of glass also from within. */
 final class ElementRays {
 
+    /** What a ray may meet instead of a visible side. */
+    static final int NOTHING = -1;
+    static final int BACK = -2;
+
     /** In the hierarchy the scene has a diagonal of 1: no ray is longer. */
     private static final double FAR = 4;
     /** How far from its surface a ray is looked for: more than its coordinates are rounded by. */
@@ -84,10 +88,6 @@ final class ElementRays {
         double w = det == 0 ? 0 : direction.dot(q) / det;
         return new Hit(element, a.plus(ab.times(v)).plus(ac.times(w)), v, w, isWithin);
     }
-
-    /** What a ray may meet instead of a visible side. */
-    static final int NOTHING = -1;
-    static final int BACK = -2;
 
     /**
      * The first element along a ray whose visible side it meets, {@link #BACK} where it meets a back before, or

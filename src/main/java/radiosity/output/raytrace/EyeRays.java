@@ -11,7 +11,7 @@ import radiosity.solution.Solution;
 import radiosity.util.Hash;
 
 /**
- * What the eye sees of a solution along a ray: at surfaces that specular the ray is divided, and goes on until it meets
+ * What the eye sees of a solution along a ray: at surfaces that shine the ray is divided, and goes on until it meets
  * what is diffuse (T. Whitted, An improved illumination model for shaded display, 1980; after a diffuse solution: J.
  * Wallace, M. Cohen, D. Greenberg, A two-pass solution to the rendering equation, 1987).
  *

@@ -152,7 +152,7 @@ final class FinalGather {
 
     /** Rays uniform in the circle below the hemisphere (W. Nusselt, 1928): each brings the same. */
     private Rgb fromAround(Vec3 from, Vec3 n, long first, int count) {
-        Vec3 u = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+        Vec3 u = n.perpendicular();
         Vec3 v = n.cross(u);
         float[] hit = new float[3];
         Rgb sum = Rgb.BLACK;

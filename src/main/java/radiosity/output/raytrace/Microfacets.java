@@ -24,7 +24,7 @@ final class Microfacets {
     Microfacets(Vec3 normal, Vec3 direction, double roughness) {
         width = roughness * roughness;
         this.normal = normal;
-        u = normal.cross(Math.abs(normal.x()) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
+        u = normal.perpendicular();
         v = normal.cross(u);
         stretched = new Vec3(-width * direction.dot(u), -width * direction.dot(v), -direction.dot(normal)).unit();
     }
