@@ -2,18 +2,17 @@ package radiosity.bench;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import radiosity.Radiosity;
+import radiosity.edit.LightDifference;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.settings.Accuracy;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.StopRule;
 import radiosity.solution.Certificate;
@@ -24,7 +23,6 @@ import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
 import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.Edits;
-import radiosity.testkit.Evaluate;
 import radiosity.util.Hash;
 
 /**
@@ -104,11 +102,11 @@ public final class ChangeTable {
             }
         }
         Run anew = run(scene, settings, Optional.empty());
-        double[] places = Edits.places(scene, POINTS);
-        double[] reference = Evaluate.radiosity(run(scene, RadiositySettings.defaults().accurate(truth),
+        double[] places = LightDifference.places(scene, POINTS);
+        double[] reference = LightDifference.radiosity(run(scene, RadiositySettings.defaults().accurate(truth),
                 Optional.empty()).solution, places);
-        double error = difference(scene, reference, Evaluate.radiosity(now.solution, places), places);
-        double ofAnew = difference(scene, reference, Evaluate.radiosity(anew.solution, places), places);
+        double error = LightDifference.of(reference, LightDifference.radiosity(now.solution, places));
+        double ofAnew = LightDifference.of(reference, LightDifference.radiosity(anew.solution, places));
         System.out.printf("%d edits, %d of them rendered anew: %.2f CPU s, once anew %.2f; error %.2f %%, anew %.2f %%,"
                 + " ratio %.2f; certificate %.2f %%; ledger off by %.1e at most; gained %.4f %% at most; %d elements,"
                 + " anew %d%n", count, anews, seconds, anew.seconds, 100 * error, 100 * ofAnew, error / ofAnew,
@@ -167,18 +165,18 @@ public final class ChangeTable {
     private void line(String name, Scene scene, Run before) throws IOException {
         Run changed = run(scene, settings, Optional.of(before.solution.state()));
         Run anew = name.equals("nothing") ? before : run(scene, settings, Optional.empty());
-        double[] places = Edits.places(scene, POINTS);
-        double[] a = Evaluate.radiosity(anew.solution, places);
-        double[] b = Evaluate.radiosity(changed.solution, places);
-        double[] c = truth > 0 ? Evaluate.radiosity(run(scene, RadiositySettings.defaults().accurate(truth),
+        double[] places = LightDifference.places(scene, POINTS);
+        double[] a = LightDifference.radiosity(anew.solution, places);
+        double[] b = LightDifference.radiosity(changed.solution, places);
+        double[] c = truth > 0 ? LightDifference.radiosity(run(scene, RadiositySettings.defaults().accurate(truth),
                 Optional.empty()).solution, places) : null;
-        double error = truth > 0 ? difference(scene, c, b, places) : Double.NaN;
+        double error = truth > 0 ? LightDifference.of(c, b) : Double.NaN;
         System.out.printf("| %s | %.2f | %.2f | %.1f %% | %.2f | %d | %d | %.2f %% | %.2f %% | %.2f %% | %.2f %%"
                 + " | %.2f %% | %.2f |%n", name + changed.anew, anew.seconds, changed.seconds,
                 100 * changed.seconds / anew.seconds, changed.certifying, anew.solution.elements(),
                 changed.solution.elements(), 100 * anew.certificate.expected(), 100 * changed.certificate.expected(),
-                100 * difference(scene, a, b, places), truth > 0 ? 100 * difference(scene, c, a, places) : Double.NaN,
-                100 * error, changed.certificate.expected() / error);
+                100 * LightDifference.of(a, b),
+                truth > 0 ? 100 * LightDifference.of(c, a) : Double.NaN, 100 * error, changed.certificate.expected() / error);
     }
 
     private Run run(Scene scene, RadiositySettings how, Optional<SavedState> from) throws IOException {
@@ -199,24 +197,5 @@ public final class ChangeTable {
             Certificate certificate = radiosity.certificate(threads).orElseThrow();
             return new Run(solution, certificate, done - begin, TruthTable.cpuSeconds() - done, anew);
         }
-    }
-
-    /** As {@link Certificate#expected} has it: of what reflects, relative to the mean or to a third of what is there. */
-    private static double difference(Scene scene, double[] expected, double[] got, double[] places) {
-        double squares = 0;
-        for (int c = 0; c < 3; c++) {
-            int channel = c;
-            double mean = Arrays.stream(indices(expected, got, channel)).mapToDouble(i -> expected[i]).average()
-                    .orElse(Double.NaN);
-            squares += Arrays.stream(indices(expected, got, channel))
-                    .mapToDouble(i -> (expected[i] - got[i]) / Math.max(mean, expected[i] / Accuracy.BRIGHT))
-                    .map(x -> x * x).average().orElse(Double.NaN) / 3;
-        }
-        return Math.sqrt(squares);
-    }
-
-    private static int[] indices(double[] expected, double[] got, int channel) {
-        return java.util.stream.IntStream.range(0, expected.length).filter(i -> i % 3 == channel
-                && !Double.isNaN(expected[i]) && !Double.isNaN(got[i])).toArray();
     }
 }

@@ -61,6 +61,20 @@ public record Affine(double[] m) {
                     + d[0] * (m[4] * m[9] - m[5] * m[8])) / det};
     }
 
+    /** The map back; not finite if there is none. */
+    public Affine inverse() {
+        double[] inverse = new double[12];
+        for (int column = 0; column < 4; column++) {
+            double[] d = column == 3 ? new double[] {-m[3], -m[7], -m[11]}
+                    : new double[] {column == 0 ? 1 : 0, column == 1 ? 1 : 0, column == 2 ? 1 : 0};
+            double[] back = unturn(d);
+            for (int row = 0; row < 3; row++) {
+                inverse[4 * row + column] = back[row];
+            }
+        }
+        return new Affine(inverse);
+    }
+
     /** Whether all 12 are numbers, and not too large to be added. */
     public boolean isFinite() {
         double sum = 0;

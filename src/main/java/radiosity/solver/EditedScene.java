@@ -29,9 +29,11 @@ final class EditedScene {
     private InitialMesh before;
     private SceneChange change;
 
-    EditedScene(World world, SavedState earlier) {
+    /** @param before of the earlier scene, or null where the state has to say it */
+    EditedScene(World world, SavedState earlier, InitialMesh before) {
         this.world = world;
         this.earlier = earlier;
+        this.before = before;
     }
 
     /** Why the light of the earlier scene is of no use; nothing where it is. */
@@ -39,14 +41,15 @@ final class EditedScene {
         if (!world.mesh.predicts() || !world.mesh.shootsClusters()) {
             return Optional.of("only solutions of --schedule predict and --form-factors raycast are changed");
         }
-        Optional<SceneBytes.Task> task = SavedScene.read(earlier::open, earlier.length());
-        if (task.isEmpty()) {
+        Optional<SceneBytes.Task> task = before != null ? Optional.empty()
+                : SavedScene.read(earlier::open, earlier.length());
+        if (before == null && task.isEmpty()) {
             return Optional.of("the old file does not hold its scene");
         }
-        if (!task.get().settings().equals(world.settings())) {
+        if (!task.map(SceneBytes.Task::settings).orElse(world.settings()).equals(world.settings())) {
             return Optional.of("the old solution was made with other settings");
         }
-        before = new InitialMesh(task.get().scene(), task.get().settings());
+        before = before != null ? before : new InitialMesh(task.get().scene(), task.get().settings());
         InitialMesh now = world.mesh;
         if (!before.fingerprint().equals(fingerprint())) {
             return Optional.of("another version of the program made the old solution");

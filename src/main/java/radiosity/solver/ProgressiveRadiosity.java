@@ -17,6 +17,7 @@ import radiosity.protocol.Wire;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
+import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
@@ -418,10 +419,15 @@ public final class ProgressiveRadiosity {
      * @throws IllegalStateException where the calculation was run already, or was asked for anything
      */
     public Optional<String> change(SavedState earlier) throws IOException {
+        return change(earlier, null);
+    }
+
+    /** The same with the mesh of the earlier scene, of the same settings, at hand; null where the state has to say. */
+    public Optional<String> change(SavedState earlier, InitialMesh mesh) throws IOException {
         if (last.newest() != null) {
             throw new IllegalStateException("change: expected a calculation that nobody has run or asked yet");
         }
-        EditedScene edited = new EditedScene(world, earlier);
+        EditedScene edited = new EditedScene(world, earlier, mesh);
         if (!earlier.isEmpty() && edited.isSame()) {
             resume(earlier);
             return Optional.empty();

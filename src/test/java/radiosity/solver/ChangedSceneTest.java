@@ -13,6 +13,7 @@ import java.util.function.IntPredicate;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import radiosity.edit.LightDifference;
 import radiosity.master.RemoteWorld;
 import radiosity.master.host.Link;
 import radiosity.scene.Rgb;
@@ -82,7 +83,7 @@ class ChangedSceneTest {
     }
 
     private static void assertAlike(Solution expected, Solution got) {
-        double[] places = Edits.places(expected.scene(), 4000);
+        double[] places = LightDifference.places(expected.scene(), 4000);
         double[] a = Evaluate.radiosity(expected, places);
         double[] b = Evaluate.radiosity(got, places);
         double sum = 0;

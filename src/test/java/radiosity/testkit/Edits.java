@@ -87,32 +87,4 @@ public final class Edits {
         }
         return scene.with(surfaces, scene.lights());
     }
-
-    /** Points spread evenly over all visible sides of what does not emit: x, y, z, nx, ny, nz each. */
-    public static double[] places(Scene scene, int count) {
-        double[] upTo = new double[scene.triangles()];
-        double sum = 0;
-        for (int t = 0; t < upTo.length; t++) {
-            sum += scene.surface(t).emits() ? 0 : scene.area(t) * (scene.surface(t).twoSided() ? 2 : 1);
-            upTo[t] = sum;
-        }
-        double[] places = new double[6 * count];
-        for (int i = 0; i < count; i++) {
-            double at = (i + 0.5) / count * sum;
-            int t = Arrays.binarySearch(upTo, at);
-            t = Math.min(upTo.length - 1, t < 0 ? -1 - t : t);
-            double u = (0.5 + 0.7548776662466927 * i) % 1;
-            double v = (0.5 + 0.5698402909980532 * i) % 1;
-            double r = Math.sqrt(u);
-            Vec3 a = scene.corner(t, 0);
-            Vec3 p = a.plus(scene.corner(t, 1).minus(a).times(r * (1 - v)))
-                    .plus(scene.corner(t, 2).minus(a).times(r * v));
-            Vec3 n = scene.cross(t).unit().times(scene.surface(t).twoSided() && i % 2 == 1 ? -1 : 1);
-            for (int k = 0; k < 3; k++) {
-                places[6 * i + k] = p.coordinate(k);
-                places[6 * i + 3 + k] = n.coordinate(k);
-            }
-        }
-        return places;
-    }
 }

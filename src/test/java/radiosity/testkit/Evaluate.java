@@ -1,8 +1,6 @@
 package radiosity.testkit;
 
-import radiosity.output.points.Points;
-import radiosity.scene.Rgb;
-import radiosity.scene.Vec3;
+import radiosity.edit.LightDifference;
 import radiosity.solution.Solution;
 
 /** A solution at many points at once. */
@@ -17,18 +15,6 @@ public final class Evaluate {
      * @return r, g, b per point, W/m²; NaN where there is no element
      */
     public static double[] radiosity(Solution solution, double[] places) {
-        Points points = new Points(solution);
-        double[] found = new double[places.length / 2];
-        for (int i = 0; i < places.length / 6; i++) {
-            Rgb b = points.at(vector(places, 6 * i), vector(places, 6 * i + 3)).radiosity();
-            for (int c = 0; c < 3; c++) {
-                found[3 * i + c] = b.channel(c);
-            }
-        }
-        return found;
-    }
-
-    private static Vec3 vector(double[] v, int i) {
-        return new Vec3(v[i], v[i + 1], v[i + 2]);
+        return LightDifference.radiosity(solution, places);
     }
 }
