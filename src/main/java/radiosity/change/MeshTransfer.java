@@ -13,7 +13,6 @@ import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.partition.GhostVertices;
 import radiosity.partition.MeshRefinement;
-import radiosity.protocol.BlockState;
 import radiosity.protocol.Order;
 import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
@@ -93,15 +92,6 @@ final class MeshTransfer {
         alignCopies();
         fresh.set(0, made.vertices());
         fresh.andNot(known);
-    }
-
-    /** Reads the elements of all blocks. */
-    static RadiosityNodes nodes(InitialMesh mesh, List<byte[]> blocks) {
-        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
-        for (int b = 0; b < blocks.size(); b++) {
-            BlockState.restore(nodes, nodes.tops(mesh.blocks.get(b)), blocks.get(b));
-        }
-        return nodes;
     }
 
     private int[] same(boolean[] gone) {

@@ -15,12 +15,9 @@ import radiosity.mesh.PatchTree;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
-import radiosity.partition.Gatherer;
 import radiosity.prediction.AmbientLevel;
-import radiosity.protocol.BlockState;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
-import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
 import radiosity.util.Aabb;
 import radiosity.util.ParallelFor;
@@ -44,8 +41,8 @@ public final class Relight {
     private final SceneChange change;
     private final ParallelFor parallel;
     private final int channels;
-    private final Gatherer gatherer;
     private RadiosityNodes nodes;
+    private LitMesh lit;
     private MeshTransfer transfer;
 
     public Relight(InitialMesh before, InitialMesh now, SceneChange change, ParallelFor parallel) {
@@ -54,7 +51,6 @@ public final class Relight {
         this.change = change;
         this.parallel = parallel;
         channels = now.faces.channels();
-        gatherer = new Gatherer(now, parallel);
     }
 
     /**
@@ -67,31 +63,27 @@ public final class Relight {
      * @return states of the later scene's blocks, by id
      */
     public List<byte[]> blocks(List<byte[]> blocks, boolean isSettled, Order.Rules rules, double[] weight) {
-        RadiosityNodes old = MeshTransfer.nodes(before, blocks);
+        LitMesh earlier = LitMesh.of(before, blocks, parallel);
+        RadiosityNodes old = earlier.nodes;
         if (isSettled) {
             settle(old);
         }
         transfer = new MeshTransfer(change, old, rules, before, now);
         nodes = transfer.made;
+        lit = new LitMesh(now, nodes, parallel);
         bury();
         int[] kept = IntStream.range(0, nodes.vertices())
                 .filter(v -> !transfer.fresh.get(v) && !nodes.isBuried(v)).toArray();
         if (change.isOfGeometry()) {
-            correct(old, kept, rules);
+            correct(earlier, kept, rules);
         }
         if (change.isOfGeometry() || change.isOfLights()) {
-            light(kept, new LightSources(before.faces, before.bounds()), -1);
-            light(kept, new LightSources(now.faces, now.bounds()), 1);
+            lit.light(kept, new LightSources(before.faces, before.bounds()), -1);
+            lit.light(kept, new LightSources(now.faces, now.bounds()), 1);
         }
         int[] fresh = transfer.fresh.stream().filter(v -> !nodes.isBuried(v)).toArray();
         gather(fresh, new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]));
-        return states();
-    }
-
-    private List<byte[]> states() {
-        byte[][] states = new byte[now.blocks.size()][];
-        parallel.run(states.length, b -> states[b] = BlockState.write(nodes, nodes.tops(now.blocks.get(b))));
-        return List.of(states);
+        return lit.states();
     }
 
     /** All that surfaces radiate counts as shot: the noise by which they differ is nothing to be sent. */
@@ -113,7 +105,7 @@ public final class Relight {
     private void bury() {
         List<Aabb> boxes = change.isOfGeometry() ? change.boxes() : List.of();
         if (change.isOfGeometry()) {
-            gatherer.bury(nodes, IntStream.range(0, nodes.vertices()).toArray());
+            lit.gatherer.bury(nodes, IntStream.range(0, nodes.vertices()).toArray());
         } else {
             transfer.wasBuried.stream().forEach(nodes::bury);
         }
@@ -142,36 +134,8 @@ public final class Relight {
 
     /*---- What changes of the light they had ----*/
 
-    private void light(int[] vertices, LightSources lights, double sign) {
-        if (lights.isEmpty()) {
-            return;
-        }
-        double[] irradiance = nodes.light().irradiance();
-        parallel.run(vertices.length, RUN, (from, to) -> {
-            double[] sum = new double[channels];
-            for (int i = from; i < to; i++) {
-                int v = vertices[i];
-                Arrays.fill(sum, 0);
-                lights.add(place(v), normal(v), sum, 0);
-                for (int c = 0; c < channels; c++) {
-                    irradiance[channels * v + c] += sign * sum[c];
-                }
-            }
-        });
-    }
-
-    private Vec3 place(int v) {
-        float[] x = nodes.receivers();
-        return new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]);
-    }
-
-    private Vec3 normal(int v) {
-        int f = nodes.vertexPlane(v);
-        return new Vec3(now.faces.normal(f, 0), now.faces.normal(f, 1), now.faces.normal(f, 2));
-    }
-
     /** Adds what changed visibility makes of all that was shot, and takes back what was shot by what is gone. */
-    private void correct(RadiosityNodes old, int[] vertices, Order.Rules rules) {
+    private void correct(LitMesh old, int[] vertices, Order.Rules rules) {
         boolean[] gone = change.goneFaces();
         ShooterHierarchy[] kept = shooters(old, rules, tree -> !gone[tree.face()]);
         ShooterHierarchy[] vanished = shooters(old, rules, tree -> gone[tree.face()]);
@@ -191,11 +155,11 @@ public final class Relight {
                 int slack = now.patcher.slack(nodes.vertexFace(v));
                 GatherSink.Irradiance come = new GatherSink.Irradiance(channels);
                 for (ShooterHierarchy shooter : kept) {
-                    gatherer.gather(differences[slack], shooter, nodes, v, 0, come);
+                    lit.gatherer.gather(differences[slack], shooter, nodes, v, 0, come);
                 }
                 GatherSink.Irradiance back = new GatherSink.Irradiance(channels);
                 for (ShooterHierarchy shooter : vanished) {
-                    gatherer.gather(whole[slack], shooter, nodes, v, 0, back);
+                    lit.gatherer.gather(whole[slack], shooter, nodes, v, 0, back);
                 }
                 for (int c = 0; c < channels; c++) {
                     irradiance[channels * v + c] += come.value[c] - back.value[c];
@@ -205,23 +169,16 @@ public final class Relight {
     }
 
     /** Those trees of all shooters that are wanted, with all that they have shot. */
-    private ShooterHierarchy[] shooters(RadiosityNodes old, Order.Rules rules, Predicate<PatchTree> wanted) {
+    private ShooterHierarchy[] shooters(LitMesh old, Order.Rules rules, Predicate<PatchTree> wanted) {
         Weights weights = new Weights(before.rooms, channels, rules.weight());
         List<ShooterHierarchy> made = new ArrayList<>();
-        for (Shot shot : totals(before, old)) {
+        for (Shot shot : old.totals()) {
             List<PatchTree> trees = shot.trees().stream().filter(wanted).toList();
             if (!trees.isEmpty()) {
                 made.add(new ShooterHierarchy(before.faces, trees, weights));
             }
         }
         return made.toArray(ShooterHierarchy[]::new);
-    }
-
-    private List<Shot> totals(InitialMesh mesh, RadiosityNodes of) {
-        Shot[] shots = new Shot[mesh.blocks.size()];
-        parallel.run(shots.length,
-                b -> shots[b] = Shot.of(of, of.tops(mesh.blocks.get(b)), 0, of.light()::shot));
-        return mesh.clusters.join(List.of(shots), parallel);
     }
 
     /*---- Vertices that have nothing ----*/
@@ -231,19 +188,19 @@ public final class Relight {
         if (vertices.length == 0) {
             return;
         }
-        List<Shot> totals = totals(now, nodes);
+        List<Shot> totals = lit.totals();
         Order order = new Order(Order.Kind.GATHER, totals, new Order.Rules(rules.tolerance(), rules.weight(),
                 rules.meshError(), AmbientLevel.of(now, totals), new double[0]), Order.Question.NOTHING);
         double[] irradiance = nodes.light().irradiance();
         for (int turn = 0; turn < 2; turn++) {
-            gatherer.gather(order, nodes, vertices, turn);
+            lit.gatherer.gather(order, nodes, vertices, turn);
         }
         for (int v : vertices) {
             for (int i = channels * v; i < channels * (v + 1); i++) {
                 irradiance[i] *= 0.5;
             }
         }
-        light(vertices, new LightSources(now.faces, now.bounds()), 1);
+        lit.light(vertices, new LightSources(now.faces, now.bounds()), 1);
     }
 
     /*---- What has become of it ----*/
@@ -251,7 +208,7 @@ public final class Relight {
     /** Flux that surfaces have shot, one per channel, W: that of the elements summed. */
     public double[] shot() {
         double[] sum = new double[channels];
-        for (Shot shot : totals(now, nodes)) {
+        for (Shot shot : lit.totals()) {
             double[] flux = shot.flux(now.faces);
             for (int c = 0; c < channels; c++) {
                 sum[c] += flux[c] * now.faces.size() * now.faces.size();
@@ -286,7 +243,7 @@ public final class Relight {
         }
         parallel.run(nodes.vertices(), v -> {
             if (!nodes.isBuried(v)) {
-                sources.add(place(v), normal(v), at, channels * v);
+                sources.add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), at, channels * v);
             }
         });
         double squared = now.faces.size() * now.faces.size();
@@ -297,38 +254,5 @@ public final class Relight {
             }
         }
         return sum;
-    }
-
-    /*---- Afterwards ----*/
-
-    /**
-     * Has vertices that have received less than nothing gather anew: what was taken back of their light went along
-     * other rays than what they had.
-     *
-     * @param blocks states of all blocks, by id
-     * @param order  all that was ever shot
-     * @return states of all blocks; empty where no vertex has less than nothing
-     */
-    public static List<byte[]> mended(InitialMesh mesh, List<byte[]> blocks, Order order, ParallelFor parallel) {
-        Relight world = new Relight(mesh, mesh, null, parallel);
-        world.nodes = MeshTransfer.nodes(mesh, blocks);
-        double[] irradiance = world.nodes.light().irradiance();
-        int[] negative = IntStream.range(0, world.nodes.vertices()).filter(v -> !world.nodes.isBuried(v)
-                && Arrays.stream(irradiance, world.channels * v, world.channels * (v + 1)).min().orElse(0) < 0)
-                .toArray();
-        if (negative.length == 0) {
-            return List.of();
-        }
-        for (int v : negative) {
-            Arrays.fill(irradiance, world.channels * v, world.channels * (v + 1), 0);
-        }
-        world.gatherer.gather(order, world.nodes, negative, order.number());
-        world.light(negative, new LightSources(mesh.faces, mesh.bounds()), 1);
-        for (int v : negative) {
-            for (int i = world.channels * v; i < world.channels * (v + 1); i++) {
-                irradiance[i] = Math.max(0, irradiance[i]);
-            }
-        }
-        return world.states();
     }
 }

@@ -33,6 +33,9 @@ public final class SceneChange {
 
     private final InitialMesh before;
     private final InitialMesh now;
+    /** 1 per triangle of the earlier scene with cut quadrangles, as {@link InitialMesh#origins} has them. */
+    private final int[] originBefore;
+    private final int[] originNow;
     /** 1 per original triangle of the later scene: the same one of the earlier scene, or -1. */
     private final int[] twin;
     /** 1 per original triangle of the earlier scene. */
@@ -41,11 +44,13 @@ public final class SceneChange {
     public SceneChange(InitialMesh before, InitialMesh now) {
         this.before = before;
         this.now = now;
+        originBefore = before.origins();
+        originNow = now.origins();
         twin = twins(before.original, now.original);
         gone = new boolean[before.original.triangles()];
         mark();
-        Set<Long> tornBefore = torn(before, t -> gone[t]);
-        Set<Long> tornNow = torn(now, t -> twin[t] < 0);
+        Set<Long> tornBefore = torn(before.original, originBefore, t -> gone[t]);
+        Set<Long> tornNow = torn(now.original, originNow, t -> twin[t] < 0);
         for (int t = 0; t < twin.length; t++) {
             if (twin[t] >= 0 && (tornNow.contains(group(now.original, t))
                     || tornBefore.contains(group(before.original, twin[t])))) {
@@ -94,22 +99,21 @@ public final class SceneChange {
     }
 
     /** Of which quadrangles are cut, and some triangles changed. */
-    private static Set<Long> torn(InitialMesh mesh, IntPredicate isChanged) {
+    private static Set<Long> torn(Scene scene, int[] origin, IntPredicate isChanged) {
         Set<Long> cut = new HashSet<>();
-        int[] origin = mesh.origins();
-        int[] pieces = new int[mesh.original.triangles()];
+        int[] pieces = new int[scene.triangles()];
         for (int t : origin) {
             pieces[t]++;
         }
         for (int t = 0; t < pieces.length; t++) {
             if (pieces[t] != 1) {
-                cut.add(group(mesh.original, t));
+                cut.add(group(scene, t));
             }
         }
         Set<Long> torn = new HashSet<>();
         for (int t = 0; t < pieces.length; t++) {
-            if (isChanged.test(t) && cut.contains(group(mesh.original, t))) {
-                torn.add(group(mesh.original, t));
+            if (isChanged.test(t) && cut.contains(group(scene, t))) {
+                torn.add(group(scene, t));
             }
         }
         return torn;
@@ -146,20 +150,18 @@ public final class SceneChange {
 
     /** 1 per face of the earlier scene. */
     boolean[] goneFaces() {
-        int[] origin = before.origins();
         boolean[] faces = new boolean[before.faces.count()];
         for (int f = 0; f < faces.length; f++) {
-            faces[f] = gone[origin[before.faces.triangle(f)]];
+            faces[f] = gone[originBefore[before.faces.triangle(f)]];
         }
         return faces;
     }
 
     /** 1 per face of the later scene: group of the same surface in the earlier scene, or -1 where the face has come. */
     long[] groupsNow() {
-        int[] origin = now.origins();
         long[] groups = new long[now.faces.count()];
         for (int f = 0; f < groups.length; f++) {
-            int t = twin[origin[now.faces.triangle(f)]];
+            int t = twin[originNow[now.faces.triangle(f)]];
             groups[f] = t < 0 ? -1 : group(before.original, t) & Long.MAX_VALUE;
         }
         return groups;
@@ -167,10 +169,9 @@ public final class SceneChange {
 
     /** 1 per face of the earlier scene: its object and surface, at least 0. */
     long[] groupsBefore() {
-        int[] origin = before.origins();
         long[] groups = new long[before.faces.count()];
         for (int f = 0; f < groups.length; f++) {
-            groups[f] = group(before.original, origin[before.faces.triangle(f)]) & Long.MAX_VALUE;
+            groups[f] = group(before.original, originBefore[before.faces.triangle(f)]) & Long.MAX_VALUE;
         }
         return groups;
     }

@@ -73,6 +73,8 @@ public final class InitialMesh {
     public final Rounding rounding;
 
     private RadiosityBounds bounds;
+    /** Null until it is asked which faces are inside of solids. */
+    private InteriorTest interior;
 
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
@@ -117,7 +119,10 @@ public final class InitialMesh {
         for (int i = 0; i < 9; i++) {
             middle[i % 3] += faces.corner(face, i / 3, i % 3) / 3;
         }
-        return new InteriorTest(faces, bounds(), f -> false).isBuried(middle, 0, face);
+        if (interior == null) {
+            interior = new InteriorTest(faces, bounds(), f -> false);
+        }
+        return interior.isBuried(middle, 0, face);
     }
 
     /** What stands between two points; made when it is first asked for, as a master without elements never does. */

@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import radiosity.change.Relight;
+import radiosity.change.NegativeLight;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.prediction.AmbientLevel;
@@ -238,7 +238,7 @@ final class Prediction implements Planner {
 
     private Order mend() throws IOException {
         List<Shot> totals = world.totals();
-        List<byte[]> mended = Relight.mended(world.mesh, world.blocks(),
+        List<byte[]> mended = NegativeLight.mended(world.mesh, world.blocks(),
                 order(Order.Kind.GATHER, totals, AmbientLevel.lowest(world.mesh, totals)), world.parallel);
         if (!mended.isEmpty()) {
             world.restore(mended);

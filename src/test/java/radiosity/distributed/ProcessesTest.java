@@ -10,7 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -18,16 +20,28 @@ import org.junit.jupiter.api.io.TempDir;
 import radiosity.master.RemoteWorld;
 import radiosity.output.gltf.SceneFile;
 import radiosity.rmi.HostAddress;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
+import radiosity.settings.StopRule;
 import radiosity.solution.Progress;
+import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
+import radiosity.solver.World;
 import radiosity.testkit.ColouredRoom;
+import radiosity.testkit.Edits;
 
 /** Hosts that are processes of their own, and what may happen to them: always the same bits, never a hang. */
 @Tag("slow")
 @Timeout(120)
 class ProcessesTest {
+
+    private static final RadiositySettings CHANGED = RadiositySettings.defaults().accurate(0.05);
+    private static final StopRule TO_THE_END = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT);
 
     private final List<String> notices = new CopyOnWriteArrayList<>();
 
@@ -44,6 +58,18 @@ class ProcessesTest {
         try (RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(schedule), addresses, null, 1,
                 notices::add)) {
             ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, Small.STOP);
+            int[] round = {0};
+            rounds.run(progress -> happen(event, ++round[0], progress));
+            return rounds.solution();
+        }
+    }
+
+    private Solution changed(Scene scene, SavedState old, Event event, Server... servers) throws IOException {
+        List<HostAddress> addresses = Stream.of(servers).map(s -> new HostAddress("localhost", s.port())).toList();
+        try (World world = servers.length == 0 ? new LocalWorld(scene, CHANGED, 2)
+                : new RemoteWorld(scene, CHANGED, addresses, null, 1, notices::add)) {
+            ProgressiveRadiosity rounds = new ProgressiveRadiosity(world, TO_THE_END);
+            assertEquals(Optional.empty(), old.isEmpty() ? Optional.empty() : rounds.change(old));
             int[] round = {0};
             rounds.run(progress -> happen(event, ++round[0], progress));
             return rounds.solution();
@@ -83,6 +109,27 @@ class ProcessesTest {
             }, b, c);
             ColouredRoom.assertSame(Small.local(Schedule.PAPER), alone);
             assertTrue(said(".* move to this machine, .*") >= 1, notices::toString);
+        }
+    }
+
+    /** A block is moved and a wall repainted: the light follows on any hosts, and where one of them is killed. */
+    @Test
+    void changedScene_isTheSameOnAnyHosts() throws Exception {
+        SavedState old = changed(Small.SCENE, SavedState.NONE, round -> { }).state();
+        Scene scene = Edits.repainted(Edits.moved(Small.SCENE, Edits.surface(Small.SCENE, "block"),
+                new Vec3(-0.05, 0, 0.25)), Edits.surface(Small.SCENE, "wall 4"), new Rgb(.2, .3, .6));
+        int[] steps = {0};
+        Solution local = changed(scene, old, round -> steps[0] = round);
+        try (Server a = new Server(); Server b = new Server(); Server c = new Server()) {
+            ColouredRoom.assertSame(local, changed(scene, old, round -> { }, a));
+            ColouredRoom.assertSame(local, changed(scene, old, round -> { }, a, b, c));
+            assertEquals(List.of(), notices);
+            ColouredRoom.assertSame(local, changed(scene, old, round -> {
+                if (round == steps[0] / 2) {
+                    b.kill();
+                }
+            }, a, b, c));
+            assertEquals(1, said("host localhost:" + b.port() + " lost .*"), notices::toString);
         }
     }
 

@@ -159,8 +159,8 @@ final class CutMesh {
             int v = p.after(i);
             double a = contact.along(points.at(u));
             double b = contact.along(points.at(v));
-            if (beside.containsKey(key(v, u)) && beside(contact, u) == 0 && beside(contact, v) == 0
-                    && at > Math.min(a, b) + near && at < Math.max(a, b) - near) {
+            if (at > Math.min(a, b) + near && at < Math.max(a, b) - near && beside(contact, u) == 0
+                    && beside(contact, v) == 0 && beside.containsKey(key(v, u))) {
                 int point = points.number(end);
                 insert(p, u, v, point);
                 beside.put(key(u, point), p);

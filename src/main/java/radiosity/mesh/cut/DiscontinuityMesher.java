@@ -12,6 +12,7 @@ import radiosity.mesh.face.EdgePieces;
 import radiosity.mesh.face.FacePieces;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Vec3;
+import radiosity.util.LongIndex;
 
 /**
  * Cuts large faces where others stand on them or come through, so that no element has light and shadow of two sides of
@@ -35,7 +36,7 @@ public final class DiscontinuityMesher {
     /** Per face that is cut: 3 points per piece. */
     private final Map<Integer, List<int[]>> pieces = new HashMap<>();
     /** Edges along contacts: two points, the lower number first. */
-    final Set<Long> edges = new HashSet<>();
+    final LongIndex edges = new LongIndex(0);
     private int count;
 
     /**
@@ -44,7 +45,7 @@ public final class DiscontinuityMesher {
      */
     public static Faces cut(Faces faces) {
         DiscontinuityMesher cutting = new DiscontinuityMesher(faces);
-        return cutting.edges.isEmpty() || cutting.isTooFine() ? faces
+        return cutting.edges.size() == 0 || cutting.isTooFine() ? faces
                 : faces.withPieces(new FacePieces(cutting.points, cutting.pieces, cutting.edges));
     }
 
@@ -121,7 +122,7 @@ public final class DiscontinuityMesher {
             Vec3 a = points.at(p);
             Vec3 b = points.at(q);
             if (contacts.stream().anyMatch(contact -> contact.holds(a, 2 * near) && contact.holds(b, 2 * near))) {
-                edges.add(EdgePieces.key(p, q));
+                edges.findOrAdd(EdgePieces.key(p, q), edges.size());
             }
         }
     }

@@ -1,7 +1,6 @@
 package radiosity.mesh.face;
 
 import java.util.Arrays;
-import java.util.Set;
 import radiosity.util.DisjointSets;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
@@ -26,7 +25,7 @@ final class CoplanarRegions {
      *
      * @param cut edges that are borders all the same, as {@link EdgePieces#key} has them; not modified
      */
-    void join(Set<Long> cut) {
+    void join(LongIndex cut) {
         int n = faces.count();
         DisjointSets parts = new DisjointSets(faces.part.length);
         DisjointSets fans = new DisjointSets(faces.fan.length);
@@ -43,7 +42,7 @@ final class CoplanarRegions {
         for (int i = 0; i < edges.size(); i++) {
             int e = first[i];
             int g = next[e];
-            if (g >= 0 && next[g] < 0 && matches(e, g) && !cut.contains(EdgePieces.key(corner(e, 1), corner(e, 2)))) {
+            if (g >= 0 && next[g] < 0 && matches(e, g) && cut.find(EdgePieces.key(corner(e, 1), corner(e, 2))) < 0) {
                 faces.border[e / 3] &= (byte) ~(1 << e % 3);
                 faces.border[g / 3] &= (byte) ~(1 << g % 3);
                 parts.join(e / 3, g / 3);

@@ -1,7 +1,10 @@
 package radiosity.mesh.face;
 
 import java.util.Arrays;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import radiosity.scene.Vec3;
+import radiosity.util.BoxTree;
 
 /** Edges that fit together only in pieces: where a corner of one face stands on an edge of another. */
 public final class EdgePieces {
@@ -14,6 +17,8 @@ public final class EdgePieces {
     private final Faces faces;
     private final double near;
     private final int[] points;
+    /** Of the points. */
+    private final BoxTree tree;
 
     /**
      * @param points that may stand on edges; not modified
@@ -23,6 +28,8 @@ public final class EdgePieces {
         this.faces = faces;
         near = ON_EDGE * faces.size();
         this.points = edges <= MOST ? points : new int[0];
+        tree = BoxTree.ofPoints(IntStream.of(this.points).mapToObj(faces::place)
+                .flatMapToDouble(at -> DoubleStream.of(at.x(), at.y(), at.z())).toArray());
     }
 
     public static long key(int p, int q) {
@@ -31,7 +38,10 @@ public final class EdgePieces {
 
     /** The ends of an edge, and what stands on it between them, in order. */
     public int[] stops(int p, int q) {
-        int[] between = Arrays.stream(points).filter(x -> x != p && x != q && isOn(p, q, x)).toArray();
+        IntStream.Builder found = IntStream.builder();
+        tree.near(coordinates(p), coordinates(q), 2 * near, found::add);
+        int[] between = found.build().sorted().map(i -> points[i]).filter(x -> x != p && x != q && isOn(p, q, x))
+                .toArray();
         Integer[] sorted = Arrays.stream(between).boxed().toArray(Integer[]::new);
         Arrays.sort(sorted, (x, y) -> Double.compare(along(p, q, x), along(p, q, y)));
         int[] stops = new int[sorted.length + 2];
@@ -41,6 +51,11 @@ public final class EdgePieces {
         }
         stops[stops.length - 1] = q;
         return stops;
+    }
+
+    private double[] coordinates(int p) {
+        Vec3 at = faces.place(p);
+        return new double[] {at.x(), at.y(), at.z()};
     }
 
     private boolean isOn(int p, int q, int x) {

@@ -2,7 +2,7 @@ package radiosity.mesh.face;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
+import radiosity.util.LongIndex;
 
 /**
  * What cutting makes of some faces.
@@ -11,7 +11,7 @@ import java.util.Set;
  * @param byFace  for each face that is cut, the three points of each of its pieces
  * @param edges   edges of pieces that stay borders of coplanar regions, as {@link EdgePieces#key} names them
  */
-public record FacePieces(CutPoints points, Map<Integer, List<int[]>> byFace, Set<Long> edges) {
+public record FacePieces(CutPoints points, Map<Integer, List<int[]>> byFace, LongIndex edges) {
 
     /** Number of pieces of all faces that are cut. */
     int count() {

@@ -1,11 +1,11 @@
 package radiosity.mesh.face;
 
 import java.util.List;
-import java.util.Set;
 import java.util.function.IntPredicate;
 import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.LongIndex;
 
 /**
  * The sides of original triangles that radiate, brought to size 1 around the origin: the roots of the patch tree.
@@ -53,11 +53,11 @@ public final class Faces {
     }
 
     private Faces(Scene scene, SceneBox box, Channels kinds) {
-        this(scene, box, kinds, FaceList.of(scene, box), Set.of());
+        this(scene, box, kinds, FaceList.of(scene, box), new LongIndex(0));
     }
 
     /** @param cut as {@link CoplanarRegions#join} has it */
-    private Faces(Scene scene, SceneBox box, Channels kinds, FaceList list, Set<Long> cut) {
+    private Faces(Scene scene, SceneBox box, Channels kinds, FaceList list, LongIndex cut) {
         this.scene = scene;
         this.box = box;
         this.kinds = kinds;

@@ -1,0 +1,75 @@
+package radiosity.change;
+
+import java.util.Arrays;
+import java.util.List;
+import radiosity.formfactor.LightSources;
+import radiosity.mesh.RadiosityNodes;
+import radiosity.partition.Gatherer;
+import radiosity.protocol.BlockState;
+import radiosity.protocol.Shot;
+import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
+
+/** The elements of all blocks of a scene in one place, with their light. */
+final class LitMesh {
+
+    /** Vertices that a thread takes at a time. */
+    static final int RUN = 64;
+
+    final RadiosityNodes nodes;
+    final Gatherer gatherer;
+    private final InitialMesh mesh;
+    private final ParallelFor parallel;
+    private final int channels;
+
+    LitMesh(InitialMesh mesh, RadiosityNodes nodes, ParallelFor parallel) {
+        this.mesh = mesh;
+        this.nodes = nodes;
+        this.parallel = parallel;
+        channels = nodes.channels();
+        gatherer = new Gatherer(mesh, parallel);
+    }
+
+    /** @param blocks states of all blocks, by id */
+    static LitMesh of(InitialMesh mesh, List<byte[]> blocks, ParallelFor parallel) {
+        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
+        for (int b = 0; b < blocks.size(); b++) {
+            BlockState.restore(nodes, nodes.tops(mesh.blocks.get(b)), blocks.get(b));
+        }
+        return new LitMesh(mesh, nodes, parallel);
+    }
+
+    /** States of all blocks, by id. */
+    List<byte[]> states() {
+        byte[][] states = new byte[mesh.blocks.size()][];
+        parallel.run(states.length, b -> states[b] = BlockState.write(nodes, nodes.tops(mesh.blocks.get(b))));
+        return List.of(states);
+    }
+
+    /** All that was ever shot, by cluster. */
+    List<Shot> totals() {
+        Shot[] shots = new Shot[mesh.blocks.size()];
+        parallel.run(shots.length,
+                b -> shots[b] = Shot.of(nodes, nodes.tops(mesh.blocks.get(b)), 0, nodes.light()::shot));
+        return mesh.clusters.join(List.of(shots), parallel);
+    }
+
+    /** Adds what vertices receive of sources without geometry, times a factor. */
+    void light(int[] vertices, LightSources sources, double factor) {
+        if (sources.isEmpty()) {
+            return;
+        }
+        double[] irradiance = nodes.light().irradiance();
+        parallel.run(vertices.length, RUN, (from, to) -> {
+            double[] sum = new double[channels];
+            for (int i = from; i < to; i++) {
+                int v = vertices[i];
+                Arrays.fill(sum, 0);
+                sources.add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), sum, 0);
+                for (int c = 0; c < channels; c++) {
+                    irradiance[channels * v + c] += factor * sum[c];
+                }
+            }
+        });
+    }
+}
