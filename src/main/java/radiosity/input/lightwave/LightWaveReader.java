@@ -2,8 +2,14 @@ package radiosity.input.lightwave;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSearch;
 import radiosity.input.lightwave.lwo.ObjectFile;
+import radiosity.input.lightwave.lws.SceneItem;
 import radiosity.input.lightwave.lws.SceneParser;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
@@ -32,5 +38,26 @@ public final class LightWaveReader {
      */
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         return SceneAssembly.read(file, options, warnings).scene();
+    }
+
+    /**
+     * Where an object of a scene is described.
+     *
+     * @param line    number of the first of its lines, from 1
+     * @param written the path of its file as the scene has it; empty for a null object
+     * @param file    what was found there
+     */
+    public record Origin(int line, String written, Optional<Path> file) { }
+
+    /** Where the objects of a scene are described: 1 per node of its hierarchy. */
+    public static List<Origin> origins(Path file, ReadOptions options) throws IOException {
+        Diagnostics notes = new Diagnostics(String.valueOf(file.getFileName()), line -> { }, false);
+        FileSearch search = SceneAssembly.search(file, options, notes);
+        List<Origin> origins = new ArrayList<>();
+        for (SceneItem object : SceneAssembly.read(file, options, line -> { }).objects()) {
+            origins.add(object.isLoaded() ? new Origin(object.line(), object.file, search.object(object.file))
+                    : new Origin(object.line(), "", Optional.empty()));
+        }
+        return origins;
     }
 }

@@ -50,6 +50,8 @@ public final class SceneAssembly {
     private Optional<Camera> camera = Optional.empty();
     private SceneDescription description;
     private Placement placement;
+    /** 1 per node of the hierarchy. */
+    private final List<SceneItem> objects = new ArrayList<>();
 
     private SceneAssembly(String name, ReadOptions options, Diagnostics notes) {
         this.name = name;
@@ -60,7 +62,7 @@ public final class SceneAssembly {
     }
 
     /** A scene with what it was made from; an object alone has no description and no placement. */
-    record Reading(Scene scene, SceneDescription description, Placement placement) { }
+    record Reading(Scene scene, SceneDescription description, Placement placement, List<SceneItem> objects) { }
 
     static Reading read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
@@ -93,7 +95,7 @@ public final class SceneAssembly {
         } else {
             throw notes.error("", "a LightWave scene or object", FileSniffer.describe(bytes));
         }
-        return new Reading(assembly.toScene(), assembly.description, assembly.placement);
+        return new Reading(assembly.toScene(), assembly.description, assembly.placement, assembly.objects);
     }
 
     private void addObject(ObjectModel object) throws SceneFormatException {
@@ -156,6 +158,7 @@ public final class SceneAssembly {
                 Integer parent = numbers.get(placement.parent(link));
                 boolean stands = parent == null || nodes[parent] < 0;
                 Affine local = stands ? placement.world(link) : placement.local(link);
+                this.objects.add(link);
                 String geometry = parts.get(numbers.get(link)).map(ObjectLibrary.Part::geometry).orElse("");
                 nodes[numbers.get(link)] = draft.node(new SceneNode(link.name(), stands ? -1 : nodes[parent], geometry,
                         rightHanded(local)), link.place());

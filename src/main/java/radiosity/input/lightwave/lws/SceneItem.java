@@ -40,6 +40,11 @@ public final class SceneItem {
         this.line = line;
     }
 
+    /** Number of the line where its description begins, from 1. */
+    public int line() {
+        return line;
+    }
+
     /** Where it is described, for messages. */
     public String place() {
         return "line " + line;

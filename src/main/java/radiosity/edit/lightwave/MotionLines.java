@@ -1,0 +1,160 @@
+package radiosity.edit.lightwave;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** The text of a LightWave scene, of which single numbers and paths are replaced: every other byte stays. */
+final class MotionLines {
+
+    private static final Pattern LINE = Pattern.compile("[^\\r\\n]*(\\r\\n|\\r|\\n|$)");
+    private static final Pattern KEY = Pattern.compile("\\s*Key\\s+(\\S+)\\s.*", Pattern.DOTALL);
+    private static final Pattern CHANNEL = Pattern.compile("\\s*Channel\\s+(\\d+)\\s*");
+    private static final Pattern NUMBERS = Pattern.compile("\\s*[-+.\\d].*", Pattern.DOTALL);
+    private static final int CHANNELS = 9;
+    private static final int BLOCKS = 3;
+
+    /** With their ends. */
+    private final List<String> lines = new ArrayList<>();
+    private final int version;
+
+    /** @param text of the whole file, a character per byte */
+    MotionLines(String text) {
+        Matcher matcher = LINE.matcher(text);
+        while (matcher.find() && matcher.end() > matcher.start()) {
+            lines.add(matcher.group());
+        }
+        version = lines.stream().map(String::trim).filter(line -> line.matches("\\d+")).findFirst()
+                .map(Integer::parseInt).orElse(0);
+    }
+
+    String text() {
+        return String.join("", lines);
+    }
+
+    /**
+     * Replaces the file that an object is loaded from.
+     *
+     * @param line number of the line that loads it, from 1
+     */
+    void file(int line, String written, String other) {
+        String text = lines.get(line - 1);
+        int at = text.lastIndexOf(written);
+        if (at < 0) {
+            throw new IllegalArgumentException("line " + line + ": expected " + written + ", got " + text.trim());
+        }
+        lines.set(line - 1, text.substring(0, at) + other + text.substring(at + written.length()));
+    }
+
+    /** A number of a motion: in which line it stands, and from which character to which. */
+    private record Place(int line, int from, int to) { }
+
+    /**
+     * Adds to what an object's channels are, in all their keys.
+     *
+     * @param line     number of the line with which the object begins, from 1
+     * @param position 3, scene units, left-handed
+     * @param heading  radians
+     * @throws IllegalArgumentException where the object has no keys, or one of several should turn
+     */
+    void add(int line, double[] position, double heading) {
+        List<List<Place>> channels = channels(line);
+        boolean isAnimated = channels.stream().limit(3).anyMatch(places -> places.size() > 1);
+        if (heading != 0 && isAnimated) {
+            throw new IllegalArgumentException("line " + line + ": expected an object of one key to turn, got an"
+                    + " animated one");
+        }
+        for (int c = 3; c >= 0; c--) { // channels of one line: what stands before stays where it is
+            double by = c < 3 ? position[c] : version < BLOCKS ? Math.toDegrees(heading) : heading;
+            if (by != 0 && channels.get(c).isEmpty()) {
+                throw new IllegalArgumentException("line " + line + ": expected an object with keys, got none");
+            }
+            for (Place place : channels.get(c)) {
+                String text = lines.get(place.line);
+                double value = number(place) + by;
+                lines.set(place.line, by == 0 ? text
+                        : text.substring(0, place.from) + value + text.substring(place.to));
+            }
+        }
+    }
+
+    /** Where an object's first keys say that it stands in its parent's space, left-handed. */
+    double[] position(int line) {
+        List<List<Place>> channels = channels(line);
+        double[] position = new double[3];
+        for (int c = 0; c < 3 && !channels.get(c).isEmpty(); c++) {
+            position[c] = number(channels.get(c).get(0));
+        }
+        return position;
+    }
+
+    private double number(Place place) {
+        return Double.parseDouble(lines.get(place.line).substring(place.from, place.to));
+    }
+
+    private List<List<Place>> channels(int line) {
+        return version >= BLOCKS ? blocks(motion(line)) : keys(motion(line));
+    }
+
+    /** The line after that with which an object's motion begins. */
+    private int motion(int line) {
+        for (int i = line; i < lines.size(); i++) {
+            String text = lines.get(i).trim();
+            if (text.startsWith("ObjectMotion")) {
+                return i + 1;
+            }
+            if (text.startsWith("LoadObject") || text.startsWith("Add")) {
+                break;
+            }
+        }
+        throw new IllegalArgumentException("line " + line + ": expected an object with a motion, got none");
+    }
+
+    private static List<List<Place>> none() {
+        List<List<Place>> channels = new ArrayList<>();
+        for (int c = 0; c < CHANNELS; c++) {
+            channels.add(new ArrayList<>());
+        }
+        return channels;
+    }
+
+    /** From version 3 on: a block in braces per channel. */
+    private List<List<Place>> blocks(int from) {
+        List<List<Place>> channels = none();
+        int channel = -1;
+        int depth = 0;
+        for (int i = from; i < lines.size(); i++) {
+            String text = lines.get(i).trim();
+            Matcher begin = CHANNEL.matcher(text);
+            Matcher key = KEY.matcher(lines.get(i));
+            if (begin.matches()) {
+                channel = Integer.parseInt(begin.group(1));
+            } else if (text.startsWith("{")) {
+                depth++;
+            } else if (text.startsWith("}")) {
+                depth--;
+            } else if (depth == 1 && channel >= 0 && channel < CHANNELS && key.matches()) {
+                channels.get(channel).add(new Place(i, key.start(1), key.end(1)));
+            } else if (depth == 0 && !text.isEmpty() && !text.startsWith("NumChannels")) {
+                break;
+            }
+        }
+        return channels;
+    }
+
+    /** Version 1: after two counts, a line of nine numbers and one of the time per key. */
+    private List<List<Place>> keys(int from) {
+        if (version != 1) {
+            throw new IllegalArgumentException("expected a scene of LWSC 1, or of 3 and later, got version " + version);
+        }
+        List<List<Place>> channels = none();
+        for (int i = from + 2; i < lines.size() && NUMBERS.matcher(lines.get(i)).matches(); i += 2) {
+            Matcher word = Pattern.compile("\\S+").matcher(lines.get(i));
+            for (int c = 0; c < CHANNELS && word.find(); c++) {
+                channels.get(c).add(new Place(i, word.start(), word.end()));
+            }
+        }
+        return channels;
+    }
+}

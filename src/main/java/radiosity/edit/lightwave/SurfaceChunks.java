@@ -1,0 +1,119 @@
+package radiosity.edit.lightwave;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import radiosity.scene.Rgb;
+
+/** A LightWave object (LWO2) of which a surface gets another colour: every other byte stays. */
+final class SurfaceChunks {
+
+    private static final int HEAD = 8;
+    private static final int SUB_HEAD = 6;
+    private static final int COLOUR = 12;
+    private static final int DIFFUSE = 4;
+
+    private SurfaceChunks() { }
+
+    /**
+     * The object with another colour and a diffuse of 1.
+     *
+     * @param object not modified
+     * @param name   of the surface; objects without it come back as they are
+     * @param colour as the file has it
+     * @throws IllegalArgumentException where the object is none of LWO2
+     */
+    static byte[] painted(byte[] object, String name, Rgb colour) {
+        if (object.length < HEAD + 4 || !id(object, 0).equals("FORM") || !id(object, HEAD).equals("LWO2")) {
+            throw new IllegalArgumentException("expected an object of LWO2 to paint, got another format");
+        }
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        out.write(object, 0, HEAD + 4);
+        int at = HEAD + 4;
+        while (at + HEAD <= object.length) {
+            long size = ByteBuffer.wrap(object, at + 4, 4).getInt() & 0xffffffffL;
+            int end = (int) Math.min(object.length, at + HEAD + size + (size & 1));
+            int from = at + HEAD;
+            if (id(object, at).equals("SURF") && text(object, from, end).equals(name)) {
+                int data = skipText(object, skipText(object, from, end), end);
+                byte[] surface = painted(object, data, (int) Math.min(end, from + size), colour);
+                int length = data - from + surface.length;
+                out.write(object, at, 4);
+                out.writeBytes(ByteBuffer.allocate(4).putInt(length).array());
+                out.write(object, from, data - from);
+                out.writeBytes(surface);
+                if ((length & 1) == 1) {
+                    out.write(0);
+                }
+            } else {
+                out.write(object, at, end - at);
+            }
+            at = end;
+        }
+        out.write(object, at, object.length - at);
+        byte[] whole = out.toByteArray();
+        int form = ByteBuffer.wrap(object, 4, 4).getInt();
+        ByteBuffer.wrap(whole).putInt(4, form + whole.length - object.length);
+        return whole;
+    }
+
+    /** The values of a surface from one byte to another; those that are missing are added. */
+    private static byte[] painted(byte[] object, int from, int to, Rgb colour) {
+        byte[] values = Arrays.copyOfRange(object, from, to);
+        boolean hasColour = false;
+        boolean hasDiffuse = false;
+        int at = 0;
+        while (at + SUB_HEAD <= values.length) {
+            int size = ByteBuffer.wrap(values, at + 4, 2).getShort() & 0xffff;
+            if (id(values, at).equals("COLR") && size >= COLOUR) {
+                ByteBuffer.wrap(values, at + SUB_HEAD, COLOUR).put(colour(colour));
+                hasColour = true;
+            } else if (id(values, at).equals("DIFF") && size >= DIFFUSE) {
+                ByteBuffer.wrap(values, at + SUB_HEAD, DIFFUSE).putFloat(1);
+                hasDiffuse = true;
+            }
+            at += SUB_HEAD + size + (size & 1);
+        }
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        out.writeBytes(values);
+        if (!hasColour) {
+            add(out, "COLR", colour(colour));
+        }
+        if (!hasDiffuse) {
+            add(out, "DIFF", ByteBuffer.allocate(DIFFUSE).putFloat(1).array());
+        }
+        return out.toByteArray();
+    }
+
+    private static byte[] colour(Rgb colour) {
+        return ByteBuffer.allocate(COLOUR).putFloat((float) colour.r()).putFloat((float) colour.g())
+                .putFloat((float) colour.b()).array();
+    }
+
+    /** With no envelope. */
+    private static void add(ByteArrayOutputStream out, String id, byte[] value) {
+        out.writeBytes(id.getBytes(StandardCharsets.ISO_8859_1));
+        out.writeBytes(ByteBuffer.allocate(2).putShort((short) (value.length + 2)).array());
+        out.writeBytes(value);
+        out.writeBytes(new byte[2]);
+    }
+
+    private static String id(byte[] bytes, int at) {
+        return new String(bytes, at, 4, StandardCharsets.ISO_8859_1);
+    }
+
+    private static String text(byte[] bytes, int from, int end) {
+        int to = from;
+        while (to < end && bytes[to] != 0) {
+            to++;
+        }
+        return new String(bytes, from, to - from, StandardCharsets.ISO_8859_1);
+    }
+
+    /** After a text, its zero, and the zero that makes it even. */
+    private static int skipText(byte[] bytes, int from, int end) {
+        int length = text(bytes, from, end).length() + 1;
+        return Math.min(end, from + length + (length & 1));
+    }
+}
