@@ -85,7 +85,7 @@ public final class PartitionImpl implements Partition {
         return switch (order.kind()) {
             case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
             case UNSHOT -> Wire.bytes(out -> Wire.write(all(nodes.light()::unshotOfPositive).stream()
-                    .map(mesh.rounding::towardZero).toList(), channels, out));
+                    .map(mesh.rounding::upward).toList(), channels, out));
             case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
             case ROWS -> rows(order);
             default -> Wire.bytes(answer(order)::write);

@@ -45,7 +45,7 @@ record Quantizer(int channels, double[] unit) {
 
     private static double unit(double largest) {
         double unit = Math.max(Double.MIN_NORMAL, Math.scalb(1.0, Math.getExponent(largest) - DIGITS + 1));
-        return Math.rint(largest / unit) < 1 << DIGITS ? unit : 2 * unit;
+        return Math.ceil(largest / unit) < 1 << DIGITS ? unit : 2 * unit;
     }
 
     /** Where a node's units are, one per channel. */

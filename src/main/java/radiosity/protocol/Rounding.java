@@ -26,10 +26,9 @@ public record Rounding(boolean exact, boolean together) {
         return exact ? shot : together ? rounded(shot, tree -> together(tree, Math::rint)) : finely(shot);
     }
 
-    /** No element shoots more than is given, of either sign. */
-    public Shot towardZero(Shot shot) {
-        return exact || !together ? shot : rounded(shot, tree -> together(tree, x -> x < 0 ? Math.ceil(x)
-                : Math.floor(x)));
+    /** No element shoots less than is given, nor takes back more: what is not negative in the end stays so. */
+    public Shot upward(Shot shot) {
+        return exact || !together ? shot : rounded(shot, tree -> together(tree, Math::ceil));
     }
 
     /** Of what is nearly all that will ever be shot, and is said of few elements. */

@@ -299,9 +299,10 @@ final class RandomCommand {
                 && light.getOrDefault("--form-factors", List.of("raycast")).equals(List.of("raycast"));
     }
 
-    /** Whether prediction goes on to its end. */
+    /** Whether prediction goes on to its end, and no clock cuts it off. */
     boolean isFinished() {
-        return schedule.equals("predict") && !light.containsKey("-it") && !light.containsKey("-se");
+        return schedule.equals("predict") && !timed && !light.containsKey("-it")
+                && !light.containsKey("-se");
     }
 
     /** Replaces what decides when to stop, or says how exactly to calculate. */
