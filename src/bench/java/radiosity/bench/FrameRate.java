@@ -53,7 +53,7 @@ final class FrameRate {
     /** Frames per second. */
     private static double rate(LitScene scene, boolean textures) throws Exception {
         Walkthrough window = Walkthrough.open(scene, new ViewSettings("frame rate", false, textures, Optional.empty(),
-                ToneMapping.Operator.REINHARD, 0, SIZE, SIZE, Optional.empty(), Optional.empty()));
+                ToneMapping.Operator.REINHARD, 0, SIZE, SIZE, Optional.empty(), Optional.empty(), Optional.empty()));
         window.screenshot();
         long start = System.nanoTime();
         for (int i = 0; i < FRAMES; i++) {

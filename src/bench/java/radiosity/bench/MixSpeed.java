@@ -23,7 +23,7 @@ final class MixSpeed {
     public static void main(String[] arguments) throws Exception {
         LitScene scene = LitScene.read(Path.of(arguments[0]));
         Walkthrough window = Walkthrough.open(scene, new ViewSettings("mix", false, false, Optional.empty(),
-                ToneMapping.Operator.REINHARD, 0, 512, 512, Optional.empty(), Optional.empty()));
+                ToneMapping.Operator.REINHARD, 0, 512, 512, Optional.empty(), Optional.empty(), Optional.empty()));
         window.screenshot();
         double[] milliseconds = new double[MOVES];
         for (int i = 0; i < MOVES; i++) {

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.BindException;
+import java.util.Optional;
 import radiosity.cli.options.CommandRun;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.ViewOptions;
 import radiosity.cli.render.FileChecks;
+import radiosity.cli.render.SceneSource;
 import radiosity.cli.render.Warnings;
 import radiosity.input.SceneReader;
 import radiosity.output.gltf.LitScene;
@@ -50,6 +52,9 @@ public final class ViewSceneFile {
     private void view() throws IOException {
         FileChecks checks = new FileChecks();
         checks.input(options.file());
+        if (options.window.source != null) {
+            checks.input(options.window.source);
+        }
         if (options.window.screenshot != null) {
             checks.output(options.window.screenshot);
         }
@@ -62,7 +67,8 @@ public final class ViewSceneFile {
             throw Failure.file(options.file(), "expected textures (RadiosityRenderer -ut <n>), got none", null);
         }
         try {
-            Walkthrough.show(scene, options.settings());
+            Walkthrough.show(scene, options.settings(() -> SceneSource.read(options.file(),
+                    Optional.ofNullable(options.window.source), warnings::print)));
         } catch (DisplayException e) {
             throw Failure.failed(e.getMessage(), e);
         }

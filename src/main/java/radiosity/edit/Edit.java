@@ -78,10 +78,7 @@ public sealed interface Edit {
         private Hierarchy hierarchy(Hierarchy before, Affine map) {
             List<SceneNode> nodes = new ArrayList<>(before.nodes());
             SceneNode of = nodes.get(node);
-            Affine parent = Affine.IDENTITY;
-            for (int n = of.parent(); n >= 0; n = nodes.get(n).parent()) {
-                parent = nodes.get(n).placement().times(parent);
-            }
+            Affine parent = ObjectTriangles.place(before, of.parent());
             nodes.set(node, new SceneNode(of.name(), of.parent(), of.geometry(),
                     parent.inverse().times(map).times(parent).times(of.placement())));
             return new Hierarchy(nodes, before.nodeOf());
@@ -89,8 +86,9 @@ public sealed interface Edit {
 
         @Override
         public String text(Scene scene) {
-            return String.format(Locale.ROOT, "%s moved by %.4g  %.4g  %.4g, turned by %.0f degrees",
-                    scene.hierarchy().nodes().get(node).name(), by.x(), by.y(), by.z(), Math.toDegrees(turn));
+            return String.format(Locale.ROOT, "%s moved by %.4g  %.4g  %.4g%s",
+                    scene.hierarchy().nodes().get(node).name(), by.x(), by.y(), by.z(), turn == 0 ? ""
+                    : String.format(Locale.ROOT, ", turned by %.0f degrees", Math.toDegrees(turn)));
         }
     }
 

@@ -43,7 +43,8 @@ public final class LightFollower implements AutoCloseable {
     private Target target;
     private boolean closed;
 
-    private record Target(Scene scene, long since) { }
+    /** @param isMoving whether the hand that edits is still on the way */
+    private record Target(Scene scene, boolean isMoving, long since) { }
 
     /** @param seconds from the edit until it was shown */
     private record Seen(Solution solution, double seconds) { }
@@ -65,10 +66,10 @@ public final class LightFollower implements AutoCloseable {
 
         /** For the user. */
         public String text() {
-            return String.format(Locale.ROOT, "first light after %.2f s (%.1f %% off), within %.0f %% after %.2f s,"
-                    + " at rest after %.2f s, expected error %.1f %%%s", first, 100 * difference, 100 * CLOSE, close,
-                    seconds, 100 * certificate.map(Certificate::expected).orElse(Double.NaN),
-                    anew.isEmpty() ? "" : ", rendered anew, as " + anew);
+            return String.format(Locale.ROOT, "at rest after %.2f s, expected error %.1f %%; first light after %.2f s"
+                    + " (%.1f %% off), within %.0f %% after %.2f s%s", seconds,
+                    100 * certificate.map(Certificate::expected).orElse(Double.NaN), first, 100 * difference,
+                    100 * CLOSE, close, anew.isEmpty() ? "" : "; rendered anew, as " + anew);
         }
     }
 
@@ -93,13 +94,27 @@ public final class LightFollower implements AutoCloseable {
     }
 
     /** Has the light follow a scene; what is under way for an earlier one ends. */
-    public synchronized void follow(Scene scene) {
-        target = new Target(scene, System.nanoTime());
+    public void follow(Scene scene) {
+        follow(scene, false);
+    }
+
+    /**
+     * Has the light follow a scene.
+     *
+     * @param isMoving whether further edits are likely to come at once: a first picture is shown in spite of them, so
+     *                 that there are some while a hand moves on and on
+     */
+    public synchronized void follow(Scene scene, boolean isMoving) {
+        target = new Target(scene, isMoving, System.nanoTime());
         notifyAll();
     }
 
     private synchronized boolean isWanted(Target one) {
         return !closed && target == one;
+    }
+
+    private synchronized boolean isFirstWanted(Target one) {
+        return !closed && (target == one || one.isMoving && target.isMoving);
     }
 
     private synchronized Target next(Target done) throws InterruptedException {
@@ -130,7 +145,7 @@ public final class LightFollower implements AutoCloseable {
                     new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT));
             String anew = base.isEmpty() ? "nothing was rendered yet" : radiosity.change(base, baseMesh).orElse("");
             double most = anew.isEmpty() ? Double.POSITIVE_INFINITY : DARK;
-            if (anew.isEmpty() && isWanted(goal)) {
+            if (anew.isEmpty() && isFirstWanted(goal)) {
                 show(goal, radiosity, pictures);
             }
             radiosity.run(progress -> {

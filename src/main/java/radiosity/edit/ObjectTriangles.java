@@ -1,6 +1,7 @@
 package radiosity.edit;
 
 import java.util.stream.IntStream;
+import radiosity.scene.Affine;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.Scene;
 import radiosity.util.Aabb;
@@ -10,8 +11,8 @@ public final class ObjectTriangles {
 
     private ObjectTriangles() { }
 
-    /** 1 per triangle: whether it belongs to a node or to what belongs to that. */
-    static boolean[] triangles(Scene scene, int node) {
+    /** 1 per node: whether it is one, or belongs to what is. */
+    public static boolean[] nodes(Scene scene, int node) {
         Hierarchy hierarchy = scene.hierarchy();
         if (node < 0 || node >= hierarchy.nodes().size()) {
             throw new IllegalArgumentException("object: expected one of " + hierarchy.nodes().size() + ", got number "
@@ -22,17 +23,42 @@ public final class ObjectTriangles {
             int parent = hierarchy.nodes().get(n).parent();
             within[n] = n == node || parent >= 0 && within[parent];
         }
+        return within;
+    }
+
+    /** 1 per triangle: whether it belongs to a node or to what belongs to that. */
+    static boolean[] triangles(Scene scene, int node) {
+        boolean[] within = nodes(scene, node);
         boolean[] triangles = new boolean[scene.triangles()];
         for (int t = 0; t < triangles.length; t++) {
-            triangles[t] = within[hierarchy.of(t)];
+            triangles[t] = within[scene.hierarchy().of(t)];
         }
         return triangles;
     }
 
     /** The box around an object with triangles, scene units. */
     public static Aabb box(Scene scene, int node) {
-        boolean[] triangles = triangles(scene, node);
-        return Aabb.of(IntStream.range(0, 3 * triangles.length).filter(i -> triangles[i / 3])
+        return box(scene, triangles(scene, node), true);
+    }
+
+    /** The box around all the triangles that are in a set, or are not. */
+    static Aabb box(Scene scene, boolean[] set, boolean within) {
+        return Aabb.of(IntStream.range(0, 3 * set.length).filter(i -> set[i / 3] == within)
                 .mapToObj(i -> scene.corner(i / 3, i % 3)));
+    }
+
+    /** From a node's own space to that of the scene; -1 stands for the scene's own. */
+    static Affine place(Hierarchy hierarchy, int node) {
+        Affine place = Affine.IDENTITY;
+        for (int n = node; n >= 0; n = hierarchy.nodes().get(n).parent()) {
+            place = hierarchy.nodes().get(n).placement().times(place);
+        }
+        return place;
+    }
+
+    /** From where an object is in one scene to where it is in another; nowhere else where that cannot be said. */
+    public static Affine between(Scene from, Scene to, int node) {
+        Affine map = place(to.hierarchy(), node).times(place(from.hierarchy(), node).inverse());
+        return map.isFinite() ? map : Affine.IDENTITY;
     }
 }

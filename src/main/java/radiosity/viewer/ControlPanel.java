@@ -22,7 +22,8 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Lamp;
 
 /**
- * What the keys do, for the mouse, and a slider and a colour for each lamp; beside the picture, on the event thread.
+ * What the keys do, for the mouse, and a slider and a colour for each lamp and for what is edited; beside the picture,
+ * on the event thread.
  *
  * <p>Nothing in it takes the keys away from the picture. Components have names, by which tests find them.
  */
@@ -45,6 +46,7 @@ final class ControlPanel {
     private final JCheckBox wireframe = new JCheckBox("wireframe");
     private final JCheckBox textures = new JCheckBox("light of textures");
     private final JCheckBox walls = new JCheckBox("walls stop you");
+    private final EditPanel edit;
     private final JPanel lamps = new JPanel();
     private final List<LampControl> lampControls = new ArrayList<>();
     private List<Lamp> shown = List.of();
@@ -53,6 +55,7 @@ final class ControlPanel {
 
     ControlPanel(Display display) {
         this.display = display;
+        edit = new EditPanel(display.editing());
         content.setLayout(new BoxLayout(content, BoxLayout.Y_AXIS));
         content.setBorder(BorderFactory.createEmptyBorder(EDGE, EDGE, EDGE, EDGE));
         lamps.setLayout(new BoxLayout(lamps, BoxLayout.Y_AXIS));
@@ -61,6 +64,7 @@ final class ControlPanel {
         check(wireframe, "wireframe", display::wireframe);
         check(textures, "textures", display::textures);
         check(walls, "walls", display::collisions);
+        edit.parts().forEach(part -> add(content, part));
         add(content, lamps);
         content.add(Box.createVerticalGlue());
         // no higher than the picture
@@ -118,6 +122,10 @@ final class ControlPanel {
         return scroll;
     }
 
+    EditPanel edit() {
+        return edit;
+    }
+
     LampControl lamp(int lamp) {
         return lampControls.get(lamp);
     }
@@ -134,6 +142,7 @@ final class ControlPanel {
         textures.setSelected(display.showsTextures());
         textures.setEnabled(lighting.scene().textures().isPresent());
         walls.setSelected(display.collides());
+        edit.refresh();
         if (!shown.equals(lighting.lamps())) {
             shown = lighting.lamps();
             replaceLamps();

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import radiosity.output.gltf.LitScene;
+import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
@@ -27,6 +28,7 @@ public final class Display {
     private final Walker walker;
     private final Walking walking;
     private final Photo photo;
+    private final Editing editing;
     private Extent extent;
     private CompletableFuture<Optional<Obstacles>> obstacles;
     private SceneShapes shapes;
@@ -57,6 +59,7 @@ public final class Display {
         textures = settings.textures();
         lighting = new Lighting(settings, shader);
         photo = new Photo(settings.followed(), this::status);
+        editing = new Editing(this, settings.editing());
         show(scene);
         if (settings.wireframe()) {
             wireframe();
@@ -71,6 +74,15 @@ public final class Display {
 
     Lighting lighting() {
         return lighting;
+    }
+
+    Editing editing() {
+        return editing;
+    }
+
+    /** Of the window's picture, pixels. */
+    int height() {
+        return Math.max(1, stage.canvas().getHeight());
     }
 
     boolean showsWireframe() {
@@ -93,10 +105,40 @@ public final class Display {
     /** Shows another scene from where the user stands. */
     void show(LitScene other) {
         lighting.show(other);
-        extent = Extent.of(other);
-        obstacles = orNothing(CompletableFuture.supplyAsync(() -> new Obstacles(other)));
+        shown();
+        settled();
+    }
+
+    /** Shows the light of an edited scene, as bright as before. Nothing is in the way until it is settled. */
+    void follow(LitScene other) {
+        lighting.follow(other);
+        obstacles = CompletableFuture.completedFuture(Optional.empty());
+        shown();
+    }
+
+    private void shown() {
+        extent = Extent.of(lighting.scene());
         surfaces();
         look();
+    }
+
+    /** What is shown stays for now. */
+    void settled() {
+        LitScene scene = lighting.scene();
+        obstacles = orNothing(CompletableFuture.supplyAsync(() -> new Obstacles(scene)));
+    }
+
+    /** Draws what is selected apart. */
+    void select() {
+        surfaces();
+        stage.redraw();
+    }
+
+    /** @param map from where what is selected is in this light to where it is shown */
+    void place(Affine map) {
+        if (shapes != null) {
+            shapes.place(map);
+        }
     }
 
     private void surfaces() {
@@ -106,7 +148,7 @@ public final class Display {
             if (textures && scene.textures().isPresent()) {
                 stage.scene(TexturedShapes.of(scene.textures().get(), shader, SceneShapes.bounds(scene)));
             } else {
-                shapes = new SceneShapes(scene, shader.vertices());
+                shapes = new SceneShapes(scene, shader.vertices(), editing.selection());
                 stage.scene(shapes.group());
             }
         } catch (IOException e) {
@@ -160,8 +202,7 @@ public final class Display {
     }
 
     Camera camera() {
-        int height = Math.max(1, stage.canvas().getHeight());
-        return walker.camera((double) Math.max(1, stage.canvas().getWidth()) / height);
+        return walker.camera((double) Math.max(1, stage.canvas().getWidth()) / height());
     }
 
     void turn(double left, double up) {
@@ -253,11 +294,25 @@ public final class Display {
         window.close();
     }
 
+    /** Selects what is edited, or says what light there is. */
+    void click(int x, int y) {
+        if (editing.isOn()) {
+            editing.click(x, y);
+        } else {
+            probe(x, y);
+        }
+    }
+
+    /** Unit direction from the eye through a pixel of the window. */
+    Vec3 direction(int x, int y) {
+        return camera().direction((2.0 * x + 1) / stage.canvas().getWidth() - 1,
+                1 - (2.0 * y + 1) / stage.canvas().getHeight());
+    }
+
     /** Says what light there is under a pixel of the window. */
     Optional<Probe> probe(int x, int y) {
         Camera camera = camera();
-        Vec3 direction = camera.direction((2.0 * x + 1) / stage.canvas().getWidth() - 1,
-                1 - (2.0 * y + 1) / stage.canvas().getHeight());
+        Vec3 direction = direction(x, y);
         double far = REACH * (extent.size() + camera.position().minus(extent.centre()).length());
         Optional<Probe> probe = obstacles.join().flatMap(known -> known.hit(camera.position(), direction, far))
                 .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position()
@@ -272,7 +327,12 @@ public final class Display {
         status(List.of(line));
     }
 
-    private void status(List<String> lines) {
+    /** What lies over the picture at the bottom. */
+    List<String> status() {
+        return status;
+    }
+
+    void status(List<String> lines) {
         status = lines;
         mark = Optional.empty();
         overlay();
@@ -306,6 +366,7 @@ public final class Display {
 
     void close() {
         photo.close();
+        editing.close();
         walking.stop();
     }
 }

@@ -28,6 +28,8 @@ final class Keys extends KeyAdapter {
         {"X", "wireframe"},
         {"U", "light of textures or of vertices"},
         {"K", "walk through walls or not"},
+        {"M", "edit: click on an object, drag it (Shift: up, down; Ctrl: turn), paint it in the panel"},
+        {"Ctrl+Z, Ctrl+S", "edit: undo, save as scene file and LightWave scene"},
         {"F", "photo: a picture with mirrors and glass, beside the scene file"},
         {"P", "panel for the mouse: exposure, lamps"},
         {"F11", "full screen"},
@@ -59,7 +61,11 @@ final class Keys extends KeyAdapter {
 
     @Override
     public void keyPressed(KeyEvent e) {
-        if (!walking.pressed(e.getKeyCode(), e.isShiftDown())) {
+        if (e.isControlDown() && e.getKeyCode() == KeyEvent.VK_Z) {
+            display.editing().undo();
+        } else if (e.isControlDown() && e.getKeyCode() == KeyEvent.VK_S) {
+            display.editing().save();
+        } else if (!walking.pressed(e.getKeyCode(), e.isShiftDown())) {
             act(e.getKeyCode(), e.getKeyChar());
         }
     }
@@ -88,6 +94,7 @@ final class Keys extends KeyAdapter {
             case KeyEvent.VK_C -> display.falseColour();
             case KeyEvent.VK_X -> display.wireframe();
             case KeyEvent.VK_U -> display.textures();
+            case KeyEvent.VK_M -> display.editing().toggle();
             case KeyEvent.VK_F -> display.photo();
             case KeyEvent.VK_P -> display.panel();
             case KeyEvent.VK_K -> display.collisions();

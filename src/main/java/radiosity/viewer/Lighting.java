@@ -45,6 +45,13 @@ final class Lighting {
         toneMapping(automatic ? automaticExposure : toneMapping.exposure(), toneMapping.operator());
     }
 
+    /** The same scene, edited: it stays as bright as it was. */
+    void follow(LitScene other) {
+        factors = scene.lamps().equals(other.lamps()) ? factors : asRendered(other);
+        scene = other;
+        mix();
+    }
+
     private static List<Rgb> asRendered(LitScene scene) {
         return Collections.nCopies(scene.lamps().size(), Rgb.grey(1));
     }

@@ -4,8 +4,9 @@ import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import radiosity.edit.Drag;
 
-/** Looks around by dragging, walks by the wheel, asks by a click. */
+/** Looks around by dragging, walks by the wheel, asks by a click; moves what is edited. */
 final class Mouse extends MouseAdapter {
 
     /** A drag across the window's height turns by this, radians. */
@@ -18,6 +19,7 @@ final class Mouse extends MouseAdapter {
     private final Display display;
     private MouseEvent pressed;
     private MouseEvent last;
+    private boolean holds;
 
     Mouse(Display display) {
         this.display = display;
@@ -34,11 +36,16 @@ final class Mouse extends MouseAdapter {
         e.getComponent().requestFocus();
         pressed = e;
         last = e;
+        holds = display.editing().grab(e.getX(), e.getY());
     }
 
     @Override
     public void mouseDragged(MouseEvent e) {
-        if (last != null) {
+        if (last != null && holds) {
+            Drag.Hand hand = e.isShiftDown() ? Drag.Hand.UPRIGHT : e.isControlDown() ? Drag.Hand.TURN : Drag.Hand.LEVEL;
+            display.editing().drag(hand, e.getX() - last.getX(), e.getY() - last.getY());
+            last = e;
+        } else if (last != null) {
             double radians = TURN / Math.max(1, e.getComponent().getHeight());
             display.turn((e.getX() - last.getX()) * radians, (e.getY() - last.getY()) * radians);
             last = e;
@@ -47,11 +54,15 @@ final class Mouse extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent e) {
+        if (holds) {
+            display.editing().drop();
+        }
         if (pressed != null && Math.abs(e.getX() - pressed.getX()) + Math.abs(e.getY() - pressed.getY()) < STILL) {
-            display.probe(e.getX(), e.getY());
+            display.click(e.getX(), e.getY());
         }
         pressed = null;
         last = null;
+        holds = false;
     }
 
     @Override

@@ -4,18 +4,26 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.jogamp.java3d.Appearance;
 import org.jogamp.java3d.BoundingSphere;
 import org.jogamp.java3d.BranchGroup;
+import org.jogamp.java3d.ColoringAttributes;
 import org.jogamp.java3d.GeometryArray;
 import org.jogamp.java3d.IndexedTriangleArray;
 import org.jogamp.java3d.J3DBuffer;
+import org.jogamp.java3d.LineArray;
 import org.jogamp.java3d.Shape3D;
+import org.jogamp.java3d.Transform3D;
+import org.jogamp.java3d.TransformGroup;
+import org.jogamp.vecmath.Color3f;
 import org.jogamp.vecmath.Point3d;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.mesh.Mesh;
+import radiosity.scene.Affine;
 import radiosity.scene.Vec3;
+import radiosity.util.Aabb;
 
 /** A scene as Java 3D has it: one shape per side of a surface, by reference to buffers outside the heap. */
 final class SceneShapes {
@@ -24,25 +32,76 @@ final class SceneShapes {
             | GeometryArray.BY_REFERENCE_INDICES | GeometryArray.USE_COORD_INDEX_ONLY
             | GeometryArray.USE_NIO_BUFFER;
 
+    private static final Color3f OUTLINE = new Color3f(1, .75f, .1f);
+
     private final BranchGroup group = new BranchGroup();
     /** 1 per mesh. */
     private final List<IndexedTriangleArray> triangles = new ArrayList<>();
     /** 1 per mesh: radiosity, 3 per vertex, W/m². */
     private final List<FloatBuffer> radiosity = new ArrayList<>();
 
-    /** Positions count from the scene's origin. */
-    SceneShapes(LitScene scene, Appearance appearance) {
+    /** Nodes that are selected, and a box around them. */
+    record Selection(boolean[] nodes, Aabb box) { }
+
+    /** With what is selected. */
+    private final TransformGroup moved = new TransformGroup();
+    private final Vec3 origin;
+
+    /**
+     * Positions count from the scene's origin.
+     *
+     * @param selection what can be placed elsewhere; null for nothing
+     */
+    SceneShapes(LitScene scene, Appearance appearance, Selection selection) {
+        origin = scene.origin();
+        moved.setCapability(TransformGroup.ALLOW_TRANSFORM_WRITE);
+        group.addChild(moved);
         group.setCapability(BranchGroup.ALLOW_DETACH);
         BoundingSphere bounds = bounds(scene);
         for (Mesh mesh : scene.meshes()) {
             radiosity.add(buffer(mesh.radiosity()));
             triangles.add(triangles(mesh, radiosity.get(radiosity.size() - 1)));
-            group.addChild(shape(triangles.get(triangles.size() - 1), appearance, bounds));
+            boolean isSelected = selection != null && mesh.node() >= 0 && selection.nodes()[mesh.node()];
+            (isSelected ? moved : group).addChild(shape(triangles.get(triangles.size() - 1), appearance, bounds));
+        }
+        if (selection != null) {
+            moved.addChild(shape(edges(selection.box()), outline(), bounds));
         }
     }
 
     BranchGroup group() {
         return group;
+    }
+
+    /** @param map from where what is selected was to where it is shown */
+    void place(Affine map) {
+        Affine shifted = Affine.move(-origin.x(), -origin.y(), -origin.z()).times(map)
+                .times(Affine.move(origin.x(), origin.y(), origin.z()));
+        double[] matrix = Arrays.copyOf(shifted.m(), 16);
+        matrix[15] = 1;
+        moved.setTransform(new Transform3D(matrix));
+    }
+
+    private LineArray edges(Aabb box) {
+        LineArray lines = new LineArray(24, GeometryArray.COORDINATES);
+        int vertex = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            for (int axis = 1; axis < 8; axis *= 2) {
+                if ((corner & axis) == 0) {
+                    for (int end : new int[] {corner, corner | axis}) {
+                        Vec3 p = box.corner(end).minus(origin);
+                        lines.setCoordinate(vertex++, new Point3d(p.x(), p.y(), p.z()));
+                    }
+                }
+            }
+        }
+        return lines;
+    }
+
+    private static Appearance outline() {
+        Appearance appearance = new Appearance();
+        appearance.setColoringAttributes(new ColoringAttributes(OUTLINE, ColoringAttributes.SHADE_FLAT));
+        return appearance;
     }
 
     /** Shows the same scene in another light. */

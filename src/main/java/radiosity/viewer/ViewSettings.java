@@ -2,6 +2,8 @@ package radiosity.viewer;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import radiosity.edit.EditSource;
 import radiosity.output.image.ToneMapping;
 
 /**
@@ -16,12 +18,13 @@ import radiosity.output.image.ToneMapping;
  * @param width       pixels
  * @param height      pixels, or 0 to follow the camera's aspect
  * @param followed    the scene file, to be shown again when it is replaced
+ * @param editing     reads what the scene file was made from, where it can be edited
  * @param screenshot  a picture to write of the first complete view, whereupon the window closes
  */
 public record ViewSettings(String title, boolean wireframe, boolean textures,
                            Optional<ToneMapping> toneMapping, ToneMapping.Operator curve, double stops, int width,
-                                   int height,
-                           Optional<Path> followed, Optional<Path> screenshot) {
+                           int height, Optional<Path> followed, Optional<Callable<EditSource>> editing,
+                           Optional<Path> screenshot) {
 
     public ViewSettings {
         if (width < 1 || height < 0) {

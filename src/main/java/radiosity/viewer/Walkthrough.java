@@ -54,7 +54,11 @@ public final class Walkthrough {
         panel = new ControlPanel(display);
         display.whenChanged(panel::refresh);
         frame.add(panel.component(), BorderLayout.EAST);
-        followed = settings.followed().map(file -> new FollowedFile(file, display::replace));
+        followed = settings.followed().map(file -> new FollowedFile(file, other -> {
+            if (!display.editing().hasBegun()) {
+                display.replace(other);
+            }
+        }));
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {

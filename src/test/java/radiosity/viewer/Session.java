@@ -22,6 +22,7 @@ import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
+import radiosity.cli.render.SceneSource;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
@@ -29,8 +30,8 @@ import radiosity.scene.Camera;
 /**
  * A window that is used by lines on standard input; each is answered by one line.
  *
- * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y; probe X Y; camera; exposure; shot FILE; screen FILE; real KEY;
- * press BUTTON; set SLIDER NUMBER; colour LAMP RED GREEN BLUE
+ * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y [KEY]; probe X Y; paint RED GREEN BLUE; status; camera;
+ * exposure; shot FILE; screen FILE; real KEY; press BUTTON; set SLIDER NUMBER; colour LAMP RED GREEN BLUE
  *
  * <p>Keys and mouse are events given to the canvas, and time is a counter: however busy the machine is, a key is held
  * for as long as it says. Only {@code real} presses a key of the display, until the window has walked.
@@ -70,7 +71,8 @@ final class Session {
         Walkthrough window = Walkthrough.open(LitScene.read(file),
                 new ViewSettings("test", false, false, Optional.empty(),
                 ToneMapping.Operator.REINHARD, 0, Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]),
-                Optional.of(file), Optional.empty()));
+                Optional.of(file), Optional.of(() -> SceneSource.read(file, Optional.empty(), line -> { })),
+                Optional.empty()));
         window.screenshot();
         Session session = new Session(window);
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
@@ -98,8 +100,14 @@ final class Session {
     private String said(String[] words) throws ReflectiveOperationException {
         switch (words[0]) {
             case "hold" -> hold(words[1].split("\\+"), number(words, 2));
-            case "click" -> mouse(number(words, 1), number(words, 2), number(words, 1), number(words, 2));
-            case "drag" -> mouse(number(words, 1), number(words, 2), number(words, 3), number(words, 4));
+            case "click" -> mouse(number(words, 1), number(words, 2), number(words, 1), number(words, 2), "");
+            case "drag" -> mouse(number(words, 1), number(words, 2), number(words, 3), number(words, 4),
+                    words.length > 5 ? words[5] : "");
+            case "paint" -> window.panel().edit()
+                    .paint(new Color(number(words, 1), number(words, 2), number(words, 3)));
+            case "status" -> {
+                return String.join("; ", window.display().status());
+            }
             case "press" -> part(words[1], AbstractButton.class).doClick(0);
             case "set" -> part(words[1], JSlider.class).setValue(number(words, 2));
             case "colour" -> window.panel().lamp(number(words, 1))
@@ -155,7 +163,7 @@ final class Session {
 
     /** Presses keys, lets so much time go by in steps, and releases them. */
     private void hold(String[] keys, int milliseconds) throws ReflectiveOperationException {
-        int modifiers = List.of(keys).contains("SHIFT") ? InputEvent.SHIFT_DOWN_MASK : 0;
+        int modifiers = modifiers(List.of(keys));
         for (String key : keys) {
             give(KeyEvent.KEY_PRESSED, key(key), modifiers);
         }
@@ -180,17 +188,23 @@ final class Session {
                 new KeyEvent(window.canvas(), id, 0, modifiers, key, typed));
     }
 
-    private void mouse(int x0, int y0, int x1, int y1) {
-        move(MouseEvent.MOUSE_PRESSED, x0, y0);
-        if (x0 != x1 || y0 != y1) {
-            move(MouseEvent.MOUSE_DRAGGED, x1, y1);
-        }
-        move(MouseEvent.MOUSE_RELEASED, x1, y1);
+    private static int modifiers(List<String> keys) {
+        return (keys.contains("SHIFT") ? InputEvent.SHIFT_DOWN_MASK : 0)
+                + (keys.contains("CONTROL") ? InputEvent.CTRL_DOWN_MASK : 0);
     }
 
-    private void move(int id, int x, int y) {
-        window.canvas().dispatchEvent(new MouseEvent(window.canvas(), id, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1,
-                false, MouseEvent.BUTTON1));
+    private void mouse(int x0, int y0, int x1, int y1, String key) {
+        move(MouseEvent.MOUSE_PRESSED, x0, y0, key);
+        if (x0 != x1 || y0 != y1) {
+            move(MouseEvent.MOUSE_DRAGGED, (x0 + x1) / 2, (y0 + y1) / 2, key);
+            move(MouseEvent.MOUSE_DRAGGED, x1, y1, key);
+        }
+        move(MouseEvent.MOUSE_RELEASED, x1, y1, key);
+    }
+
+    private void move(int id, int x, int y, String key) {
+        window.canvas().dispatchEvent(new MouseEvent(window.canvas(), id, 0,
+                InputEvent.BUTTON1_DOWN_MASK + modifiers(List.of(key)), x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     /**

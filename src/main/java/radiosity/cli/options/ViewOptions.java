@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -12,6 +13,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import radiosity.cli.ViewSceneFile;
+import radiosity.edit.EditSource;
 import radiosity.output.image.ToneMapping;
 import radiosity.viewer.ViewSettings;
 
@@ -62,6 +64,9 @@ public final class ViewOptions {
             throw Failure.commandLine("--web",
                     "expected without -lw, -wf, -ut, --size and --screenshot, got one of them");
         }
+        if (window.source != null && (window.web || window.lightWave)) {
+            throw Failure.commandLine("--source", "expected without -lw and --web, got one of them");
+        }
         if (window.textures && window.lightWave) {
             throw Failure.commandLine("-ut", "expected without -lw, got both");
         }
@@ -74,7 +79,8 @@ public final class ViewOptions {
         return files.get(0);
     }
 
-    public ViewSettings settings() {
+    /** @param editing reads what the scene file was made from */
+    public ViewSettings settings(Callable<EditSource> editing) {
         WindowOptions w = window;
         Optional<ToneMapping> unlit = w.lightWave
                 ? Optional.of(new ToneMapping(ToneMapping.Operator.LINEAR, StrictMath.pow(2, w.exposure)))
@@ -82,6 +88,6 @@ public final class ViewOptions {
         return new ViewSettings(file().getFileName() + " (H: keys, P: panel)", w.wireframe, w.textures, unlit, w.curve,
                 w.exposure, w.size == null ? WindowOptions.USUAL_WIDTH : w.size.width(),
                 w.size == null ? 0 : w.size.height(), w.lightWave ? Optional.empty() : Optional.of(file()),
-                Optional.ofNullable(w.screenshot));
+                w.lightWave ? Optional.empty() : Optional.of(editing), Optional.ofNullable(w.screenshot));
     }
 }

@@ -21,6 +21,11 @@ public final class WindowOptions {
     @Option(names = {"-lw", "--lightwave"}, description = "View a LightWave, glTF or OBJ file, not lit.")
     public boolean lightWave;
 
+    @Option(names = "--source", paramLabel = "<file>",
+            description = "What the scene file was made from, for editing (M). Default: what its command line says,"
+                    + " from here or beside the scene file.")
+    public Path source;
+
     @Option(names = "--screenshot", paramLabel = "<file.png>",
             description = "Write a picture of the window and close it.")
     public Path screenshot;

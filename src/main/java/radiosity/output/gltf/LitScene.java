@@ -10,6 +10,7 @@ import radiosity.output.image.ToneMapping;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.MergedMeshes;
 import radiosity.output.mesh.Mesh;
+import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
@@ -80,6 +81,14 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
                     camera.isPresent() ? camera.get() : DefaultCamera.of(file.solution()),
                     file.lamps(), textures(file), file.extras().get("shots") + " shots");
         }
+    }
+
+    /** What a solution shows, from a camera of choice to begin with. */
+    public static LitScene of(Solution solution, Camera camera) {
+        Solution closed = TJunctions.close(solution);
+        Vec3 origin = Aabb.of(closed.positions()).centre();
+        return new LitScene(Mesh.of(closed, origin), origin, camera, solution.lamps(), Optional.empty(),
+                solution.shots() + " shots");
     }
 
     /** The same as a solution, for pictures: images of surfaces are there in the mean only. */

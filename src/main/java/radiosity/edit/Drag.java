@@ -1,0 +1,94 @@
+package radiosity.edit;
+
+import radiosity.scene.Affine;
+import radiosity.scene.Camera;
+import radiosity.scene.Scene;
+import radiosity.scene.Vec3;
+import radiosity.util.Aabb;
+
+/** An object in the user's hand: what the mouse does to it becomes an edit. It stays in the box of all the others. */
+public final class Drag {
+
+    /** What the mouse moves. */
+    public enum Hand { LEVEL, UPRIGHT, TURN }
+
+    /** Radians per pixel. */
+    private static final double TURN = 0.01;
+    /** A plane is seen at no smaller angle than this, or the object would fly off; sine. */
+    private static final double GRAZING = 0.3;
+    /** What is left free before the box of all others, of its size. */
+    private static final double MARGIN = 1e-3;
+
+    private final int node;
+    private final Vec3 grabbed;
+    private final Vec3 about;
+    private final Aabb box;
+    private final Aabb others;
+    /** Where the hand is; the object may have to stay behind. */
+    private Vec3 by = Vec3.ZERO;
+    private double turn;
+
+    /** @param grabbed point of the object that the hand holds, scene units */
+    public Drag(Scene scene, int node, Vec3 grabbed) {
+        boolean[] of = ObjectTriangles.triangles(scene, node);
+        this.node = node;
+        this.grabbed = grabbed;
+        box = ObjectTriangles.box(scene, of, true);
+        others = ObjectTriangles.box(scene, of, false);
+        about = box.centre();
+    }
+
+    /**
+     * Moves the hand: along the floor, so that what is grabbed stays under the mouse as far as that is possible; up and
+     * down; or round the vertical axis through the object's middle.
+     *
+     * @param right  pixels
+     * @param down   pixels
+     * @param height of the picture, pixels
+     */
+    public void move(Hand hand, double right, double down, Camera camera, int height) {
+        Vec3 sight = grabbed.plus(by).minus(camera.position());
+        double pixel = 2 * Math.max(0, sight.dot(camera.forward())) * tangent(camera) / Math.max(1, height);
+        if (hand == Hand.TURN) {
+            turn += TURN * right;
+        } else if (hand == Hand.UPRIGHT) {
+            by = by.plus(new Vec3(0, -pixel * down, 0));
+        } else {
+            Vec3 aside = camera.forward().cross(camera.up());
+            aside = new Vec3(aside.x(), 0, aside.z()).unit();
+            Vec3 ahead = new Vec3(0, 1, 0).cross(aside);
+            double rise = sight.y() / sight.length();
+            double away = -pixel * down / Math.max(GRAZING, Math.abs(rise)) * (rise > GRAZING ? -1 : 1);
+            by = by.plus(aside.times(pixel * right)).plus(ahead.times(away));
+        }
+    }
+
+    private static double tangent(Camera camera) {
+        return StrictMath.tan(camera.verticalHalfAngle());
+    }
+
+    /** Whether the object would be elsewhere. */
+    public boolean isMoved() {
+        return turn != 0 || !by.equals(Vec3.ZERO);
+    }
+
+    /** Where the object is now, relative to where it was grabbed. */
+    public Edit.Moved edit() {
+        Affine turned = new Edit.Moved(node, about, turn, Vec3.ZERO).map();
+        double[] m = turned.m();
+        Vec3 half = box.extent().times(0.5);
+        // turned, the box is as wide as this at most
+        Vec3 reach = new Vec3(Math.abs(m[0]) * half.x() + Math.abs(m[2]) * half.z(), half.y(),
+                Math.abs(m[8]) * half.x() + Math.abs(m[10]) * half.z());
+        double[] kept = new double[3];
+        double margin = MARGIN * others.diagonal();
+        for (int a = 0; a < 3; a++) {
+            double lowest = others.low().coordinate(a) + reach.coordinate(a) - about.coordinate(a) + margin;
+            double highest = others.high().coordinate(a) - reach.coordinate(a) - about.coordinate(a) - margin;
+            double at = by.coordinate(a);
+            // what stands on the floor, or is as large as all others, is not pushed
+            kept[a] = lowest > highest ? at : Math.max(Math.min(0, lowest), Math.min(Math.max(0, highest), at));
+        }
+        return new Edit.Moved(node, about, turn, new Vec3(kept[0], kept[1], kept[2]));
+    }
+}

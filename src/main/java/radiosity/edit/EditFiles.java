@@ -1,0 +1,74 @@
+package radiosity.edit;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import radiosity.edit.lightwave.LightWaveCopy;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.ToneMapping;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
+
+/**
+ * Saves an edited scene beside what it was made from, under names that are free: {@code room-edit-1.scene} with its
+ * light, and {@code room-edit-1.lws}, of which the scene file says that it was made.
+ */
+public final class EditFiles {
+
+    private final EditSource source;
+
+    public EditFiles(EditSource source) {
+        this.source = source;
+    }
+
+    /**
+     * Saves both; the scene file alone where LightWave's files cannot say what was edited.
+     *
+     * @param edited the light of the scene as it was edited
+     * @return what was saved, and what was not and why; a line for the user
+     * @throws IOException where the scene file cannot be written
+     */
+    public String save(LightFollower.Rest edited, ToneMapping toneMapping) throws IOException {
+        int number = 1;
+        while (Files.exists(scene(number)) || Files.exists(copy(number))) {
+            number++;
+        }
+        Scene scene = edited.solution().scene();
+        Map<String, Object> extras = new TreeMap<>();
+        extras.put("settings", source.kept());
+        edited.certificate().ifPresent(certificate -> extras.put("certificate", certificate));
+        String copied;
+        try {
+            Path copy = copy(number);
+            Path file = scene(number);
+            LightWaveCopy.write(source.model(), source.reading(), source.scene(), scene, copy);
+            extras.put("commandLine", source.commandLine().stream().map(word -> isName(word, source.model()) ? "" + copy
+                    : isName(word, source.file()) ? "" + file : word).toList());
+            copied = ", " + copy.getFileName();
+        } catch (SceneFormatException e) {
+            copied = "; " + e.getMessage();
+        }
+        SceneFile.write(scene(number), edited.solution(), extras, scene.camera(), toneMapping);
+        return "saved " + scene(number).getFileName() + copied;
+    }
+
+    private static boolean isName(String word, Path file) {
+        return new File(word).getName().equals(String.valueOf(file.getFileName()));
+    }
+
+    private Path scene(int number) {
+        return numbered(source.file(), number, ".scene");
+    }
+
+    private Path copy(int number) {
+        return numbered(source.model(), number, ".lws");
+    }
+
+    private static Path numbered(Path file, int number, String suffix) {
+        return file.resolveSibling(String.valueOf(file.getFileName()).replaceFirst("(-edit-\\d+)?\\.[A-Za-z0-9]+$", "")
+                + "-edit-" + number + suffix);
+    }
+}

@@ -1,0 +1,332 @@
+package radiosity.viewer;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import radiosity.edit.Drag;
+import radiosity.edit.Edit;
+import radiosity.edit.EditFiles;
+import radiosity.edit.EditHistory;
+import radiosity.edit.EditSource;
+import radiosity.edit.LightFollower;
+import radiosity.edit.ObjectTriangles;
+import radiosity.edit.Picked;
+import radiosity.output.gltf.LitScene;
+import radiosity.scene.Affine;
+import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
+import radiosity.scene.SceneNode;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.solution.Solution;
+
+/** Moves, turns and paints what is clicked on while the light follows; on the event thread. */
+final class Editing {
+
+    private final Display display;
+    private final Optional<Callable<EditSource>> wanted;
+    private boolean isReading;
+    private boolean isOn;
+    private boolean isClosed;
+    private EditFiles files;
+    private EditHistory history;
+    private LightFollower follower;
+    /** Whose light is shown; null before the first picture. */
+    private Scene shown;
+    /** Whose light is under way or at rest. */
+    private Scene followed;
+    /** What became of the last edit; null while its light is under way. */
+    private LightFollower.Rest rest;
+    private boolean savesAtRest;
+    private boolean isEdited;
+    /** What is selected; -1 for nothing. */
+    private int node = -1;
+    private int surface = -1;
+    /** While the mouse holds an object. */
+    private Drag drag;
+    /** Not in the history yet; null for none. */
+    private Edit pending;
+    private String line = "";
+
+    Editing(Display display, Optional<Callable<EditSource>> wanted) {
+        this.display = display;
+        this.wanted = wanted;
+    }
+
+    /** Begins to edit, or no longer does; what was edited stays. */
+    void toggle() {
+        if (wanted.isEmpty()) {
+            display.status(List.of("edit: expected a scene file of RadiosityRenderer"));
+        } else if (history != null) {
+            isOn = !isOn;
+            select(-1, -1);
+            say(isOn ? "edit: click on an object" : "edit: ended (M goes on)");
+        } else if (!isReading) {
+            isReading = true;
+            say("edit: reading what the scene file was made from");
+            Thread reading = new Thread(this::read, "source");
+            reading.setDaemon(true);
+            reading.start();
+        }
+    }
+
+    private void read() {
+        try {
+            EditSource source = wanted.get().call();
+            EventQueue.invokeLater(() -> begin(source));
+        } catch (Exception | OutOfMemoryError e) {
+            EventQueue.invokeLater(() -> {
+                isReading = false;
+                say("edit: " + e.getMessage());
+            });
+        }
+    }
+
+    private void begin(EditSource source) {
+        if (isClosed) {
+            return;
+        }
+        files = new EditFiles(source);
+        history = new EditHistory(source.scene());
+        isOn = true;
+        follower = new LightFollower(source.light(), source.settings(), Runtime.getRuntime().availableProcessors(),
+                this::show, done -> EventQueue.invokeLater(() -> settle(done)),
+                failure -> EventQueue.invokeLater(() -> say(failure)));
+        follow(source.scene(), false);
+    }
+
+    /** Whether what is shown is no longer what the scene file has. */
+    boolean hasBegun() {
+        return history != null;
+    }
+
+    boolean isOn() {
+        return isOn;
+    }
+
+    /** On the follower's thread; returns when the picture is shown. */
+    private void show(Solution solution) {
+        LitScene lit = LitScene.of(solution, display.lighting().scene().camera());
+        try {
+            EventQueue.invokeAndWait(() -> {
+                if (!isClosed) {
+                    boolean isFirst = shown == null;
+                    shown = solution.scene();
+                    display.follow(lit);
+                    place();
+                    if (isFirst) {
+                        say("edit: click on an object, drag it (Shift: up and down, Ctrl: turn)");
+                    }
+                }
+            });
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (InvocationTargetException e) {
+            throw new IllegalStateException("window: " + e.getCause().getMessage(), e);
+        }
+    }
+
+    private void settle(LightFollower.Rest done) {
+        if (isClosed || done.solution().scene() != followed) {
+            return;
+        }
+        rest = done;
+        display.settled();
+        if (isEdited) {
+            say(done.text());
+        }
+        if (savesAtRest) {
+            save();
+        }
+    }
+
+    /** With what the hand does just now. */
+    private Scene scene() {
+        return pending == null ? history.scene() : pending.of(history.scene());
+    }
+
+    private void follow(Scene scene, boolean isMoving) {
+        rest = null;
+        followed = scene;
+        follower.follow(scene, isMoving);
+    }
+
+    /** What is selected is drawn apart from all else: whose nodes, with a box around them; null for nothing. */
+    SceneShapes.Selection selection() {
+        return node < 0 || shown == null ? null
+                : new SceneShapes.Selection(ObjectTriangles.nodes(shown, node), ObjectTriangles.box(shown, node));
+    }
+
+    /** Draws the object where it is now, in the light that there is. */
+    private void place() {
+        if (node >= 0) {
+            display.place(ObjectTriangles.between(shown, scene(), node));
+        }
+    }
+
+    private void select(int object, int ofSurface) {
+        boolean isOther = object != node;
+        node = object;
+        surface = ofSurface;
+        if (isOther && shown != null) {
+            display.select();
+            place();
+        }
+    }
+
+    private Optional<Picked> picked(int x, int y) {
+        return shown == null ? Optional.empty()
+                : Picked.of(history.scene(), display.camera().position(), display.direction(x, y));
+    }
+
+    /** Selects what is there; of what is selected already, what it belongs to. */
+    void click(int x, int y) {
+        Optional<Picked> hit = picked(x, y);
+        int object = hit.map(h -> history.scene().hierarchy().of(h.triangle())).orElse(-1);
+        if (hit.isPresent() && object < 0) {
+            say("edit: expected a scene of objects, got triangles that belong to none");
+            return;
+        }
+        List<SceneNode> nodes = history.scene().hierarchy().nodes();
+        if (object >= 0 && ObjectTriangles.nodes(history.scene(), node < 0 ? object : node)[object] && node >= 0) {
+            object = nodes.get(node).parent() >= 0 ? nodes.get(node).parent() : object;
+        }
+        select(object, hit.map(h -> history.scene().surfaceOf()[h.triangle()]).orElse(-1));
+        say(object < 0 ? "edit: nothing selected" : "");
+    }
+
+    /** Takes hold of the selected object where it is under the mouse; returns whether it is. */
+    boolean grab(int x, int y) {
+        Optional<Picked> hit = isOn && node >= 0 ? picked(x, y) : Optional.empty();
+        int object = hit.map(h -> history.scene().hierarchy().of(h.triangle())).orElse(-1);
+        boolean isHeld = object >= 0 && ObjectTriangles.nodes(history.scene(), node)[object];
+        drag = isHeld ? new Drag(history.scene(), node, hit.get().point()) : null;
+        return isHeld;
+    }
+
+    /** Moves what is held by pixels. */
+    void drag(Drag.Hand hand, int right, int down) {
+        drag.move(hand, right, down, display.camera(), display.height());
+        isEdited = true;
+        pending = drag.edit();
+        place();
+        follow(scene(), true);
+        say(pending.text(history.scene()));
+    }
+
+    /** Lets go. */
+    void drop() {
+        drag = null;
+        if (pending != null) {
+            put(pending);
+        }
+    }
+
+    private void put(Edit edit) {
+        pending = null;
+        try {
+            history.add(edit);
+            say(edit.text(history.scene()) + "; the light follows");
+        } catch (IllegalArgumentException e) {
+            say("edit: " + e.getMessage());
+        }
+        follow(history.scene(), false);
+        place();
+    }
+
+    /** What is painted when a colour is chosen; null for nothing. */
+    Surface painted() {
+        return isOn && surface >= 0 ? (pending instanceof Edit.Painted ? scene() : history.scene()).surfaces()
+                .get(surface) : null;
+    }
+
+    /** @param isMoving whether the hand is still on the slider */
+    void paint(Rgb reflectance, boolean isMoving) {
+        if (surface < 0) {
+            return;
+        }
+        Edit edit = new Edit.Painted(surface, reflectance);
+        isEdited = true;
+        if (isMoving) {
+            try {
+                Scene painted = edit.of(history.scene());
+                pending = edit;
+                follow(painted, true);
+            } catch (IllegalArgumentException e) {
+                say("edit: " + e.getMessage());
+            }
+        } else {
+            put(edit);
+        }
+    }
+
+    void undo() {
+        if (history == null || !history.undo()) {
+            display.status(List.of("edit: nothing to undo"));
+            return;
+        }
+        pending = null;
+        drag = null;
+        follow(history.scene(), false);
+        place();
+        say("undone, " + history.edits().size() + " left; the light follows");
+    }
+
+    /** Saves when the light is at rest. */
+    void save() {
+        savesAtRest = false;
+        if (history == null || history.edits().isEmpty()) {
+            display.status(List.of("edit: nothing to save"));
+        } else if (rest == null || pending != null) {
+            savesAtRest = true;
+            say("edit: saved when the light is at rest");
+        } else {
+            LightFollower.Rest saved = rest;
+            say("edit: saving");
+            Thread saving = new Thread(() -> save(saved), "save");
+            saving.start();
+        }
+    }
+
+    private void save(LightFollower.Rest saved) {
+        String outcome = "edit: not saved";
+        try {
+            outcome = files.save(saved, display.lighting().toneMapping());
+        } catch (IOException | RuntimeException | OutOfMemoryError e) {
+            outcome = "edit: not saved: " + e.getMessage();
+        } finally {
+            String told = outcome;
+            EventQueue.invokeLater(() -> say(told));
+        }
+    }
+
+    private void say(String text) {
+        line = text;
+        display.status(lines());
+    }
+
+    private List<String> lines() {
+        List<String> lines = new ArrayList<>(line.isEmpty() ? List.of() : List.of(line.split("; ")));
+        if (node < 0) {
+            return lines;
+        }
+        Surface of = painted();
+        String selected = "selected     " + history.scene().hierarchy().nodes().get(node).name() + (of == null ? ""
+                : String.format(Locale.ROOT, ", %s reflects %.3g  %.3g  %.3g", of.name(), of.reflectance().r(),
+                of.reflectance().g(), of.reflectance().b()));
+        lines.add(0, selected);
+        return lines;
+    }
+
+    void close() {
+        isClosed = true;
+        if (follower != null) {
+            follower.close();
+        }
+    }
+}
