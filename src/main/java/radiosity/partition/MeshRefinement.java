@@ -75,15 +75,24 @@ public final class MeshRefinement {
         }
     }
 
-    /** Whether a node has four elements where one would do, in a scene whose light has changed since. */
+    /**
+     * Whether a node has four elements where one would do, in a scene whose light has changed since, and that one would
+     * not be divided again for what is beside it.
+     */
     public boolean isTooFine(int node) {
         for (int k = 0; k < 4; k++) {
             if (nodes.isElement(node) || !nodes.isElement(nodes.child(node) + k)) {
                 return false;
             }
         }
-        return nodes.dividedWith(node) > 0
+        return nodes.dividedWith(node) > 0 && !wantsFromAbove(node)
                 && !wants(node, Math.max(touching(ofMiddles(node), 3), fromAbove(node)) / COARSE);
+    }
+
+    private boolean wantsFromAbove(int node) {
+        int parent = nodes.parent(node);
+        return parent < 0 ? wantsUnseen(node) : wants(node, Math.max(fromAbove(parent),
+                touching(ofMiddles(parent), node - nodes.child(parent))));
     }
 
     private static int count(byte[] wanted) {
