@@ -58,8 +58,9 @@ final class CutMesh {
         }
     }
 
+    /** Another for every edge, spread so that those of neighbouring points have other hashes. */
     private static long key(int from, int to) {
-        return (long) from << 32 | to;
+        return ((long) from << 32 | to) * 0x9e3779b97f4a7c15L;
     }
 
     /** Those of one face. */
@@ -154,11 +155,12 @@ final class CutMesh {
 
     private void pin(CutPolygon p, Contact contact, Vec3 end) {
         double at = contact.along(end);
+        double b = contact.along(points.at(p.loop[0]));
         for (int i = 0; i < p.loop.length; i++) {
             int u = p.loop[i];
             int v = p.after(i);
-            double a = contact.along(points.at(u));
-            double b = contact.along(points.at(v));
+            double a = b;
+            b = contact.along(points.at(v));
             if (at > Math.min(a, b) + near && at < Math.max(a, b) - near && beside(contact, u) == 0
                     && beside(contact, v) == 0 && beside.containsKey(key(v, u))) {
                 int point = points.number(end);
