@@ -30,7 +30,7 @@ final class MeshTransfer {
     /** Number of splits that the earlier mesh had in its initial mesh, or not at all. */
     private static final int SPLIT = 1;
     /** An element is divided where one of the earlier mesh in it is smaller by this. */
-    private static final double SMALLER = 1.5;
+    private static final double SMALLER = 3;
     /** How far inside an element it is looked what was at its corner. */
     private static final double INSIDE = 1e-3;
 
@@ -141,10 +141,16 @@ final class MeshTransfer {
             wanted[f] = true;
         }
         for (int node = 0; node < old.nodes(); node++) {
-            if (old.isElement(node) && wanted[old.face(node)]) {
+            boolean isWanted = wanted[old.face(node)];
+            if (isWanted && (old.isElement(node) ? !isPartOfTooFine(node) : refinement.isTooFine(node))) {
                 divideAround(node);
             }
         }
+    }
+
+    private boolean isPartOfTooFine(int element) {
+        int parent = old.parent(element);
+        return parent >= 0 && refinement.isTooFine(parent);
     }
 
     /** Divides a node as the one of the same name was. */
