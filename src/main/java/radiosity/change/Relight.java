@@ -3,6 +3,8 @@ package radiosity.change;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
@@ -40,16 +42,20 @@ public final class Relight {
     private final InitialMesh now;
     private final SceneChange change;
     private final ParallelFor parallel;
+    private final BooleanSupplier goOn;
     private final int channels;
     private RadiosityNodes nodes;
     private LitMesh lit;
     private MeshTransfer transfer;
 
-    public Relight(InitialMesh before, InitialMesh now, SceneChange change, ParallelFor parallel) {
+    /** @param goOn is asked now and then; where it says no, a {@link CancellationException} is thrown */
+    public Relight(InitialMesh before, InitialMesh now, SceneChange change, ParallelFor parallel,
+                   BooleanSupplier goOn) {
         this.before = before;
         this.now = now;
         this.change = change;
         this.parallel = parallel;
+        this.goOn = goOn;
         channels = now.faces.channels();
     }
 
@@ -150,6 +156,7 @@ public final class Relight {
         }
         double[] irradiance = nodes.light().irradiance();
         parallel.run(vertices.length, RUN, (from, to) -> {
+            checkWanted();
             for (int i = from; i < to; i++) {
                 int v = vertices[i];
                 int slack = now.patcher.slack(nodes.vertexFace(v));
@@ -193,6 +200,7 @@ public final class Relight {
                 rules.meshError(), AmbientLevel.of(now, totals), new double[0]), Order.Question.NOTHING);
         double[] irradiance = nodes.light().irradiance();
         for (int turn = 0; turn < 2; turn++) {
+            checkWanted();
             lit.gatherer.gather(order, nodes, vertices, turn);
         }
         for (int v : vertices) {
@@ -201,6 +209,12 @@ public final class Relight {
             }
         }
         lit.light(vertices, new LightSources(now.faces, now.bounds()), 1);
+    }
+
+    private void checkWanted() {
+        if (!goOn.getAsBoolean()) {
+            throw new CancellationException("change: ended before its end");
+        }
     }
 
     /*---- What has become of it ----*/

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import radiosity.change.Relight;
 import radiosity.change.SceneChange;
@@ -79,7 +80,7 @@ final class EditedScene {
     }
 
     /** Takes over the light; see {@link #obstacle} for what is returned. */
-    Optional<String> begin(SolveCounters counters, Prediction planner) throws IOException {
+    Optional<String> begin(SolveCounters counters, Prediction planner, BooleanSupplier goOn) throws IOException {
         SolveCounters old = new SolveCounters(before);
         List<byte[]> blocks = new ArrayList<>();
         Optional<Prediction.Earlier> prediction;
@@ -96,7 +97,7 @@ final class EditedScene {
                 blocks.add(Wire.bytes(in));
             }
         }
-        Relight relight = new Relight(before, world.mesh, change, world.parallel);
+        Relight relight = new Relight(before, world.mesh, change, world.parallel, goOn);
         Order.Rules rules = prediction.get().rules();
         List<byte[]> changed = relight.blocks(blocks, prediction.get().isSettled(), rules, planner.weight());
         double[] lights = !change.isOfGeometry() && !change.isOfLights() ? old.flux.lights()

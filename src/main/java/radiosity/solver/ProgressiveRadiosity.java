@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import radiosity.certificate.Audit;
 import radiosity.protocol.Answer;
@@ -419,11 +420,17 @@ public final class ProgressiveRadiosity {
      * @throws IllegalStateException where the calculation was run already, or was asked for anything
      */
     public Optional<String> change(SavedState earlier) throws IOException {
-        return change(earlier, null);
+        return change(earlier, null, () -> true);
     }
 
-    /** The same with the mesh of the earlier scene, of the same settings, at hand; null where the state has to say. */
-    public Optional<String> change(SavedState earlier, InitialMesh mesh) throws IOException {
+    /**
+     * The same for who may not wait for the end.
+     *
+     * @param mesh of the earlier scene, of the same settings; null where the state has to say it
+     * @param goOn is asked now and then, by any thread
+     * @throws CancellationException where it says no; the calculation is of no use then
+     */
+    public Optional<String> change(SavedState earlier, InitialMesh mesh, BooleanSupplier goOn) throws IOException {
         if (last.newest() != null) {
             throw new IllegalStateException("change: expected a calculation that nobody has run or asked yet");
         }
@@ -437,7 +444,7 @@ public final class ProgressiveRadiosity {
             return obstacle;
         }
         prepare();
-        obstacle = edited.begin(counters, (Prediction) planner);
+        obstacle = edited.begin(counters, (Prediction) planner, goOn);
         planner = obstacle.isPresent() ? null : planner;
         return obstacle;
     }

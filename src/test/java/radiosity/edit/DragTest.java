@@ -16,12 +16,12 @@ import radiosity.util.Aabb;
 /** What is under the mouse in the Cornell box, and where the mouse takes it. */
 class DragTest {
 
-    private static final int TALL = 1;
+    private static final int SHORT = 1;
     private static final int HEIGHT = 500;
 
     private final Scene scene = box();
     private final Camera camera = scene.camera().orElseThrow();
-    private final Aabb block = ObjectTriangles.box(scene, TALL);
+    private final Aabb block = ObjectTriangles.box(scene, SHORT);
 
     private static Scene box() {
         try {
@@ -32,7 +32,7 @@ class DragTest {
     }
 
     private Drag drag() {
-        return new Drag(scene, TALL, block.centre());
+        return new Drag(scene, SHORT, block.centre());
     }
 
     /** Where a point is in the picture, in pixels to the right and downwards of its middle. */
@@ -46,7 +46,7 @@ class DragTest {
     void ray_meetsTheVisibleSideThatIsNearest() {
         Vec3 eye = camera.position();
         Picked picked = Picked.of(scene, eye, block.centre().minus(eye)).orElseThrow();
-        assertEquals(TALL, scene.hierarchy().of(picked.triangle()));
+        assertEquals(SHORT, scene.hierarchy().of(picked.triangle()));
         assertTrue(picked.point().z() > block.low().z() && picked.point().z() <= block.high().z() + 1e-9);
         assertTrue(Picked.of(scene, new Vec3(278, 450, -900), new Vec3(0, 0, 1)).isEmpty(),
                 "the back wall from behind, then out of the open side");
@@ -87,7 +87,7 @@ class DragTest {
     void turned_staysWhereItIs() {
         Drag drag = drag();
         drag.move(Drag.Hand.TURN, 50, 3, camera, HEIGHT);
-        assertEquals(new Edit.Moved(TALL, block.centre(), 0.5, Vec3.ZERO), drag.edit());
+        assertEquals(new Edit.Moved(SHORT, block.centre(), 0.5, Vec3.ZERO), drag.edit());
     }
 
     /** Nor through the floor; the hand goes on, and takes the object along on its way back. */
@@ -98,7 +98,7 @@ class DragTest {
         drag.move(Drag.Hand.UPRIGHT, 0, 10_000, camera, HEIGHT);
         Vec3 by = drag.edit().by();
         assertEquals(0, by.y());
-        Aabb moved = ObjectTriangles.box(drag.edit().of(scene), TALL);
+        Aabb moved = ObjectTriangles.box(drag.edit().of(scene), SHORT);
         Aabb room = ObjectTriangles.box(scene, 0);
         for (int a = 0; a < 3; a++) {
             assertTrue(moved.low().coordinate(a) >= room.low().coordinate(a), moved.toString());
