@@ -9,6 +9,7 @@ import radiosity.formfactor.PointSequence;
 import radiosity.mesh.Block;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.VertexBulge;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
@@ -41,6 +42,7 @@ final class AuditPlaces {
     private final double[] reflected;
     private final double[] leaving;
     private final InteriorTest burial;
+    private final VertexBulge bulges;
     private final Weighed[] weighed;
 
     /** The elements of a block: 1 of each per element. */
@@ -61,6 +63,8 @@ final class AuditPlaces {
         burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
         parallel.run(weighed.length, b -> weighed[b] = weigh(nodes.apply(b)));
+        bulges = new VertexBulge(faces.channels());
+        mesh.blocks.forEach(block -> bulges.add(nodes.apply(block.id()), 0));
     }
 
     private double[] ofAllLayers(double[] channels) {
@@ -161,7 +165,7 @@ final class AuditPlaces {
         boolean fold = u + v > 1;
         double b = fold ? 1 - u : u;
         double c = fold ? 1 - v : v;
-        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, burial);
+        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, burial, bulges);
     }
 
     /** Corners of a node, x, y, z each, of the scene brought to size 1. */

@@ -10,6 +10,7 @@ import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
+import radiosity.mesh.VertexBulge;
 import radiosity.mesh.face.Faces;
 import radiosity.util.Hash;
 
@@ -41,10 +42,11 @@ final class AuditPoint {
     /** One per channel: W/m², and as a part. */
     private final double[] exitance;
     private final double[] reflectance;
-    /** One per channel: irradiance that the solution has, W/m²; how much more it reflects than that. */
-    final double[] interpolated;
-    final double[] bulge;
-    final double[] atVertex;
+    /** One per channel: irradiance that the solution shows, W/m²; what has arrived at vertices; what is more between. */
+    private final double[] shown;
+    private final double[] interpolated;
+    private final double[] bulge;
+    private final double[] atVertex;
     /** By how much there is more of the light of sources without geometry in that than arrives of it. */
     private final double[] fromLights;
     /** The same found anew. */
@@ -56,7 +58,8 @@ final class AuditPoint {
     double lost;
 
     /** @param weight 3: of the element's corners */
-    AuditPoint(RadiosityNodes nodes, int node, double area, double[] weight, int number, InteriorTest burial) {
+    AuditPoint(RadiosityNodes nodes, int node, double area, double[] weight, int number, InteriorTest burial,
+               VertexBulge bulges) {
         this.area = area;
         this.number = number;
         faces = nodes.faces();
@@ -79,6 +82,8 @@ final class AuditPoint {
         reflectance = channels(c -> nodes.reflectance(node, c));
         interpolated = channels(c -> IntStream.range(0, 3)
                 .mapToDouble(k -> weight[k] * nodes.light().irradiance(node, k, c)).sum());
+        shown = nodes.isPoint(node) ? interpolated : channels(c -> IntStream.range(0, 3).mapToDouble(k -> weight[k]
+                * bulges.shown(nodes.vertexKey(nodes.corner(node, k)), c, nodes.light().irradiance(node, k, c))).sum());
         bulge = channels(c -> nodes.light().bulge(node, c));
         atVertex = channels(c -> nodes.light().irradiance(node, nearest, c));
         fromLights = new double[faces.channels()];
@@ -152,7 +157,7 @@ final class AuditPoint {
 
     /** Error of the solution's radiosity, W/m². */
     double error(int colour) {
-        return sum(colour, c -> reflectance[c] * (interpolated[c] - anew(c)));
+        return sum(colour, c -> reflectance[c] * (shown[c] - anew(c)));
     }
 
     /** What rays leave in that, W/m²; its square is the mean square. */

@@ -3,6 +3,7 @@ package radiosity.solver;
 import java.util.Arrays;
 import java.util.List;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.VertexBulge;
 import radiosity.protocol.BlockState;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.EnergyLedger;
@@ -22,6 +23,9 @@ final class Merger {
     private double[] position = new double[3 * 1024];
     /** channels per vertex: sum over its copies. */
     private double[] irradiance;
+    private final VertexBulge bulge;
+    /** 1 per vertex: its key; corners of points have none of their own. */
+    private long[] vertexKey = new long[1024];
     /** 1 per vertex: copies that blocks have of it, buried ones left out. */
     private int[] copies = new int[1024];
     private int[] corner = new int[3 * 1024];
@@ -37,10 +41,12 @@ final class Merger {
         this.dark = dark;
         channels = mesh.faces.channels();
         irradiance = new double[channels * 1024];
+        bulge = new VertexBulge(channels);
         for (int b = 0; b < states.size(); b++) {
             RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(b)));
             BlockState.restore(nodes, nodes.tops(), states.get(b));
             add(nodes);
+            bulge.add(nodes, dark);
         }
     }
 
@@ -69,15 +75,17 @@ final class Merger {
 
     private int vertex(RadiosityNodes nodes, int node, int k) {
         int from = nodes.corner(node, k);
-        long key = nodes.vertexKey(from);
-        int v = index.findOrAdd(nodes.isPoint(node) ? Hash.mix(key, k) : key, index.size());
+        long key = nodes.isPoint(node) ? Hash.mix(nodes.vertexKey(from), k) : nodes.vertexKey(from);
+        int v = index.findOrAdd(key, index.size());
         if (v == copies.length) {
             int room = ArraySize.room("light at vertices in " + channels + " channels", v + 1L, 2L * v,
                     Math.max(3, channels));
             copies = Arrays.copyOf(copies, room);
             position = Arrays.copyOf(position, 3 * room);
             irradiance = Arrays.copyOf(irradiance, channels * room);
+            vertexKey = Arrays.copyOf(vertexKey, room);
         }
+        vertexKey[v] = key;
         nodes.position(node, k, position, 3 * v);
         if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {
             copies[v]++;
@@ -91,7 +99,8 @@ final class Merger {
     Solution solution(int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
         int vertices = index.size();
         for (int i = 0; i < channels * vertices; i++) {
-            irradiance[i] /= Math.max(1, copies[i / channels]);
+            int v = i / channels;
+            irradiance[i] = bulge.shown(vertexKey[v], i % channels, irradiance[i] / Math.max(1, copies[v]));
         }
         fillBuried();
         return new Solution(mesh.scene, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),

@@ -18,7 +18,8 @@ import radiosity.testkit.Solve;
 
 /**
  * Sources without geometry against closed form, to 0.1 %, on a black square of 4 x 4 in the plane y = 0, seen from
- * above, whose vertices lie at multiples of 0.25.
+ * above, whose vertices lie at multiples of 1/16: what vertices show beyond the light there, for straight lines between
+ * them to carry as much as arrives, is below 0.03 %.
  *
  * <p>Point: E = I cos / d^2 = I h / d^3. CIE 171:2006, 5.2, has I = 1000 cd at h = 3 m, but a source that is Lambertian
  * itself: E = I h^2 / d^4. LightWave's is the same in all directions, so its E is that times d / h. Distant: E = cos.
@@ -34,7 +35,7 @@ class LightsTest {
         Scene scene = new Scene("lit square", square.points(), square.corners(), square.surfaceOf(), square.surfaces(),
                 List.of(light), Optional.empty());
         RadiositySettings defaults = RadiositySettings.defaults();
-        return new Solve(new RadiositySettings(0.04, 1, defaults.meshing(), defaults.schedule()),
+        return new Solve(new RadiositySettings(0.0025, 1, defaults.meshing(), defaults.schedule()),
                 Solve.byDefault().stop(), 1).solution(scene);
     }
 
