@@ -23,9 +23,8 @@ final class AuditBias {
 
     /*
      * Regression estimator, and the variance of a weighted mean by squared deviations: W. G. Cochran, Sampling
-     * techniques,
-     * 1977, chapters 7 and 6. What is counted has a variance v too, that of the rays by which escaping is found; the
-     * slope covariance / (variance + v) leaves the least variance of both together.
+     * techniques, 1977, chapters 7 and 6. What is counted has a variance v too, that of the rays by which escaping is
+     * found; the slope covariance / (variance + v) leaves the least variance of both together.
      */
     private final Faces faces;
     private final EnergyLedger ledger;

@@ -22,14 +22,11 @@ final class AuditPlaces {
 
     /*
      * Errors have a heavy tail: a few small elements at the edge of a shadow, or around a lamp, may make up most of the
-     * mean
-     * square. Points are best dealt in proportion to area times expected error (J. Neyman, On the two different aspects
-     * of
-     * the representative method, 1934); what is expected here grows with what is there and by how much it differs over
-     * the element. Some of it is the same everywhere, so that nothing counts for much more than its area where that is
-     * wrong (T. Hesterberg, Weighted average importance sampling and defensive mixture distributions, 1995). Each
-     * surface
-     * has its own points, at equal steps of this through its elements.
+     * mean square. Points are best dealt in proportion to area times expected error (J. Neyman, On the two different
+     * aspects of the representative method, 1934); what is expected here grows with what is there and by how much it
+     * differs over the element. Some of it is the same everywhere, so that nothing counts for much more than its area
+     * where that is wrong (T. Hesterberg, Weighted average importance sampling and defensive mixture distributions,
+     * 1995). Each surface has its own points, at equal steps of this through its elements.
      */
     /** What differences within an element count for. */
     private static final double DIFFERENCE = 10;
