@@ -42,7 +42,7 @@ final class AuditPoint {
     /** One per channel: W/m², and as a part. */
     private final double[] exitance;
     private final double[] reflectance;
-    /** One per channel: irradiance that the solution shows, W/m²; what has arrived at vertices; what is more between. */
+    /** One per channel, W/m²: irradiance that is shown; what has arrived at vertices; what is more between them. */
     private final double[] shown;
     private final double[] interpolated;
     private final double[] bulge;
