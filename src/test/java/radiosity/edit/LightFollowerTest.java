@@ -93,6 +93,28 @@ class LightFollowerTest {
         }
     }
 
+    /** Places come faster than pictures, and each ends the one before. */
+    @Test
+    void movingHand_getsPictures() throws Exception {
+        try (LightFollower follower = new LightFollower(SavedState.NONE, SETTINGS.accurate(0.05), 2, shown::add,
+                rests::add, failures::add)) {
+            follower.follow(scene);
+            rest();
+            shown.clear();
+            Scene last = scene;
+            for (int i = 1; shown.isEmpty() && i < 2000; i++) {
+                last = new Edit.Moved(TALL, Vec3.ZERO, 0, new Vec3(0, 0.01 * i, 0)).of(scene);
+                follower.follow(last, true);
+                Thread.sleep(10);
+            }
+            assertFalse(shown.isEmpty(), failures.toString());
+            follower.follow(scene);
+            LightFollower.Rest rest = rest();
+            assertSame(scene, rest.solution().scene());
+            assertTrue(rest.close() <= rest.seconds() && failures.isEmpty(), rest.text());
+        }
+    }
+
     @Test
     void undoneEdit_leavesTheSameScene() {
         EditHistory history = new EditHistory(scene);

@@ -2,6 +2,7 @@ package radiosity.solver;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.testkit.ColouredRoom.assertSame;
 
@@ -9,6 +10,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.IntPredicate;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -46,6 +48,25 @@ class ChangedSceneTest {
 
     private static void assertAsAnew(Scene scene) throws IOException {
         CHANGING.assertAsAnew(scene, OLD);
+    }
+
+    /** Faces that are cut otherwise are not divided more and more finely. */
+    @Test
+    void movedToAndFro_hasNoMoreAndMoreElements() throws IOException {
+        Solution last = changed(blockMoved(), OLD, 2, 1);
+        int once = last.elements();
+        for (int i = 0; i < 3; i++) {
+            last = changed(i % 2 == 0 ? ROOM : blockMoved(), last.state(), 2, 1);
+        }
+        assertTrue(last.elements() < 1.5 * once, once + " elements became " + last.elements());
+    }
+
+    @Test
+    void changeThatIsNotWantedAnyMore_ends() throws IOException {
+        try (LocalWorld world = new LocalWorld(blockMoved(), SETTINGS, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            assertThrows(CancellationException.class, () -> radiosity.change(OLD, null, () -> false));
+        }
     }
 
     private static Scene repainted() {
