@@ -84,6 +84,22 @@ class ChangedSceneTest {
         assertEquals(OLD, changed.state());
     }
 
+    /** Those that would be divided again at once are no finer than they need to be. */
+    @Test
+    void elements_stayWhereLittleChanged() throws IOException {
+        Scene scene = Edits.with(ROOM, "block",
+                s -> new Surface(s.name(), s.exitance(), Rgb.grey(0.71), s.twoSided()));
+        try (LocalWorld old = new LocalWorld(ROOM, SETTINGS, 2);
+                LocalWorld world = new LocalWorld(scene, SETTINGS, 2)) {
+            ProgressiveRadiosity before = new ProgressiveRadiosity(old, STOP);
+            before.resume(OLD);
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            radiosity.change(OLD);
+            int kept = radiosity.progress().elements();
+            assertTrue(kept > 0.98 * before.progress().elements(), kept + " elements are left");
+        }
+    }
+
     @Test
     void repaintedWall_isAsAnew() throws IOException {
         assertAsAnew(repainted());
