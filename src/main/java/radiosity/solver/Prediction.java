@@ -207,18 +207,24 @@ final class Prediction implements Planner {
     }
 
     /**
-     * Where independent points find clearly more error than was asked for, or than before after several changes, all
-     * gather anew what was ever shot: the noise of one change is little, but that of many adds up.
+     * Where independent points find clearly more error than was asked for, all gather anew what was ever shot; after
+     * several changes also where they find more than before, and most of it is noise: that of one change is little, but
+     * that of many adds up.
      */
     private Order endOfChange(double unsent) throws IOException {
         Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
-        double most = WORSE * (changes < MOST_CHANGES ? Math.max(loop.asked(), loop.found()) : loop.found());
-        if (certificate.isPresent() && certificate.get().expected() > most) {
+        if (certificate.isPresent() && certificate.get().expected() > WORSE * usual(certificate.get())) {
             changes = 0;
             return renew(unsent);
         }
         stage = Stage.DONE;
         return null;
+    }
+
+    /** The error that is no reason to do anything. */
+    private double usual(Certificate now) {
+        boolean isNoise = 2 * now.sampling() * now.sampling() > now.expected() * now.expected();
+        return changes == MOST_CHANGES && isNoise ? loop.found() : Math.max(loop.asked(), loop.found());
     }
 
     /** Those with most unshot flux, who have most of it together. */
