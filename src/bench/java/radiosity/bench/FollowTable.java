@@ -11,6 +11,8 @@ import radiosity.cli.render.SavedCalculation;
 import radiosity.edit.Edit;
 import radiosity.edit.EditHistory;
 import radiosity.edit.LightFollower;
+import radiosity.output.gltf.LitScene;
+import radiosity.output.image.DefaultCamera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -32,8 +34,10 @@ public final class FollowTable {
         BlockingQueue<LightFollower.Rest> rests = new ArrayBlockingQueue<>(1);
         AtomicReference<Double> first = new AtomicReference<>();
         try (LightFollower follower = new LightFollower(saved.state(), saved.settings(),
-                Integer.parseInt(arguments[7]), solution -> first.compareAndSet(null, TruthTable.cpuSeconds()),
-                rests::add, System.out::println)) {
+                Integer.parseInt(arguments[7]), solution -> {
+                    LitScene.of(solution, DefaultCamera.of(solution)); // what the window does before it draws
+                    first.compareAndSet(null, TruthTable.cpuSeconds());
+                }, rests::add, System.out::println)) {
             follow(follower, rests, first, "opened", scene);
             for (int round = 0; round < 2; round++) {
                 history.add(new Edit.Moved(node, Vec3.ZERO, 0, by));
