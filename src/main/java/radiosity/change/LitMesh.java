@@ -7,6 +7,7 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.partition.Gatherer;
 import radiosity.protocol.BlockState;
 import radiosity.protocol.Shot;
+import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
@@ -54,18 +55,26 @@ final class LitMesh {
         return mesh.clusters.join(List.of(shots), parallel);
     }
 
-    /** Adds what vertices receive of sources without geometry, times a factor. */
+    /**
+     * Adds what vertices receive of sources without geometry, times a factor.
+     *
+     * @param sources of this scene or the other
+     */
     void light(int[] vertices, LightSources sources, double factor) {
         if (sources.isEmpty()) {
             return;
         }
         double[] irradiance = nodes.light().irradiance();
+        float[] x = nodes.receivers();
         parallel.run(vertices.length, RUN, (from, to) -> {
             double[] sum = new double[channels];
             for (int i = from; i < to; i++) {
                 int v = vertices[i];
                 Arrays.fill(sum, 0);
-                sources.add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), sum, 0);
+                int plane = nodes.vertexPlane(v); // of this scene: in the other, faces have other numbers
+                Vec3 normal = new Vec3(mesh.faces.normal(plane, 0), mesh.faces.normal(plane, 1),
+                        mesh.faces.normal(plane, 2));
+                sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), normal, sum, 0);
                 for (int c = 0; c < channels; c++) {
                     irradiance[channels * v + c] += factor * sum[c];
                 }

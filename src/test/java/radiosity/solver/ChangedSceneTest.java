@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.master.RemoteWorld;
 import radiosity.master.host.Link;
+import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -114,6 +115,16 @@ class ChangedSceneTest {
     @Test
     void movedBlock_isAsAnew() throws IOException {
         assertAsAnew(blockMoved());
+    }
+
+    /** Faces have other numbers after the move, and the light comes from no face. */
+    @Test
+    void blockMovedBeforeALight_isAsAnew() throws IOException {
+        Vec3 at = new Vec3(0.278, 0.5, -0.1);
+        Light light = new Light("bulb", Light.Kind.POINT, Rgb.grey(0.3), at, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1, 0, 0);
+        Scene room = ROOM.with(ROOM.surfaces(), List.of(light));
+        Scene moved = Edits.moved(room, BLOCK, new Vec3(-0.05, 0, 0.25));
+        CHANGING.assertAsAnew(moved, CHANGING.anew(room).state());
     }
 
     @Test
