@@ -161,7 +161,7 @@ public final class LightFollower implements AutoCloseable {
                 } catch (CancellationException e) {
                     continue; // a further edit
                 } catch (IOException | RuntimeException | OutOfMemoryError e) {
-                    failed.accept("light: " + e.getMessage());
+                    failed.accept("light: " + (e.getMessage() == null ? e : e.getMessage()));
                 }
             }
         } catch (InterruptedException e) {

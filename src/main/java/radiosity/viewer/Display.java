@@ -290,8 +290,11 @@ public final class Display {
         window.panel();
     }
 
+    /** Closes the window, but not at once where edits are not saved. */
     void leave() {
-        window.close();
+        if (!editing.holdsBack()) {
+            window.close();
+        }
     }
 
     /** Selects what is edited, or says what light there is. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.DoubleStream;
 import radiosity.edit.Drag;
 import radiosity.edit.Edit;
 import radiosity.edit.EditFiles;
@@ -44,6 +45,8 @@ final class Editing {
     private LightFollower.Rest rest;
     private boolean savesAtRest;
     private boolean isEdited;
+    private boolean isSaved = true;
+    private Thread saving;
     /** What is selected; -1 for nothing. */
     private int node = -1;
     private int surface = -1;
@@ -52,6 +55,8 @@ final class Editing {
     /** Not in the history yet; null for none. */
     private Edit pending;
     private String line = "";
+    /** What was edited last, for the user. */
+    private String done = "";
 
     Editing(Display display, Optional<Callable<EditSource>> wanted) {
         this.display = display;
@@ -82,9 +87,13 @@ final class Editing {
         } catch (Exception | OutOfMemoryError e) {
             EventQueue.invokeLater(() -> {
                 isReading = false;
-                say("edit: " + e.getMessage());
+                say("edit: " + reason(e));
             });
         }
+    }
+
+    private static String reason(Throwable e) {
+        return e.getMessage() == null ? e.toString() : e.getMessage();
     }
 
     private void begin(EditSource source) {
@@ -95,7 +104,7 @@ final class Editing {
         history = new EditHistory(source.scene());
         isOn = true;
         follower = new LightFollower(source.light(), source.settings(), Runtime.getRuntime().availableProcessors(),
-                this::show, done -> EventQueue.invokeLater(() -> settle(done)),
+                this::show, last -> EventQueue.invokeLater(() -> settle(last)),
                 failure -> EventQueue.invokeLater(() -> say(failure)));
         follow(source.scene(), false);
     }
@@ -121,6 +130,10 @@ final class Editing {
                     place();
                     if (isFirst) {
                         say("edit: click on an object, drag it (Shift: up and down, Ctrl: turn)");
+                    } else if (isEdited && pending == null) {
+                        say(done + String.format(Locale.ROOT, "; the light follows: %,d elements, %.1f %% to be"
+                                + " distributed", solution.elements(), 100 * solution.unshotFlux()
+                                / DoubleStream.of(solution.ledger().emitted()).sum()));
                     }
                 }
             });
@@ -131,14 +144,14 @@ final class Editing {
         }
     }
 
-    private void settle(LightFollower.Rest done) {
-        if (isClosed || done.solution().scene() != followed) {
+    private void settle(LightFollower.Rest last) {
+        if (isClosed || last.solution().scene() != followed) {
             return;
         }
-        rest = done;
+        rest = last;
         display.settled();
         if (isEdited) {
-            say(done.text());
+            say(done + "; " + last.text());
         }
         if (savesAtRest) {
             save();
@@ -231,7 +244,9 @@ final class Editing {
         pending = null;
         try {
             history.add(edit);
-            say(edit.text(history.scene()) + "; the light follows");
+            isSaved = false;
+            done = edit.text(history.scene());
+            say(done + "; the light follows");
         } catch (IllegalArgumentException e) {
             say("edit: " + e.getMessage());
         }
@@ -274,7 +289,9 @@ final class Editing {
         drag = null;
         follow(history.scene(), false);
         place();
-        say("undone, " + history.edits().size() + " left; the light follows");
+        isSaved = history.edits().isEmpty();
+        done = "undone, " + history.edits().size() + " left";
+        say(done + "; the light follows");
     }
 
     /** Saves when the light is at rest. */
@@ -288,21 +305,32 @@ final class Editing {
         } else {
             LightFollower.Rest saved = rest;
             say("edit: saving");
-            Thread saving = new Thread(() -> save(saved), "save");
+            List<Edit> edits = history.edits();
+            saving = new Thread(() -> save(saved, edits), "save");
             saving.start();
         }
     }
 
-    private void save(LightFollower.Rest saved) {
-        String outcome = "edit: not saved";
+    private void save(LightFollower.Rest saved, List<Edit> edits) {
         try {
-            outcome = files.save(saved, display.lighting().toneMapping());
+            String outcome = files.save(saved, display.lighting().toneMapping());
+            EventQueue.invokeLater(() -> {
+                isSaved = edits.equals(history.edits());
+                say(outcome);
+            });
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
-            outcome = "edit: not saved: " + e.getMessage();
-        } finally {
-            String told = outcome;
-            EventQueue.invokeLater(() -> say(told));
+            EventQueue.invokeLater(() -> say("edit: not saved: " + reason(e)));
         }
+    }
+
+    /** Whether there are edits that closing the window would lose; says so, and not twice. */
+    boolean holdsBack() {
+        boolean isHeld = !isSaved;
+        if (isHeld) {
+            isSaved = true;
+            say("edit: not saved; Ctrl+S saves, Esc once more closes");
+        }
+        return isHeld;
     }
 
     private void say(String text) {
@@ -323,8 +351,16 @@ final class Editing {
         return lines;
     }
 
+    /** Waits for files that are being written. */
     void close() {
         isClosed = true;
+        try {
+            if (saving != null) {
+                saving.join();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
         if (follower != null) {
             follower.close();
         }

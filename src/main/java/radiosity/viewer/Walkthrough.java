@@ -62,7 +62,7 @@ public final class Walkthrough {
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
-                close();
+                display.leave();
             }
         });
         stage.canvas().addComponentListener(new ComponentAdapter() {
