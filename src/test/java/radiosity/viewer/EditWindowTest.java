@@ -113,10 +113,13 @@ class EditWindowTest {
             until(window, "at rest");
             Color wall = wall(window.shot("blue"));
             assertTrue(wall.getBlue() > 2 * wall.getRed(), wall.toString());
+            window.tap("ESCAPE");
+            assertTrue(window.say("status").contains("not saved"), "once");
             window.say("hold CONTROL+Z 40");
             until(window, "undone");
             until(window, "at rest");
-            assertTrue(wall(window.shot("red")).getRed() > 2 * wall.getBlue() / 2);
+            Color red = wall(window.shot("red"));
+            assertTrue(red.getRed() > 2 * red.getBlue(), red.toString());
             window.say("hold CONTROL+S 40");
             assertEquals("edit: nothing to save", window.say("status"));
         }
