@@ -219,8 +219,7 @@ public final class PartitionImpl implements Partition {
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Work work, int[] points) {
         int[] vertices = IntStream.of(points).filter(v -> !nodes.isBuried(v)).toArray();
-        boolean isAnother = work.order.kind() == Order.Kind.REGATHER || work.order.rules().sparing();
-        int turn = isAnother ? work.order.number() : 0;
+        int turn = work.order.rules().isSampled() ? work.order.number() : 0;
         if (vertices.length == 0) {
             return;
         }

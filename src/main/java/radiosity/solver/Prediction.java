@@ -58,7 +58,7 @@ final class Prediction implements Planner {
     private static final int MOST_CHANGES = 3;
     /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
     private static final double PREDICTED = 0.1;
-    /** Unshot flux of a changed scene, relative to the emitted, that may be left, over the error that is asked for. */
+    /** Unshot flux, relative to the emitted, that may be left, over the error that is asked for. */
     private static final double ENOUGH = 0.1;
     /** Error after some changes, over that when all had gathered anew last, that is taken. */
     private static final double WORSE = 1.15;
@@ -167,11 +167,16 @@ final class Prediction implements Planner {
         if (shots.isEmpty()) {
             return null;
         }
-        boolean isOver = unsent <= wanted || unsent >= left;
+        boolean isOver = unsent <= enough() || unsent >= left;
         if (refined && stage == Stage.SHOOT && isOver) {
             return renew(unsent);
         }
         return shoot(shots, unsent);
+    }
+
+    /** Unshot flux, relative to the emitted, at which no more is shot: less where the user has asked for less. */
+    private double enough() {
+        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.asked());
     }
 
     /**
@@ -193,8 +198,7 @@ final class Prediction implements Planner {
         if (stage == Stage.MEND || stage == Stage.BALANCE) {
             return endOfChange(unsent);
         }
-        double enough = wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.asked());
-        if (unsent > enough && unsent < left) {
+        if (unsent > enough() && unsent < left) {
             if (unsent > PREDICTED && coarse != null && !coarse.isMade()) {
                 return rows();
             }
@@ -260,7 +264,7 @@ final class Prediction implements Planner {
      */
     private Order renew(double unsent) throws IOException {
         stage = Stage.RENEW;
-        left = unsent <= wanted ? unsent : 0;
+        left = unsent <= enough() ? unsent : 0;
         return order(Order.Kind.RENEW, world.unshot(), new double[0]);
     }
 
@@ -400,8 +404,8 @@ final class Prediction implements Planner {
 
     /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
-        return new Order(kind, shots, new Order.Rules(loop.tolerance(), weight, loop.meshError(), even,
-                new double[0], changes > 0 && kind == Order.Kind.SHOOT),
+        return new Order(kind, shots,
+                new Order.Rules(loop.tolerance(), weight, loop.meshError(), even, new double[0]),
                 Order.Question.candidates(0));
     }
 
