@@ -272,7 +272,8 @@ final class TortureRun {
             return;
         }
         Path part = directory.resolve("part.scene");
-        int shots = unrendered ? 0 : dice.integer(0, Math.max(1, reference.shots()));
+        int shots = unrendered ? 0
+                : Math.min(reference.shots(), dice.integer(0, Math.max(1, reference.shots())));
         List<String> stop = unrendered ? List.of("-dr") : List.of("-it", "" + shots);
         List<String> schedule = command.has("--schedule") ? List.of() : List.of("--schedule", command.schedule);
         List<String> words = words(command.lightWithout(STOP), schedule, stop, "-t", dice.integer(1, 3), scene.file(),
