@@ -1,5 +1,6 @@
 package radiosity.edit;
 
+import java.util.stream.IntStream;
 import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Scene;
@@ -19,6 +20,9 @@ public final class Drag {
     /** What is left free before the box of all others, of its size. */
     private static final double MARGIN = 1e-3;
 
+    /** What is as large as this part of the scene along two axes is no furniture. */
+    private static final double LARGE = 0.8;
+
     private final int node;
     private final Vec3 grabbed;
     private final Vec3 about;
@@ -36,6 +40,13 @@ public final class Drag {
         box = ObjectTriangles.box(scene, of, true);
         others = ObjectTriangles.box(scene, of, false);
         about = box.centre();
+    }
+
+    /** Whether an object is so large, as a room, a floor or a wall, that who drags it wants to look around. */
+    public static boolean isTooLarge(Scene scene, int node) {
+        Vec3 extent = ObjectTriangles.box(scene, node).extent();
+        Vec3 whole = ObjectTriangles.box(scene, new boolean[scene.triangles()], false).extent();
+        return IntStream.range(0, 3).filter(a -> extent.coordinate(a) >= LARGE * whole.coordinate(a)).count() > 1;
     }
 
     /**

@@ -50,6 +50,7 @@ final class Editing {
     /** What is selected; -1 for nothing. */
     private int node = -1;
     private int surface = -1;
+    private boolean isFixed;
     /** While the mouse holds an object. */
     private Drag drag;
     /** Not in the history yet; null for none. */
@@ -186,6 +187,7 @@ final class Editing {
         boolean isOther = object != node;
         node = object;
         surface = ofSurface;
+        isFixed = object >= 0 && Drag.isTooLarge(history.scene(), object);
         if (isOther && shown != null) {
             display.select();
             place();
@@ -215,7 +217,7 @@ final class Editing {
 
     /** Takes hold of the selected object where it is under the mouse; returns whether it is. */
     boolean grab(int x, int y) {
-        Optional<Picked> hit = isOn && node >= 0 ? picked(x, y) : Optional.empty();
+        Optional<Picked> hit = isOn && node >= 0 && !isFixed ? picked(x, y) : Optional.empty();
         int object = hit.map(h -> history.scene().hierarchy().of(h.triangle())).orElse(-1);
         boolean isHeld = object >= 0 && ObjectTriangles.nodes(history.scene(), node)[object];
         drag = isHeld ? new Drag(history.scene(), node, hit.get().point()) : null;
@@ -344,7 +346,8 @@ final class Editing {
             return lines;
         }
         Surface of = painted();
-        String selected = "selected     " + history.scene().hierarchy().nodes().get(node).name() + (of == null ? ""
+        String selected = "selected     " + history.scene().hierarchy().nodes().get(node).name()
+                + (isFixed ? " (too large to be dragged)" : "") + (of == null ? ""
                 : String.format(Locale.ROOT, ", %s reflects %.3g  %.3g  %.3g", of.name(), of.reflectance().r(),
                 of.reflectance().g(), of.reflectance().b()));
         lines.add(0, selected);

@@ -53,6 +53,12 @@ class DragTest {
     }
 
     @Test
+    void room_isNotDragged() {
+        assertTrue(Drag.isTooLarge(scene, 0));
+        assertFalse(Drag.isTooLarge(scene, 1) || Drag.isTooLarge(scene, 2));
+    }
+
+    @Test
     void draggedAside_staysUnderTheMouse() {
         Drag drag = drag();
         double before = pixel(block.centre())[0];
