@@ -13,7 +13,6 @@ import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.Order;
-import radiosity.settings.FormFactors;
 import radiosity.setup.InitialMesh;
 import radiosity.util.Hash;
 import radiosity.util.ParallelFor;
@@ -65,7 +64,7 @@ public final class Gatherer {
     /** One per {@link Patcher#slack}. */
     FormFactorCalculator[] calculators(Order order) {
         FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
-        Arrays.setAll(made, slack -> calculator(order, order.rules().tolerance() * (1 << slack)));
+        Arrays.setAll(made, slack -> calculator(order.rules(), order.rules().tolerance() * (1 << slack)));
         return made;
     }
 
@@ -82,9 +81,8 @@ public final class Gatherer {
         });
     }
 
-    private FormFactorCalculator calculator(Order order, double tolerance) {
-        return mesh.settings.factors() == FormFactors.RAYCAST && order.rules().isSampled()
-                ? RayCaster.sparing(mesh.bounds(), mesh.rays(), tolerance)
+    private FormFactorCalculator calculator(Order.Rules rules, double tolerance) {
+        return rules.sparing() ? RayCaster.sparing(mesh.bounds(), mesh.rays(), tolerance)
                 : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), tolerance);
     }
 

@@ -219,7 +219,8 @@ public final class PartitionImpl implements Partition {
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Work work, int[] points) {
         int[] vertices = IntStream.of(points).filter(v -> !nodes.isBuried(v)).toArray();
-        int turn = work.order.rules().isSampled() ? work.order.number() : 0;
+        boolean isAnother = work.order.kind() == Order.Kind.REGATHER || work.order.rules().sparing();
+        int turn = isAnother ? work.order.number() : 0;
         if (vertices.length == 0) {
             return;
         }

@@ -36,8 +36,16 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
      * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
      * @param ambient   channels per closed room, see {@link radiosity.mesh.UniformRadiosity}; empty: none. W/m²
      * @param givenBack one per channel, or empty: part of what each vertex has received that it receives besides
+     * @param sparing   whether what carries little gets a ray at some points only, see
+     *                  {@link radiosity.formfactor.RayCaster}; rays are others then than in all other rounds
      */
-    public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
+    public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack,
+                        boolean sparing) {
+
+        /** A ray for each shooter at every point. */
+        public Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
+            this(tolerance, weight, meshError, ambient, givenBack, false);
+        }
 
         private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
 
@@ -48,14 +56,9 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
             return new Rules(Double.POSITIVE_INFINITY, weight, 0, NONE, NONE);
         }
 
-        /** Whether rays carry about as much each, others in every round; else all form factors stay what they are. */
-        public boolean isSampled() {
-            return tolerance < Double.POSITIVE_INFINITY;
-        }
-
         /** The same rules, and all receive this part of what they have besides. */
         Rules givingBack(double[] part) {
-            return new Rules(tolerance, weight, meshError, ambient, part);
+            return new Rules(tolerance, weight, meshError, ambient, part, sparing);
         }
     }
 
@@ -235,6 +238,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         out.writeDouble(rules.meshError);
         write(rules.ambient, out);
         write(rules.givenBack, out);
+        out.writeBoolean(rules.sparing);
         out.writeBoolean(begun);
         out.writeInt(isAnswered() ? most() : givesGhosts() ? GHOST_VALUES : NOTHING);
         out.writeDouble(question instanceof Question.Candidates asked ? asked.flux : 0);
@@ -250,7 +254,8 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         boolean more = in.readBoolean();
         boolean totals = kind == Kind.GATHER || kind == Kind.REGATHER;
         List<Shot> shots = totals ? Wire.trees(in) : Wire.shots(in);
-        Rules rules = new Rules(in.readDouble(), doubles(in), in.readDouble(), doubles(in), doubles(in));
+        Rules rules = new Rules(in.readDouble(), doubles(in), in.readDouble(), doubles(in), doubles(in),
+                in.readBoolean());
         return new Order(kind, number, in.readBoolean(), more, shots, rules, question(in));
     }
 

@@ -19,6 +19,7 @@ import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
+import radiosity.settings.FormFactors;
 import radiosity.settings.StopRule;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
@@ -402,10 +403,17 @@ final class Prediction implements Planner {
         return lit > 0 ? Math.max(weight[c], unit * within / lit) : weight[c];
     }
 
-    /** No candidates are named: most rounds need none, and all of them together are the whole mesh. */
+    /**
+     * No candidates are named: most rounds need none, and all of them together are the whole mesh. What is predicted is
+     * shot along the same rays in every round, each at every point: in a white room the prediction makes 10,000 times
+     * as much of what rounds differ by, and their sum would grow without end. Others are sparing, as nothing is made of
+     * them; what changes leave unshot is shot only as long as it becomes less.
+     */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
+        boolean sparing = world.settings().factors() == FormFactors.RAYCAST
+                && (changes > 0 || kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER);
         return new Order(kind, shots,
-                new Order.Rules(loop.tolerance(), weight, loop.meshError(), even, new double[0]),
+                new Order.Rules(loop.tolerance(), weight, loop.meshError(), even, new double[0], sparing),
                 Order.Question.candidates(0));
     }
 

@@ -276,8 +276,8 @@ final class TortureRun {
                 : Math.min(reference.shots(), dice.integer(0, Math.max(1, reference.shots())));
         List<String> stop = unrendered ? List.of("-dr") : List.of("-it", "" + shots);
         List<String> schedule = command.has("--schedule") ? List.of() : List.of("--schedule", command.schedule);
-        List<String> words = words(command.lightWithout(STOP), schedule, stop, "-t", dice.integer(1, 3), scene.file(),
-                part);
+        List<String> words = words(command.lightWithout(unrendered ? STOP : Set.of("-it")), schedule, stop, "-t",
+                dice.integer(1, 3), scene.file(), part);
         Running.Ended ended = end("first part", start(words, java()), DONE);
         LightFile light = ended == null ? null : checks.whole("first part", part);
         if (light != null) {
