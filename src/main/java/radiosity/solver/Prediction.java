@@ -407,11 +407,13 @@ final class Prediction implements Planner {
      * No candidates are named: most rounds need none, and all of them together are the whole mesh. What is predicted is
      * shot along the same rays in every round, each at every point: in a white room the prediction makes 10,000 times
      * as much of what rounds differ by, and their sum would grow without end. Others are sparing, as nothing is made of
-     * them; what changes leave unshot is shot only as long as it becomes less.
+     * them, but where less is to be left unshot than is usual; what changes leave unshot is shot only as long as it
+     * becomes less.
      */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
+        boolean isOfAll = kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER;
         boolean sparing = world.settings().factors() == FormFactors.RAYCAST
-                && (changes > 0 || kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER);
+                && (changes > 0 || isOfAll && wanted >= StopRule.DEFAULT_UNSENT);
         return new Order(kind, shots,
                 new Order.Rules(loop.tolerance(), weight, loop.meshError(), even, new double[0], sparing),
                 Order.Question.candidates(0));
