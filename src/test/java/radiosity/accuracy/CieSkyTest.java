@@ -152,6 +152,8 @@ class CieSkyTest {
     @ParameterizedTest
     @MethodSource("cases")
     void everyPoint_isWithinTwoPerCentOfTheLargest(CieCase test) {
-        CiePhotometryTest.check(test, Solve.byDefault(), 0.02);
+        // below the slab the accuracy of the lit wall outside is minutes of work, and the room's own comes long before it
+        Solve solve = test.name().startsWith("5.13") ? Solve.byDefault().accurate(0.05) : Solve.byDefault();
+        CiePhotometryTest.check(test, solve, 0.02);
     }
 }
