@@ -165,6 +165,14 @@ public final class InitialMesh {
         return predicts() && rooms.isPlain();
     }
 
+    /**
+     * Whether it is known how much flux can be received at most: of lights without geometry it is as much as a mesh
+     * finds, if not all must be received.
+     */
+    public boolean boundsReceived() {
+        return conserves() || predicts() && scene.lights().isEmpty();
+    }
+
     public boolean predicts() {
         return settings.schedule() == Schedule.PREDICT;
     }

@@ -126,13 +126,16 @@ final class Flux {
     /**
      * What was shot and not received, or received twice, relative to what was received, one per channel: where all must
      * be received, each vertex is given that share of its own light back, so that flux is conserved and no light
-     * becomes negative.
+     * becomes negative. Where light escapes, nothing is missing, but there is none that was received and not shot.
      */
     double[] missing(Answer answer) {
         double[] missing = new double[shot.length];
         for (int c = 0; c < missing.length; c++) {
             double received = answer.received[c].value();
             missing[c] = received > 0 ? (shot[c] - received) / received : 0;
+            if (!mesh.conserves()) {
+                missing[c] = Math.min(0, missing[c]);
+            }
         }
         return missing;
     }

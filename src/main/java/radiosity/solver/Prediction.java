@@ -146,7 +146,7 @@ final class Prediction implements Planner {
                 return average();
             }
             case AVERAGE, BALANCE -> {
-                if (stage == Stage.AVERAGE && world.mesh.conserves()) {
+                if (stage == Stage.AVERAGE && world.mesh.boundsReceived()) {
                     return balance();
                 }
                 if (isExact(last.elements)) {
@@ -193,7 +193,7 @@ final class Prediction implements Planner {
                 return gather();
             }
         }
-        if (stage == Stage.MEND && world.mesh.conserves()) {
+        if (stage == Stage.MEND && world.mesh.boundsReceived()) {
             return balance();
         }
         if (stage == Stage.MEND || stage == Stage.BALANCE) {

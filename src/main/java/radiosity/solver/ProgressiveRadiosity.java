@@ -288,10 +288,10 @@ public final class ProgressiveRadiosity {
         sizer.took(now.shots().size(), (world.now() - begin) * 1e-9);
     }
 
-    /** To be given back, where all flux must be received: see {@link Flux#missing}. Empty elsewhere. */
+    /** To be given back, see {@link Flux#missing}; empty where nothing is. */
     private double[] missing(Order.Kind kind) {
-        boolean receives = kind == Order.Kind.SHOOT || kind == Order.Kind.BALANCE;
-        return receives && world.mesh.conserves() && counters.shots() > 0
+        boolean gives = kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT && world.mesh.conserves();
+        return gives && counters.shots() > 0
                 ? counters.flux.missing(last.afterRound()) : new double[0];
     }
 

@@ -9,10 +9,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
+import radiosity.testkit.Box;
 import radiosity.testkit.RoomScenes;
 import radiosity.testkit.Solve;
 
@@ -58,5 +61,26 @@ class EnergyLedgerTest {
         Scene room = RoomScenes.watertight().get(name).apply(RoomScenes.grey("wall", 1, 0.5));
         EnergyLedger ledger = Solve.byDefault().patches(room, 400).solution(room).ledger();
         assertEquals(0, ledger.deficit(0) / ledger.shot()[0], 1e-3);
+    }
+
+    /** A block goes through the floor, so that not all that is shot must be received. */
+    @ParameterizedTest
+    @ValueSource(doubles = {.1, .08, .05, .03})
+    void roomWithOverlappingBlock_receivesNoMoreThanWasShot(double error) {
+        Surface lamp = new Surface("lamp", new Rgb(1, 2, 3), Rgb.BLACK, false);
+        Surface wall = new Surface("wall", Rgb.BLACK, new Rgb(.3, .5, .7), false);
+        Box room = new Box(Vec3.ZERO, new Vec3(3, 2, 4));
+        Box block = new Box(new Vec3(1, -.2, 1), new Vec3(2, .9, 2.5));
+        SceneBuilder builder = new SceneBuilder();
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(side == 3 ? lamp : wall, room.inside(side));
+            Vec3[] inside = block.inside(side);
+            builder.polygon(wall, inside[3], inside[2], inside[1], inside[0]);
+        }
+        EnergyLedger ledger = Solve.byDefault().accurate(error).solution(builder.scene("room")).ledger();
+        for (int c = 0; c < 3; c++) {
+            double gained = -ledger.deficit(c) / ledger.shot()[c];
+            assertTrue(gained < 1e-12, "gained " + gained + " of channel " + c);
+        }
     }
 }
