@@ -16,6 +16,9 @@ import radiosity.solution.EnergyLedger;
 /** What the points of an {@link Audit} come to. */
 final class AuditResult {
 
+    /** Points of which one may be taken for an outlier. */
+    private static final int MANY = 100;
+
     private final Faces faces;
     /** That see anything. */
     private final List<AuditPoint> points;
@@ -97,6 +100,34 @@ final class AuditResult {
         return errors;
     }
 
+    /**
+     * The largest share of the sum is counted as the second largest: few points are far off, and one that is met by
+     * chance could be most of the sum, hundreds of times what it is part of (once-winsorized mean: L.-P. Rivest,
+     * Statistical properties of Winsorized means for skewed distributions, Biometrika 81, 1994).
+     */
+    private static double winsorizedMean(List<AuditPoint> some, ToDoubleFunction<AuditPoint> value) {
+        double[] shares = some.stream().mapToDouble(p -> p.area * value.applyAsDouble(p)).toArray();
+        winsorize(shares);
+        double area = some.stream().mapToDouble(p -> p.area).sum();
+        return area == 0 ? 0 : Arrays.stream(shares).sum() / area;
+    }
+
+    /** The largest of many becomes the second largest. */
+    static void winsorize(double[] shares) {
+        if (shares.length < MANY) {
+            return;
+        }
+        int largest = 0;
+        for (int i = 1; i < shares.length; i++) {
+            largest = shares[i] > shares[largest] ? i : largest;
+        }
+        double second = 0;
+        for (int i = 0; i < shares.length; i++) {
+            second = i == largest ? second : Math.max(second, shares[i]);
+        }
+        shares[largest] = second;
+    }
+
     /** Mean squares, relative to the squared mean radiosity; the bias relative to the mean. */
     private record Errors(double total, double sampling, double meshing, double bias) { }
 
@@ -124,8 +155,10 @@ final class AuditResult {
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
         double noise = mean(some, p -> square(p.noise(colour) / unit(p.radiosity(colour), mean)));
         double local = mean(some, p -> p.error(colour) / unit(p.radiosity(colour), mean));
-        double square = Math.max(0, mean(some, p -> square(p.error(colour) / unit(p.radiosity(colour), mean))) - noise);
-        double atVertex = mean(some, p -> square(p.errorAtVertex(colour) / unit(p.radiosityAtVertex(colour), mean)));
+        double square = Math.max(0, winsorizedMean(some, p -> square(p.error(colour) / unit(p.radiosity(colour), mean)))
+                - noise);
+        double atVertex = winsorizedMean(some,
+                p -> square(p.errorAtVertex(colour) / unit(p.radiosityAtVertex(colour), mean)));
         double rays = Math.max(0, atVertex - AuditPoint.TIMES * noise);
         double raysLeft = rays * mean(some, p -> p.spread);
         double reflectance = mean(some, p -> p.reflectance(colour));
@@ -153,6 +186,7 @@ final class AuditResult {
                 error[i] += some.get(i).area * square(some.get(i).error(c) / unit(some.get(i).radiosity(c), mean));
             }
         }
+        winsorize(error);
         double sum = Arrays.stream(error).sum();
         double area = some.stream().mapToDouble(p -> p.area).sum();
         double deviation = 0;
