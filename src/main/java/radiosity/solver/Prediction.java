@@ -471,6 +471,10 @@ final class Prediction implements Planner {
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
+        if (stage == Stage.DONE && changes == 0 && left > enough()) {
+            stage = Stage.SHOOT; // less is to be left now
+            left = Double.POSITIVE_INFINITY;
+        }
     }
 
     /**

@@ -62,6 +62,26 @@ class AimTest {
     }
 
     @Test
+    void resumedToLeaveLess_goesOn() throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, new StopRule(Integer.MAX_VALUE, 1e-4));
+            radiosity.resume(state(COARSE));
+            double before = radiosity.progress().unsent();
+            radiosity.run(progress -> true);
+            double after = radiosity.progress().unsent();
+            assertTrue(before > 1e-4 && after <= 2e-4, "unsent " + before + ", then " + after);
+        }
+    }
+
+    private static SavedState state(RadiositySettings settings) throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, settings, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            radiosity.run(progress -> true);
+            return radiosity.state();
+        }
+    }
+
+    @Test
     void otherSchedules_lookAtNoError() throws IOException {
         RadiositySettings paper = new RadiositySettings(0, 0, COARSE.meshing(), Schedule.PAPER);
         try (LocalWorld world = new LocalWorld(ROOM, paper, 2)) {
