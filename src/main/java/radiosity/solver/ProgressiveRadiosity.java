@@ -290,7 +290,7 @@ public final class ProgressiveRadiosity {
 
     /** To be given back, see {@link Flux#missing}; empty where nothing is. */
     private double[] missing(Order.Kind kind) {
-        boolean gives = kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT && world.mesh.conserves();
+        boolean gives = world.mesh.boundsReceived() && (kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT);
         return gives && counters.shots() > 0
                 ? counters.flux.missing(last.afterRound()) : new double[0];
     }
