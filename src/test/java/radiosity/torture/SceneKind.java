@@ -257,13 +257,9 @@ enum SceneKind {
         return maker.made(this);
     }
 
-    /**
-     * Whether surfaces lie in or on each other, or a lamp lies in a hole: more light may be absorbed there than was
-     * emitted, as what lies in one place receives twice.
-     */
+    /** Whether surfaces lie in or on each other: what lies in one place may receive twice. */
     boolean overlaps() {
-        return this == SOUP || this == COPLANAR || this == RECESSED || this == INSTANCES || this == POLYGONS
-                || this == STUDY;
+        return this == SOUP || this == COPLANAR;
     }
 
     boolean isShipped() {
