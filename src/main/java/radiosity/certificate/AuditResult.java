@@ -117,15 +117,10 @@ final class AuditResult {
         if (shares.length < MANY) {
             return;
         }
-        int largest = 0;
-        for (int i = 1; i < shares.length; i++) {
-            largest = shares[i] > shares[largest] ? i : largest;
-        }
-        double second = 0;
-        for (int i = 0; i < shares.length; i++) {
-            second = i == largest ? second : Math.max(second, shares[i]);
-        }
-        shares[largest] = second;
+        double[] sorted = shares.clone();
+        Arrays.sort(sorted);
+        double second = sorted[sorted.length - 2];
+        Arrays.setAll(shares, i -> Math.min(shares[i], second));
     }
 
     /** Mean squares, relative to the squared mean radiosity; the bias relative to the mean. */

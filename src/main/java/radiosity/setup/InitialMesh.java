@@ -166,8 +166,8 @@ public final class InitialMesh {
     }
 
     /**
-     * Whether it is known how much flux can be received at most: of lights without geometry it is as much as a mesh
-     * finds, if not all must be received.
+     * Whether it is known how much flux can be received at most. It is not where lights without geometry shine into a
+     * scene that light escapes from: as much of theirs arrives as the mesh finds, and a finer one finds another amount.
      */
     public boolean boundsReceived() {
         return conserves() || predicts() && scene.lights().isEmpty();

@@ -126,7 +126,8 @@ final class Flux {
     /**
      * What was shot and not received, or received twice, relative to what was received, one per channel: where all must
      * be received, each vertex is given that share of its own light back, so that flux is conserved and no light
-     * becomes negative. Where light escapes, nothing is missing, but there is none that was received and not shot.
+     * becomes negative. Where light may escape none is given back, but what was received beyond what was shot is
+     * taken back: the share is below 0 then.
      */
     double[] missing(Answer answer) {
         double[] missing = new double[shot.length];

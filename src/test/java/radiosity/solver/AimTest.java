@@ -65,7 +65,7 @@ class AimTest {
     void resumedToLeaveLess_goesOn() throws IOException {
         try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, new StopRule(Integer.MAX_VALUE, 1e-4));
-            radiosity.resume(state(COARSE));
+            radiosity.resume(finished());
             double before = radiosity.progress().unsent();
             radiosity.run(progress -> true);
             double after = radiosity.progress().unsent();
@@ -73,8 +73,8 @@ class AimTest {
         }
     }
 
-    private static SavedState state(RadiositySettings settings) throws IOException {
-        try (LocalWorld world = new LocalWorld(ROOM, settings, 2)) {
+    private static SavedState finished() throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
             radiosity.run(progress -> true);
             return radiosity.state();
