@@ -1,9 +1,11 @@
 package radiosity.protocol;
 
-import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
 import java.util.BitSet;
 import radiosity.mesh.RadiosityNodes;
 
@@ -58,42 +60,41 @@ public final class BlockState {
 
     public static void restore(RadiosityNodes nodes, int[] tops, byte[] state) {
         BitSet met = new BitSet(nodes.vertices());
-        DataInputStream in = Wire.input(state);
+        ByteBuffer in = ByteBuffer.wrap(state);
         try {
             for (int top : tops) {
-                grow(nodes, top, in.readInt(), met, in);
+                grow(nodes, top, in.getInt(), met, in);
             }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        } catch (BufferUnderflowException e) {
+            throw new UncheckedIOException(new EOFException("block: expected more than " + state.length + " bytes"));
         }
     }
 
-    private static void grow(RadiosityNodes nodes, int node, int share, BitSet met, DataInputStream in)
-            throws IOException {
+    private static void grow(RadiosityNodes nodes, int node, int share, BitSet met, ByteBuffer in) {
         if (share >= 0) {
             int first = nodes.isElement(node) ? nodes.split(node, share) : nodes.child(node);
             for (int k = 0; k < 4; k++) {
-                grow(nodes, first + k, in.readInt(), met, in);
+                grow(nodes, first + k, in.getInt(), met, in);
             }
             return;
         }
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
-            nodes.light().setShot(node, i / channels, i % channels, in.readDouble());
+            nodes.light().setShot(node, i / channels, i % channels, in.getDouble());
         }
         for (int k = 0; k < 3; k++) {
             int v = nodes.corner(node, k);
             if (!met.get(v)) {
                 met.set(v);
-                int flags = in.readByte();
+                int flags = in.get();
                 if ((flags & BURIED) != 0) {
                     nodes.bury(v);
                 }
                 for (int c = 0; c < channels; c++) {
-                    nodes.light().irradiance()[channels * v + c] = in.readDouble();
+                    nodes.light().irradiance()[channels * v + c] = in.getDouble();
                 }
                 for (int c = 0; c < channels && (flags & SET_ASIDE) != 0; c++) {
-                    nodes.setAside(v, c, in.readDouble());
+                    nodes.setAside(v, c, in.getDouble());
                 }
             }
         }
