@@ -29,6 +29,8 @@ public final class DiscontinuityMesher {
     private static final double SAME = 1e-7;
     /** Pieces of all faces: more of them would be the mesh, and not what the mesh needs. */
     private static final int MOST = 20_000;
+    /** Shorter contacts are not worth an edge in the mesh: of the root of the area of all faces. */
+    private static final double LEAST_LENGTH = 1e-3;
 
     private final Faces faces;
     final FaceIntersections contacts;
@@ -40,19 +42,32 @@ public final class DiscontinuityMesher {
     private int count;
 
     /**
-     * Cuts large faces along their contacts; leaves all faces as they are where nothing stands on them or comes
-     * through, and where that many triangles do that there would be more pieces than elements.
+     * Cuts large faces along their contacts. Where so many triangles stand on faces, or come through them, that there
+     * would be more pieces than elements, the shorter half of the contacts' lengths is left out, as often as that is
+     * needed: the edge of a window pane in its wall stays, the feet of the chairs go.
+     *
+     * @return the faces themselves where nothing stands on them or comes through
      */
     public static Faces cut(Faces faces) {
-        DiscontinuityMesher cutting = new DiscontinuityMesher(faces);
-        return cutting.edges.size() == 0 || cutting.isTooFine() ? faces
-                : faces.withPieces(new FacePieces(cutting.points, cutting.pieces, cutting.edges));
+        double least = LEAST_LENGTH;
+        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least);
+        while (mesher.isTooFine()) {
+            least *= 2;
+            mesher = new DiscontinuityMesher(faces, least);
+        }
+        return mesher.edges.size() == 0 ? faces
+                : faces.withPieces(new FacePieces(mesher.points, mesher.pieces, mesher.edges));
     }
 
     DiscontinuityMesher(Faces faces) {
+        this(faces, LEAST_LENGTH);
+    }
+
+    /** @param least length of the shortest contact that counts, of the root of the area of all faces */
+    private DiscontinuityMesher(Faces faces, double least) {
         this.faces = faces;
         points = new CutPoints(faces.scene(), SAME * faces.size());
-        contacts = new FaceIntersections(faces, points);
+        contacts = new FaceIntersections(faces, points, least * Math.sqrt(faces.area()) * faces.size());
         for (List<Integer> part : parts().values()) {
             if (!isTooFine()) {
                 cut(part);
@@ -60,7 +75,7 @@ public final class DiscontinuityMesher {
         }
     }
 
-    /** Whether so much stands on faces or comes through them that it was given up. */
+    /** Whether cutting was given up, as there would be too many pieces. */
     private boolean isTooFine() {
         return count > MOST;
     }

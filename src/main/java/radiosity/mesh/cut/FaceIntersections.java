@@ -17,8 +17,6 @@ final class FaceIntersections {
     private static final double TOUCH = 1e-6;
     /** A normal along an axis of the scene has a component that differs from 1 by less. */
     private static final double UPRIGHT = 1e-12;
-    /** Shorter ones are not worth an edge in the mesh: of the root of the area of all faces. */
-    private static final double LEAST_LENGTH = 1e-3;
     /** Of more, the longest are taken. */
     private static final int MOST = 256;
 
@@ -37,13 +35,14 @@ final class FaceIntersections {
     private TriangleBoxes boxes;
     private long looks;
 
-    FaceIntersections(Faces faces, CutPoints points) {
+    /** @param least length of the shortest contact that is found, scene units */
+    FaceIntersections(Faces faces, CutPoints points, double least) {
         this.points = points;
         this.faces = faces;
         scene = faces.scene();
         numbers = PointNumbers.of(scene.points());
         touch = TOUCH * faces.size();
-        least = LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size();
+        this.least = least;
         box = new double[6 * scene.triangles()];
         for (int i = 0; i < box.length; i++) {
             int t = i / 6;

@@ -109,6 +109,7 @@ class DiscontinuityMesherTest {
         throw new AssertionError("expected a vertex at the foot of the wall, found none");
     }
 
+    /** A thousand triangles through each other meet in more segments of one length than a mesh has elements. */
     @Tag("slow")
     @Test
     void whatWouldBePiecesOnly_staysAsItIs() {
@@ -120,5 +121,32 @@ class DiscontinuityMesherTest {
         }
         Faces whole = new Faces(soup.scene("soup"));
         assertSame(whole, DiscontinuityMesher.cut(whole));
+    }
+
+    /** Window panes let into a wall, and so many small feet on the floor that not all contacts can be cut. */
+    @Test
+    void longContacts_areCutWhereShortOnesAreTooMany() {
+        SceneBuilder room = new SceneBuilder();
+        room.polygon(GREY, new Vec3(0, 0, 0), new Vec3(0, 0, 8), new Vec3(8, 0, 8), new Vec3(8, 0, 0));
+        room.polygon(GREY, new Vec3(4, -1, 1), new Vec3(4, 1, 1), new Vec3(4, 1, 7), new Vec3(4, -1, 7));
+        for (int i = 0; i < 6400; i++) {
+            double x = .05 + i % 80 * .1;
+            double z = .05 + i / 80 * .1;
+            room.polygon(GREY, new Vec3(x, 0, z), new Vec3(x + .02, .1, z), new Vec3(x + .02, 0, z + .01));
+        }
+        Faces cut = DiscontinuityMesher.cut(new Faces(room.scene("room")));
+        for (int f = 0; f < cut.count(); f++) {
+            if (cut.normal(f, 1) == 1) {
+                boolean before = false;
+                boolean behind = false;
+                for (int k = 0; k < 3; k++) {
+                    Vec3 p = cut.sceneCorner(f, k);
+                    boolean beside = p.z() > 1 && p.z() < 7;
+                    before |= beside && p.x() < 4 - 1e-6;
+                    behind |= beside && p.x() > 4 + 1e-6;
+                }
+                assertTrue(!before || !behind, "expected no face on both sides of the pane, got face " + f);
+            }
+        }
     }
 }
