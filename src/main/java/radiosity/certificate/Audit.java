@@ -38,14 +38,18 @@ public final class Audit {
      */
     private static final double[] START = {0.5, 0, 0.25, 0.75};
     private static final double ENOUGH = 0.3;
+    /** Standard errors by which the mean square error is to be above or below that which is asked for. */
+    private static final double CLEAR = 2;
     /**
      * Unshot flux, relative to the emitted, above which a calculation has only begun: nearly all of its error is what
      * is unshot, which few points tell.
      */
     private static final double MOSTLY = 0.5;
-    /** What a ray may carry where light is found anew, relative to what it may in the solution; and at most. */
-    private static final double FINER = 0.25;
-    private static final double MOST_TOLERANCE = 0.01;
+    /**
+     * What a ray may carry where light is found anew, relative to what it may at first for the error that is asked for:
+     * the noise of these rays drops out, and makes the estimate uncertain only where it is more than the error.
+     */
+    private static final double FINER = 0.5;
     /** What a ray may carry where sums of form factors are found. */
     private static final double FACTOR_TOLERANCE = 0.05;
     /** With how many others a point's patch is compared. */
@@ -108,18 +112,23 @@ public final class Audit {
 
     /*---- Looking ----*/
 
-    /** As long as a few points make up most of the error, or it is not what was asked for, more are looked at. */
+    /** As long as a few points make up most of the error, or it may be more or less than asked, more are looked at. */
     public Certificate certificate(double unshotFlux) throws IOException {
         List<AuditPoint> first = places.pick(wanted, START[0], 0);
         UniformRadiosity ambient = ambient(first);
         look(first, ambient);
         AuditResult result = result();
-        while (!isBegun && batches < START.length
-                && (result.uncertainty() > ENOUGH || result.expected() > asked)) {
+        while (!isBegun && batches < START.length && !isClear(result)) {
             look(places.pick(wanted, START[batches], points.size()), ambient);
             result = result();
         }
         return result.certificate(unshotFlux, reciprocity());
+    }
+
+    private boolean isClear(AuditResult result) {
+        double uncertainty = result.uncertainty();
+        double found = result.expected() * result.expected();
+        return uncertainty <= ENOUGH && Math.abs(found - asked * asked) >= CLEAR * uncertainty * found;
     }
 
     private AuditResult result() {
@@ -171,7 +180,7 @@ public final class Audit {
         ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
                 (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
                 .shooter(faces, Weights.of(ones()));
-        FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, tolerance());
+        FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, FINER * Accuracy.tolerance(asked));
         FormFactorCalculator few = few();
         parallel.run(batch.size(), i -> {
             if (!batch.get(i).isBuried) {
@@ -179,12 +188,6 @@ public final class Audit {
                 batch.get(i).addFactors(few, ones);
             }
         });
-    }
-
-    private double tolerance() {
-        double asked = mesh.settings.tolerance();
-        double tolerated = asked > 0 ? asked : Accuracy.tolerance(Accuracy.DEFAULT);
-        return Math.min(MOST_TOLERANCE, FINER * tolerated);
     }
 
     private FormFactorCalculator few() {

@@ -298,9 +298,13 @@ public final class RadiosityNodes {
         points.setAside();
     }
 
-    /** All vertices have gathered anew: they get the mean of that and of what is set aside, unless this is negative. */
-    public void averageAside() {
-        points.averageAside();
+    /**
+     * All vertices have gathered anew: that is averaged with what is set aside, unless this is negative.
+     *
+     * @param anew weight of what was gathered anew, in (0, 1]
+     */
+    public void averageAside(double anew) {
+        points.averageAside(anew);
     }
 
     /** Whether vertices gather anew, and what they had received before is set aside. */

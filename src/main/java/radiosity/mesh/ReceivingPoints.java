@@ -190,15 +190,19 @@ final class ReceivingPoints {
         irradiance = new double[aside.length];
     }
 
-    /** All vertices have gathered anew: they get the mean of that and of what is set aside, unless this is negative. */
-    void averageAside() {
+    /**
+     * All vertices have gathered anew: that is averaged with what is set aside, unless this is negative.
+     *
+     * @param anew weight of what was gathered anew, in (0, 1]
+     */
+    void averageAside(double anew) {
         for (int v = 0; v < count; v++) {
             boolean isNegative = false;
             for (int c = 0; c < channels; c++) {
                 isNegative |= aside[channels * v + c] < 0;
             }
             for (int i = channels * v; i < channels * (v + 1) && !isNegative; i++) {
-                irradiance[i] = 0.5 * (irradiance[i] + aside[i]);
+                irradiance[i] = anew * irradiance[i] + (1 - anew) * aside[i];
             }
         }
         aside = null;

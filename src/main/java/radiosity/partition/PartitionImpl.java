@@ -100,9 +100,9 @@ public final class PartitionImpl implements Partition {
         switch (order.kind()) {
             case SHOOT -> shoot(order);
             case SPLIT -> split(order);
-            case GATHER, REGATHER -> gather(order);
+            case GATHER, REGATHER, MEND -> gather(order);
             case RENEW -> renew(order);
-            case AVERAGE -> nodes.averageAside();
+            case AVERAGE -> nodes.averageAside(order.rules().anew());
             case BALANCE -> receivers.receiveAmbient(order, nodes, IntStream.range(0, nodes.vertices()).toArray());
             case REST -> gatherRest();
             default -> { }
@@ -141,10 +141,24 @@ public final class PartitionImpl implements Partition {
         gather(work(order), ghosts.taken(points(order)));
     }
 
-    /** Where is gathered, here or by others: by {@link Order.Kind#GATHER} at the points that the round before made. */
+    /**
+     * Where is gathered, here or by others: by {@link Order.Kind#GATHER} at the points that the round before made, by
+     * {@link Order.Kind#MEND} at those that have received less than nothing, as far as they have not been mended yet.
+     */
     private int[] points(Order order) {
-        return order.kind() == Order.Kind.GATHER ? nodes.verticesMade(order.number() - 1)
-                : IntStream.range(0, nodes.vertices()).toArray();
+        return switch (order.kind()) {
+            case GATHER -> nodes.verticesMade(order.number() - 1);
+            case MEND -> IntStream.range(0, nodes.vertices()).filter(this::isNegative).toArray();
+            default -> IntStream.range(0, nodes.vertices()).toArray();
+        };
+    }
+
+    private boolean isNegative(int vertex) {
+        double least = 0;
+        for (int i = channels * vertex; i < channels * (vertex + 1); i++) {
+            least = Math.min(least, nodes.light().irradiance()[i]);
+        }
+        return least < 0;
     }
 
     /** Subdivide where it pays. */
@@ -219,10 +233,14 @@ public final class PartitionImpl implements Partition {
     /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
     private void gather(Work work, int[] points) {
         int[] vertices = IntStream.of(points).filter(v -> !nodes.isBuried(v)).toArray();
-        boolean isAnother = work.order.kind() == Order.Kind.REGATHER || work.order.rules().sparing();
+        boolean isMended = work.order.kind() == Order.Kind.MEND;
+        boolean isAnother = isMended || work.order.kind() == Order.Kind.REGATHER || work.order.rules().sparing();
         int turn = isAnother ? work.order.number() : 0;
         if (vertices.length == 0) {
             return;
+        }
+        if (isMended) {
+            discard(vertices);
         }
         receivers.receiveAmbient(work.order, nodes, vertices);
         costs.begin(vertices);
@@ -234,6 +252,26 @@ public final class PartitionImpl implements Partition {
             }
             costs.add(run, BlockCosts.now() - begin);
         });
+        if (isMended) {
+            raise(vertices);
+        }
+    }
+
+    /** Vertices have received nothing but the light of what has no geometry. */
+    private void discard(int[] vertices) {
+        for (int v : vertices) {
+            Arrays.fill(nodes.light().irradiance(), channels * v, channels * (v + 1), 0);
+        }
+        light(vertices);
+    }
+
+    /** What was shot in all may be less than nothing in some corner, as shots take back light. */
+    private void raise(int[] vertices) {
+        for (int v : vertices) {
+            for (int i = channels * v; i < channels * (v + 1); i++) {
+                nodes.light().irradiance()[i] = Math.max(0, nodes.light().irradiance()[i]);
+            }
+        }
     }
 
     /** Rows of the coarse system for the vertices that this partition's blocks have in it, or parts of them. */

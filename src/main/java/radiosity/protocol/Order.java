@@ -38,13 +38,14 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
      * @param givenBack one per channel, or empty: part of what each vertex has received that it receives besides
      * @param sparing   whether what carries little gets a ray at some points only, see
      *                  {@link radiosity.formfactor.RayCaster}; rays are others then than in all other rounds
+     * @param anew      weight, in (0, 1], of the light that was gathered anew where it is averaged with older light
      */
     public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack,
-                        boolean sparing) {
+                        boolean sparing, double anew) {
 
         /** A ray for each shooter at every point. */
         public Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
-            this(tolerance, weight, meshError, ambient, givenBack, false);
+            this(tolerance, weight, meshError, ambient, givenBack, false, 1);
         }
 
         private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
@@ -58,7 +59,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
 
         /** The same rules, and all receive this part of what they have besides. */
         Rules givingBack(double[] part) {
-            return new Rules(tolerance, weight, meshError, ambient, part, sparing);
+            return new Rules(tolerance, weight, meshError, ambient, part, sparing, anew);
         }
     }
 
@@ -120,7 +121,14 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
         ROWS,
         /** Gather where an order for {@link Question.GhostValues} has not: where no other host needs it. */
-        REST
+        REST,
+        /** Gather anew, of all that was ever shot, at vertices that have received less than nothing. In one step. */
+        MEND;
+
+        /** Whether points gather all that was ever shot: hosts know it, and are not sent it. */
+        boolean gathersTotals() {
+            return this == GATHER || this == REGATHER || this == MEND;
+        }
     }
 
     /** A round that is not begun yet; it gets its number when it is. */
@@ -181,7 +189,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
 
     /** Whether points gather all that was ever shot: hosts know it, and are not sent it. */
     public boolean gathersTotals() {
-        return kind == Kind.GATHER || kind == Kind.REGATHER;
+        return kind.gathersTotals();
     }
 
     /** Whether what is shot counts as shot from now on. */
@@ -239,6 +247,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         write(rules.ambient, out);
         write(rules.givenBack, out);
         out.writeBoolean(rules.sparing);
+        out.writeDouble(rules.anew);
         out.writeBoolean(begun);
         out.writeInt(isAnswered() ? most() : givesGhosts() ? GHOST_VALUES : NOTHING);
         out.writeDouble(question instanceof Question.Candidates asked ? asked.flux : 0);
@@ -252,10 +261,9 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         Kind kind = kind(in.readByte());
         int number = in.readInt();
         boolean more = in.readBoolean();
-        boolean totals = kind == Kind.GATHER || kind == Kind.REGATHER;
-        List<Shot> shots = totals ? Wire.trees(in) : Wire.shots(in);
+        List<Shot> shots = kind.gathersTotals() ? Wire.trees(in) : Wire.shots(in);
         Rules rules = new Rules(in.readDouble(), doubles(in), in.readDouble(), doubles(in), doubles(in),
-                in.readBoolean());
+                in.readBoolean(), in.readDouble());
         return new Order(kind, number, in.readBoolean(), more, shots, rules, question(in));
     }
 

@@ -18,8 +18,8 @@ public final class Accuracy {
     /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
     private static final double TOLERANCE = 0.04;
     private static final double MESH_ERROR = 8e-4;
-    /** Rays fall faster than the error, as sampling and meshing each leave their part of it. */
-    private static final double POWER = 1.25;
+    /** What a ray may carry falls faster than the error, as sampling and meshing each leave their part of it. */
+    public static final double POWER = 1.25;
     /** Elements too, as a small one may be far off at a point without adding much to the whole. */
     private static final double MESH_POWER = 2;
 

@@ -36,7 +36,7 @@ public final class InitialMesh {
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Number of the way in which calculations are saved: those of another one are refused. */
-    private static final int STATE = 3;
+    private static final int STATE = 4;
     /** Where a fingerprint is split into scene and options. */
     private static final String PARTS = ",? (?=-)";
     /** What is shared out: where borders cost time, and where every point is computed once. */

@@ -15,7 +15,7 @@ final class AccuracyLoop {
 
     /** What is aimed at, relative to the mean square error that is asked for: what points find is uncertain. */
     private static final double MARGIN = 0.9;
-    /** Part of that which is left to interpolation at least; what surfaces have too much or too little is its, too. */
+    /** Part of that which is left to interpolation at least; light that surfaces have too much or too little of is its. */
     private static final double LEAST_FOR_MESH = 0.4;
     /** From one look at the solution to the next the mean square error is asked to fall to this part at most. */
     private static final double STEP = 0.25;
@@ -35,9 +35,14 @@ final class AccuracyLoop {
     /** And where this part of what is usual for the error that is asked for leaves it, or nothing is to be divided. */
     private static final double LEAST = 0.01;
 
+    /** What is to be refined. */
+    enum Refine { NOTHING, MESH, RAYS }
+
     private double asked;
-    /** What one ray may carry, relative to the mean irradiance. */
+    /** What one ray may carry, relative to the mean irradiance: at vertices that are made from now on. */
     private double tolerance;
+    /** The same at the vertices that there are. */
+    private double gathered;
     /** What interpolation on one element may add to the whole error. */
     private double meshError;
     /** Relative error that points found in the best look for its work; NaN where none was made at a new aim. */
@@ -50,6 +55,7 @@ final class AccuracyLoop {
     AccuracyLoop(InitialMesh mesh) {
         asked = mesh.accuracy();
         tolerance = mesh.tolerance();
+        gathered = tolerance;
         meshError = mesh.meshError();
     }
 
@@ -79,13 +85,44 @@ final class AccuracyLoop {
         return meshError;
     }
 
+    /*---- Light that is gathered anew and averaged with what there is: the noise of both is independent ----*/
+
+    /** Whether the vertices that there are have gathered less exactly than new ones do. */
+    boolean lacksRays() {
+        return gathered > tolerance;
+    }
+
     /**
-     * Whether the solution is less exact than was asked for, and can become more exact: then rays and elements may add
-     * less from now on, each as far as the error is its own.
+     * Variance of light that is gathered anew, over that of what there is, for the average of both, each weighed by the
+     * other's variance, to be as exact as new vertices are; at most 1.
+     */
+    private double varianceAnew() {
+        double left = StrictMath.pow(tolerance / gathered, 2 / Accuracy.POWER);
+        return left < 1 ? Math.min(1, left / (1 - left)) : 1;
+    }
+
+    /** What one ray may carry where light is gathered anew. */
+    double toleranceAnew() {
+        return gathered * StrictMath.pow(varianceAnew(), Accuracy.POWER / 2);
+    }
+
+    /** Weight of light that was gathered anew. */
+    double weightAnew() {
+        return 1 / (1 + varianceAnew());
+    }
+
+    /** All vertices have gathered anew. */
+    void gatheredAnew() {
+        gathered = tolerance;
+    }
+
+    /**
+     * What to refine: nothing where the solution is as exact as was asked for, or cannot become so. The mesh where its
+     * part of the error is too large, and then the elements that it still has; rays otherwise.
      *
      * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster.
      */
-    boolean goesOn(Certificate certificate, int elements) {
+    Refine refine(Certificate certificate, int elements) {
         double found = certificate.expected();
         double now = elements / tolerance;
         boolean isNewAim = Double.isNaN(reached);
@@ -97,23 +134,22 @@ final class AccuracyLoop {
         } else if (now > GROWTH * work) {
             inVain++;
         }
-        if (found <= asked || isNewAim) {
-            return found > asked;
+        if (found <= asked || inVain == MOST_IN_VAIN || !isBetter && isFinest()) {
+            return Refine.NOTHING;
         }
-        if (inVain == MOST_IN_VAIN || !isBetter && isFinest()) {
-            return false;
+        if (isNewAim) {
+            return Refine.MESH;
         }
         double wanted = MARGIN * asked * asked;
         double rays = certificate.sampling() * certificate.sampling();
         double mesh = Math.max(0, found * found - rays);
         double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
-        if (rays > forRays) {
-            tolerance = Accuracy.tolerance(Accuracy.of(tolerance) * Math.sqrt(Math.max(STEP, forRays / rays)));
-        }
         if (mesh > wanted - forRays) {
             meshError *= StrictMath.pow(Math.max(STEP, (wanted - forRays) / mesh), 1 / MESH_POWER);
+            return Refine.MESH;
         }
-        return true;
+        tolerance *= StrictMath.pow(Math.max(STEP, forRays / rays), Accuracy.POWER / 2);
+        return Refine.RAYS;
     }
 
     private boolean isFinest() {
@@ -124,6 +160,7 @@ final class AccuracyLoop {
     void write(DataOutput out) throws IOException {
         out.writeDouble(asked);
         out.writeDouble(tolerance);
+        out.writeDouble(gathered);
         out.writeDouble(meshError);
         out.writeDouble(reached);
         out.writeDouble(work);
@@ -133,6 +170,7 @@ final class AccuracyLoop {
     void read(DataInput in) throws IOException {
         asked = in.readDouble();
         tolerance = in.readDouble();
+        gathered = in.readDouble();
         meshError = in.readDouble();
         reached = in.readDouble();
         work = in.readDouble();

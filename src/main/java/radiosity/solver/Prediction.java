@@ -11,7 +11,6 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import radiosity.change.NegativeLight;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.prediction.AmbientLevel;
@@ -39,7 +38,7 @@ final class Prediction implements Planner {
     private static final double SETTLED = 0.05;
     private static final int MOST_SPLITS = 12;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
-    private static final double ROW_TOLERANCE = 0.02;
+    private static final double ROW_TOLERANCE = 0.08;
 
     /** Patches of the coarse mesh up to which light is predicted: its system grows with their square. */
     private static final int MOST_PREDICTED = 20_000;
@@ -59,8 +58,8 @@ final class Prediction implements Planner {
     private static final int MOST_CHANGES = 3;
     /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
     private static final double PREDICTED = 0.1;
-    /** Unshot flux, relative to the emitted, that may be left, over the error that is asked for. */
-    private static final double ENOUGH = 0.1;
+    /** Unshot flux, relative to the emitted, that may be left, over the error. */
+    private static final double ENOUGH = 0.3;
     /** Error after some changes, over that when all had gathered anew last, that is taken. */
     private static final double WORSE = 1.15;
     /** Part of the unshot flux that may be left to later rounds of a changed scene. */
@@ -133,32 +132,29 @@ final class Prediction implements Planner {
             return nextOfChange(last, unsent, goOn);
         }
         switch (stage) {
-            case RENEW -> {
-                return regather();
-            }
             case SPLIT -> {
                 refined = last.elements == elements || splits == MOST_SPLITS;
                 if (last.elements > elements) {
                     return gather();
                 }
             }
+            case GATHER -> {
+                if (!refined) {
+                    return split(last);
+                }
+            }
+            case RENEW -> {
+                return regather();
+            }
             case REGATHER -> {
                 return average();
             }
-            case AVERAGE, BALANCE -> {
-                if (stage == Stage.AVERAGE && world.mesh.boundsReceived()) {
-                    return balance();
-                }
-                if (isExact(last.elements)) {
-                    stage = Stage.DONE;
-                    return null;
-                }
-                refined = false;
-                splits = 0;
+            case AVERAGE, MEND, BALANCE -> {
+                return stage != Stage.BALANCE && world.mesh.boundsReceived() ? balance() : refine(last);
             }
             default -> { }
         }
-        if (!refined && stage != Stage.NOTHING && stage != Stage.SPLIT && unsent <= SETTLED) {
+        if (!refined && stage == Stage.SHOOT && unsent <= SETTLED) {
             return split(last);
         }
         if (coarse != null && !coarse.isMade()) {
@@ -170,14 +166,37 @@ final class Prediction implements Planner {
         }
         boolean isOver = unsent <= enough() || unsent >= left;
         if (refined && stage == Stage.SHOOT && isOver) {
-            return renew(unsent);
+            left = unsent <= enough() ? unsent : 0;
+            return loop.lacksRays() ? renew() : mend();
         }
         return shoot(shots, unsent);
     }
 
-    /** Unshot flux, relative to the emitted, at which no more is shot: less where the user has asked for less. */
+    /** Looks at the solution, and refines what most of its error is due to; null where that is enough. */
+    private Order refine(Answer last) throws IOException {
+        Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
+        AccuracyLoop.Refine refine = certificate.isEmpty() ? AccuracyLoop.Refine.NOTHING
+                : loop.refine(certificate.get(), last.elements);
+        return switch (refine) {
+            case MESH -> {
+                left = Double.POSITIVE_INFINITY;
+                splits = 0;
+                yield split(last);
+            }
+            case RAYS -> renew();
+            case NOTHING -> {
+                stage = Stage.DONE;
+                yield null;
+            }
+        };
+    }
+
+    /**
+     * Unshot flux, relative to the emitted, at which no more is shot: a part of the error that points have found, or
+     * of the one that is asked for, and less where the user has asked for less.
+     */
     private double enough() {
-        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.asked());
+        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.found());
     }
 
     /**
@@ -220,7 +239,8 @@ final class Prediction implements Planner {
         Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
         if (certificate.isPresent() && certificate.get().expected() > WORSE * usual(certificate.get())) {
             changes = 0;
-            return renew(unsent);
+            left = unsent <= enough() ? unsent : 0;
+            return renew();
         }
         stage = Stage.DONE;
         return null;
@@ -247,32 +267,23 @@ final class Prediction implements Planner {
         return chosen;
     }
 
+    /**
+     * What later shots take back goes along other rays than what came before, and where little arrives more may be
+     * taken back than had come: there vertices gather anew what surfaces have shot in all, none of which is negative.
+     */
     private Order mend() throws IOException {
-        List<Shot> totals = world.totals();
-        List<byte[]> mended = NegativeLight.mended(world.mesh, world.blocks(),
-                order(Order.Kind.GATHER, totals, AmbientLevel.lowest(world.mesh, totals)), world.parallel);
-        if (!mended.isEmpty()) {
-            world.restore(mended);
-        }
         stage = Stage.MEND;
-        return Order.asking(Order.Kind.ASK, 0);
+        List<Shot> totals = world.totals();
+        return order(Order.Kind.MEND, totals, AmbientLevel.lowest(world.mesh, totals));
     }
 
     /**
-     * What later shots take back goes along other rays than what came before, and where little arrives more may be
-     * taken back than had come. So in the end all vertices gather anew, at once, what surfaces radiate then: no part of
-     * that is negative. It is averaged with what they had, unless that was negative, as its rays are others.
+     * All vertices gather anew, at once, what surfaces radiate then: that is averaged with what they had, unless that
+     * was negative, and as its rays are others the average has less noise.
      */
-    private Order renew(double unsent) throws IOException {
+    private Order renew() throws IOException {
         stage = Stage.RENEW;
-        left = unsent <= enough() ? unsent : 0;
         return order(Order.Kind.RENEW, world.unshot(), new double[0]);
-    }
-
-    /** Where more is left unshot than usual, that is most of the error, and dividing elements would not help. */
-    private boolean isExact(int present) throws IOException {
-        Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
-        return certificate.isEmpty() || !loop.goesOn(certificate.get(), present);
     }
 
     private Order regather() throws IOException {
@@ -290,7 +301,9 @@ final class Prediction implements Planner {
 
     private Order average() {
         stage = Stage.AVERAGE;
-        return order(Order.Kind.AVERAGE, List.of(), new double[0]);
+        Order order = order(Order.Kind.AVERAGE, List.of(), new double[0]);
+        loop.gatheredAnew();
+        return order;
     }
 
     /** Nobody shoots: vertices are given back what rays have lost. */
@@ -411,11 +424,13 @@ final class Prediction implements Planner {
      * becomes less.
      */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
-        boolean isOfAll = kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER;
+        boolean isOfAll = kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER || kind == Order.Kind.MEND;
+        boolean isAnew = kind == Order.Kind.REGATHER;
         boolean sparing = world.settings().factors() == FormFactors.RAYCAST
                 && (changes > 0 || isOfAll && wanted >= StopRule.DEFAULT_UNSENT);
         return new Order(kind, shots,
-                new Order.Rules(loop.tolerance(), weight, loop.meshError(), even, new double[0], sparing),
+                new Order.Rules(isAnew ? loop.toleranceAnew() : loop.tolerance(), weight, loop.meshError(), even,
+                        new double[0], sparing, loop.weightAnew()),
                 Order.Question.candidates(0));
     }
 

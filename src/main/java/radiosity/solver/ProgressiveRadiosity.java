@@ -236,7 +236,8 @@ public final class ProgressiveRadiosity {
         }
         Order pending = queue.round();
         int receive = pending.kind() == Order.Kind.ROWS ? world.mesh.entriesPerShot() : last.newest().elements;
-        int size = Math.min(pending.shots().size(), sizer.size(pending.kind(), receive, pending.shots().size()));
+        int all = pending.shots().size();
+        int size = pending.kind() == Order.Kind.MEND ? all : Math.min(all, sizer.size(pending.kind(), receive, all));
         if (pending.kind() == Order.Kind.SHOOT) {
             size = Math.min(size, stop.shots() - counters.shots());
             for (int every : pauses) {

@@ -18,7 +18,7 @@ final class SolveCounters {
     private int dark;
     /** The answer before that round: until they have gathered, it is what the light that is shown comes to. */
     private Answer beforeDark;
-    /** The answer before all vertices were renewed, as long as nobody has shot since; else null. */
+    /** The answer before vertices gathered anew, as long as nobody has shot since; else null. */
     private Answer beforeRenewal;
     final Flux flux;
 
@@ -65,6 +65,7 @@ final class SolveCounters {
                 beforeRenewal = null;
             }
             case RENEW -> done.shots().forEach(flux::mark);
+            case MEND -> beforeRenewal = before;
             case AVERAGE -> {
                 beforeRenewal = beforeDark;
                 flux.countMarked();

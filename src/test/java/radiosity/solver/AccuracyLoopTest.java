@@ -6,9 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import radiosity.settings.Accuracy;
 import radiosity.settings.RadiositySettings;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
+import radiosity.solver.AccuracyLoop.Refine;
 import radiosity.testkit.RoomScenes;
 
 /** When the mesh and the rays become finer after points have looked at the solution, and when that ends. */
@@ -26,7 +28,7 @@ class AccuracyLoopTest {
 
     @Test
     void exactEnough_ends() {
-        assertFalse(loop().goesOn(certificate(.019, .01, .01), 1000));
+        assertEquals(Refine.NOTHING, loop().refine(certificate(.019, .01, .01), 1000));
     }
 
     @Test
@@ -34,7 +36,7 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertTrue(loop.goesOn(certificate(.04, .01, .039), 1000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .039), 1000));
         assertEquals(tolerance, loop.tolerance());
         assertTrue(loop.meshError() < .5 * meshError, meshError + " became " + loop.meshError());
     }
@@ -44,28 +46,51 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertTrue(loop.goesOn(certificate(.04, .06, .01), 1000));
+        assertEquals(Refine.RAYS, loop.refine(certificate(.04, .06, .01), 1000));
         assertTrue(loop.tolerance() < .7 * tolerance, tolerance + " became " + loop.tolerance());
         assertEquals(meshError, loop.meshError());
+    }
+
+    /** What is gathered anew is averaged with what there is: together they are as exact as new vertices. */
+    @Test
+    void raysAreAdded_notReplaced() {
+        AccuracyLoop loop = loop();
+        double before = loop.tolerance();
+        assertFalse(loop.lacksRays());
+        assertEquals(before, loop.toleranceAnew(), 1e-12 * before, "as exact as before halves the variance");
+        assertEquals(.5, loop.weightAnew(), 1e-12);
+        loop.refine(certificate(.03, .03, .005), 1000);
+        assertTrue(loop.lacksRays());
+        double old = variance(before);
+        double anew = variance(loop.toleranceAnew());
+        double weight = loop.weightAnew();
+        assertEquals(variance(loop.tolerance()), weight * weight * anew + (1 - weight) * (1 - weight) * old,
+                1e-9 * old);
+        loop.gatheredAnew();
+        assertFalse(loop.lacksRays());
+    }
+
+    private static double variance(double tolerance) {
+        return Math.pow(Accuracy.of(tolerance), 2);
     }
 
     @Test
     void moreElementsWithoutProgress_end() {
         AccuracyLoop loop = loop();
-        assertTrue(loop.goesOn(certificate(.04, .01, .038), 1000));
-        assertTrue(loop.goesOn(certificate(.039, .01, .037), 2000));
-        assertFalse(loop.goesOn(certificate(.038, .01, .036), 4000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .038), 1000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.039, .01, .037), 2000));
+        assertEquals(Refine.NOTHING, loop.refine(certificate(.038, .01, .036), 4000));
     }
 
     /** One look may have met the worst element of all. */
     @Test
     void oneWorseLook_isNotTheEnd() {
         AccuracyLoop loop = loop();
-        assertTrue(loop.goesOn(certificate(.2, .01, .2), 1000));
-        assertTrue(loop.goesOn(certificate(1, .01, 1), 2000));
-        assertTrue(loop.goesOn(certificate(.1, .01, .1), 4000), "better than the first, for the work");
-        assertTrue(loop.goesOn(certificate(1, .01, 1), 8000));
-        assertFalse(loop.goesOn(certificate(1, .01, 1), 16_000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.2, .01, .2), 1000));
+        assertEquals(Refine.MESH, loop.refine(certificate(1, .01, 1), 2000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.1, .01, .1), 4000), "better than the first, for the work");
+        assertEquals(Refine.MESH, loop.refine(certificate(1, .01, 1), 8000));
+        assertEquals(Refine.NOTHING, loop.refine(certificate(1, .01, 1), 16_000));
     }
 
     /** Nothing was fine enough to be divided: then more has to be, until that is not the cause of the error. */
@@ -74,7 +99,7 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double meshError = loop.meshError();
         int turns = 0;
-        while (loop.goesOn(certificate(.04, .01, .038), 1000)) {
+        while (loop.refine(certificate(.04, .01, .038), 1000) == Refine.MESH) {
             turns++;
         }
         assertTrue(turns > 3 && turns < 20, turns + " turns");
@@ -85,9 +110,9 @@ class AccuracyLoopTest {
     void smallerAim_goesOnFromWhatThereIs() {
         AccuracyLoop loop = loop();
         Certificate reached = certificate(.019, .005, .018);
-        assertFalse(loop.goesOn(reached, 1000));
+        assertEquals(Refine.NOTHING, loop.refine(reached, 1000));
         loop.aim(.01);
-        assertTrue(loop.goesOn(reached, 1000));
+        assertEquals(Refine.MESH, loop.refine(reached, 1000));
         assertEquals(.01, loop.asked());
     }
 }
