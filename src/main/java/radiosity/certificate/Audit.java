@@ -38,6 +38,8 @@ public final class Audit {
      */
     private static final double[] START = {0.5, 0, 0.25, 0.75};
     private static final double ENOUGH = 0.3;
+    /** The same where it is more than was asked for: by how much, says how much finer the mesh has to be. */
+    private static final double ENOUGH_TO_REFINE = 0.15;
     /** Standard errors by which the mean square error is to be above or below that which is asked for. */
     private static final double CLEAR = 2;
     /**
@@ -128,7 +130,8 @@ public final class Audit {
     private boolean isClear(AuditResult result) {
         double uncertainty = result.uncertainty();
         double found = result.expected() * result.expected();
-        return uncertainty <= ENOUGH && Math.abs(found - asked * asked) >= CLEAR * uncertainty * found;
+        double enough = result.expected() > asked ? ENOUGH_TO_REFINE : ENOUGH;
+        return uncertainty <= enough && Math.abs(found - asked * asked) >= CLEAR * uncertainty * found;
     }
 
     private AuditResult result() {

@@ -18,12 +18,7 @@ final class AccuracyLoop {
     /** Part of that which is left to interpolation at least; light that surfaces have too much or too little of is its. */
     private static final double LEAST_FOR_MESH = 0.4;
     /** From one look at the solution to the next the mean square error is asked to fall to this part at most. */
-    private static final double STEP = 0.25;
-    /**
-     * The mean square error falls as this power of what one element may add: N elements leave 1 / N of the error where
-     * light is smooth, so each of them adds 1 / N^3 to the mean square, the square of what is asked of it.
-     */
-    private static final double MESH_POWER = 4.0 / 3;
+    private static final double STEP = 0.4;
     /**
      * The loop ends where the error falls as a smaller power of the work, elements times rays: noise falls as the root
      * of rays, and the error of a mesh at the edges of shadows as that of elements. So many times the work tells.
@@ -45,11 +40,11 @@ final class AccuracyLoop {
     private double gathered;
     /** What interpolation on one element may add to the whole error. */
     private double meshError;
-    /** Relative error that points found in the best look for its work; NaN where none was made at a new aim. */
+    /** Relative error that points found in the last look; NaN where none was made at a new aim. */
     private double reached = Double.POSITIVE_INFINITY;
     /** Work of that look: elements, over what a ray carried; 0 before the first. */
     private double work;
-    /** Looks in a row that found it no better than the best before them, for the work. */
+    /** Looks in a row that found it no better than the one before, for the work. */
     private int inVain;
 
     AccuracyLoop(InitialMesh mesh) {
@@ -64,7 +59,7 @@ final class AccuracyLoop {
         return asked;
     }
 
-    /** Relative error that points found in the best look for its work; the one asked for before the first look. */
+    /** Relative error that points found in the last look; the one asked for before the first look. */
     double found() {
         return reached < Double.POSITIVE_INFINITY ? reached : asked;
     }
@@ -120,20 +115,17 @@ final class AccuracyLoop {
      * What to refine: nothing where the solution is as exact as was asked for, or cannot become so. The mesh where its
      * part of the error is too large, and then the elements that it still has; rays otherwise.
      *
-     * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster.
+     * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster:
+     * where light is smooth, N elements leave 1 / N of the error, and each of them adds 1 / N^3 to the mean square.
      */
     Refine refine(Certificate certificate, int elements) {
         double found = certificate.expected();
         double now = elements / tolerance;
         boolean isNewAim = Double.isNaN(reached);
         boolean isBetter = isNewAim || work == 0 || found < reached * StrictMath.pow(now / work, -SLOWEST);
-        if (isBetter) {
-            reached = found;
-            work = now;
-            inVain = 0;
-        } else if (now > GROWTH * work) {
-            inVain++;
-        }
+        inVain = isBetter ? 0 : now > GROWTH * work ? inVain + 1 : inVain;
+        reached = found;
+        work = now;
         if (found <= asked || inVain == MOST_IN_VAIN || !isBetter && isFinest()) {
             return Refine.NOTHING;
         }
@@ -145,7 +137,7 @@ final class AccuracyLoop {
         double mesh = Math.max(0, found * found - rays);
         double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
         if (mesh > wanted - forRays) {
-            meshError *= StrictMath.pow(Math.max(STEP, (wanted - forRays) / mesh), 1 / MESH_POWER);
+            meshError *= Math.max(STEP, (wanted - forRays) / mesh);
             return Refine.MESH;
         }
         tolerance *= StrictMath.pow(Math.max(STEP, forRays / rays), Accuracy.POWER / 2);

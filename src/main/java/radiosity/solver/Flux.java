@@ -124,6 +124,23 @@ final class Flux {
     }
 
     /**
+     * Unshot flux relative to the emitted where that of one sign cancels that of the other: what all light together
+     * will still become brighter or darker by; of several layers, of the one that has most left.
+     */
+    double oneSided(Answer answer) {
+        double most = 0;
+        for (int layer = 0; layer < answer.unshotFlux.length; layer++) {
+            double left = 0;
+            for (int c = layer * faces.colours(); c < (layer + 1) * faces.colours(); c++) {
+                left += Math.abs(answer.unshot[c].value());
+            }
+            double all = ofLayer(emitted, layer);
+            most = Math.max(most, all == 0 ? 0 : left / all);
+        }
+        return most;
+    }
+
+    /**
      * What was shot and not received, or received twice, relative to what was received, one per channel: where all must
      * be received, each vertex is given that share of its own light back, so that flux is conserved and no light
      * becomes negative. Where light may escape none is given back, but what was received beyond what was shot is

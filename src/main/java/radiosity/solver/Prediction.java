@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
@@ -40,8 +41,8 @@ final class Prediction implements Planner {
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.08;
 
-    /** Patches of the coarse mesh up to which light is predicted: its system grows with their square. */
-    private static final int MOST_PREDICTED = 20_000;
+    /** Patches of the coarse mesh up to which light is predicted: each sees some hundred others, some 2 kB. */
+    private static final int MOST_PREDICTED = 100_000;
 
     /** Everybody. */
     private static final Order ALL = Order.asking(Order.Kind.ASK, Integer.MAX_VALUE);
@@ -58,8 +59,10 @@ final class Prediction implements Planner {
     private static final int MOST_CHANGES = 3;
     /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
     private static final double PREDICTED = 0.1;
-    /** Unshot flux, relative to the emitted, that may be left, over the error. */
+    /** Unshot flux, relative to the emitted, that may be left, over the error: most of it has both signs. */
     private static final double ENOUGH = 0.3;
+    /** The same, over the error that is asked for, of what is left if that of one sign is taken off the other. */
+    private static final double ENOUGH_ONE_SIDED = 0.05;
     /** Error after some changes, over that when all had gathered anew last, that is taken. */
     private static final double WORSE = 1.15;
     /** Part of the unshot flux that may be left to later rounds of a changed scene. */
@@ -80,6 +83,8 @@ final class Prediction implements Planner {
 
     private final World world;
     private final double wanted;
+    /** Of an answer, see {@link Flux#oneSided}. */
+    private final ToDoubleFunction<Answer> oneSided;
     /** Of the scene, scene units squared. */
     private final double area;
     /** Null where the scene is too large for it. */
@@ -101,8 +106,9 @@ final class Prediction implements Planner {
     private int changes;
 
     /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
-    Prediction(World world, double wanted, Audit audit) {
+    Prediction(World world, double wanted, ToDoubleFunction<Answer> oneSided, Audit audit) {
         this.audit = audit;
+        this.oneSided = oneSided;
         this.wanted = wanted;
         this.world = world;
         area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
@@ -164,7 +170,7 @@ final class Prediction implements Planner {
         if (shots.isEmpty()) {
             return null;
         }
-        boolean isOver = unsent <= enough() || unsent >= left;
+        boolean isOver = isEnough(last, unsent) || unsent >= left;
         if (refined && stage == Stage.SHOOT && isOver) {
             left = unsent <= enough() ? unsent : 0;
             return loop.lacksRays() ? renew() : mend();
@@ -197,6 +203,11 @@ final class Prediction implements Planner {
      */
     private double enough() {
         return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.found());
+    }
+
+    private boolean isEnough(Answer last, double unsent) {
+        return unsent <= enough()
+                && oneSided.applyAsDouble(last) <= Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked());
     }
 
     /**

@@ -185,7 +185,8 @@ public final class ProgressiveRadiosity {
 
     private Planner planner() {
         return switch (world.settings().schedule()) {
-            case PREDICT -> new Prediction(world, stop.unsent(), () -> certificate(world.parallel));
+            case PREDICT -> new Prediction(world, stop.unsent(), counters.flux::oneSided,
+                    () -> certificate(world.parallel));
             case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new CyclicSchedule(world.channels(), false);
             case GATHERING -> new CyclicSchedule(world.channels(), true);

@@ -1,5 +1,6 @@
 package radiosity.certificate;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
@@ -8,22 +9,23 @@ import org.junit.jupiter.api.Test;
 class AuditResultTest {
 
     @Test
-    void outlier_countsAsTheSecondLargest() {
-        double[] shares = new double[200];
-        Arrays.fill(shares, 1);
-        shares[17] = 2;
-        shares[150] = 1000;
-        AuditResult.winsorize(shares);
-        assertEquals(2, shares[150]);
-        assertEquals(202, Arrays.stream(shares).sum());
-        AuditResult.winsorize(shares);
-        assertEquals(202, Arrays.stream(shares).sum(), "two that are equal stay");
+    void largestErrors_areLeftOutOverHalfAThousandthOfTheArea() {
+        double[] values = {1, 7, 3, 9};
+        double[] areas = {1999, .4, .3, .3};
+        double[] before = areas.clone();
+        double[] left = AuditResult.trimmed(values, areas);
+        assertArrayEquals(new double[] {1999, 0, 0, 0}, left, 1e-9);
+        assertArrayEquals(before, areas, "areas are not modified");
     }
 
     @Test
-    void ofFew_noneIsAnOutlier() {
-        double[] shares = {1, 1, 1000};
-        AuditResult.winsorize(shares);
-        assertEquals(1000, shares[2]);
+    void ofOneLargePoint_onlyThatPartIsLeftOut() {
+        double[] areas = new double[200];
+        Arrays.fill(areas, 1);
+        double[] values = new double[200];
+        values[17] = 1000;
+        double[] left = AuditResult.trimmed(values, areas);
+        assertEquals(.9, left[17], 1e-12);
+        assertEquals(199.9, Arrays.stream(left).sum(), 1e-9);
     }
 }
