@@ -15,7 +15,7 @@ final class AccuracyLoop {
 
     /** What is aimed at, relative to the mean square error that is asked for: what points find is uncertain. */
     private static final double MARGIN = 0.9;
-    /** Part of that which is left to interpolation at least; light that surfaces have too much or too little of is its. */
+    /** Part of that which is left to interpolation at least; what surfaces have too much or too little is its, too. */
     private static final double LEAST_FOR_MESH = 0.4;
     /** From one look at the solution to the next the mean square error is asked to fall to this part at most. */
     private static final double STEP = 0.4;
