@@ -38,8 +38,10 @@ final class Prediction implements Planner {
     /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
     private static final double SETTLED = 0.05;
     private static final int MOST_SPLITS = 12;
+    /** How often shots may leave more unshot than before: then the prediction is not good enough to go on. */
+    private static final int MOST_MISPREDICTED = 3;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
-    private static final double ROW_TOLERANCE = 0.08;
+    private static final double ROW_TOLERANCE = 0.02;
 
     /** Patches of the coarse mesh up to which light is predicted: each sees some hundred others, some 2 kB. */
     private static final int MOST_PREDICTED = 100_000;
@@ -98,10 +100,12 @@ final class Prediction implements Planner {
     private int elements;
     private boolean refined;
     /**
-     * Unshot flux before the last shots, relative to the emitted: where they leave more, no more is predicted. It is
-     * 0 then.
+     * Unshot flux before the last shots, relative to the emitted: where they leave more, the next ones are without
+     * prediction. At the end what is left, or 0 where that is more than was to be.
      */
     private double left = Double.POSITIVE_INFINITY;
+    /** How often shots have left more unshot than before, since the mesh was looked at last. */
+    private int mispredicted;
     /** How often the scene was changed since all have gathered anew; above 0, the light is an earlier scene's. */
     private int changes;
 
@@ -166,16 +170,15 @@ final class Prediction implements Planner {
         if (coarse != null && !coarse.isMade()) {
             return rows();
         }
-        List<Shot> shots = coarse == null ? withoutPrediction(last) : withPrediction(last, goOn);
-        if (shots.isEmpty()) {
-            return null;
-        }
-        boolean isOver = isEnough(last, unsent) || unsent >= left;
-        if (refined && stage == Stage.SHOOT && isOver) {
+        boolean isWorse = stage == Stage.SHOOT && unsent >= left;
+        boolean isEnough = isEnough(last, unsent);
+        if (refined && stage == Stage.SHOOT && (isEnough || isWorse && mispredicted == MOST_MISPREDICTED)) {
             left = unsent <= enough() ? unsent : 0;
-            return loop.lacksRays() ? renew() : mend();
+            return isEnough && !loop.lacksRays() ? mend() : renew();
         }
-        return shoot(shots, unsent);
+        mispredicted += isWorse && mispredicted < MOST_MISPREDICTED ? 1 : 0;
+        List<Shot> shots = coarse == null || isWorse ? withoutPrediction(last) : withPrediction(last, goOn);
+        return shots.isEmpty() ? null : shoot(shots, unsent);
     }
 
     /** Looks at the solution, and refines what most of its error is due to; null where that is enough. */
@@ -187,6 +190,7 @@ final class Prediction implements Planner {
             case MESH -> {
                 left = Double.POSITIVE_INFINITY;
                 splits = 0;
+                mispredicted = 0;
                 yield split(last);
             }
             case RAYS -> renew();
@@ -290,7 +294,8 @@ final class Prediction implements Planner {
 
     /**
      * All vertices gather anew, at once, what surfaces radiate then: that is averaged with what they had, unless that
-     * was negative, and as its rays are others the average has less noise.
+     * was negative, and as its rays are others the average has less noise. So is it where the last shots left more
+     * unshot than there was before: what was predicted too much is taken back by all at once.
      */
     private Order renew() throws IOException {
         stage = Stage.RENEW;
@@ -480,6 +485,7 @@ final class Prediction implements Planner {
         out.writeInt(elements);
         out.writeBoolean(refined);
         out.writeDouble(left);
+        out.writeByte(mispredicted);
         for (double w : weight) {
             out.writeDouble(w);
         }
@@ -494,6 +500,7 @@ final class Prediction implements Planner {
         elements = in.readInt();
         refined = in.readBoolean();
         left = in.readDouble();
+        mispredicted = in.readByte();
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
@@ -516,6 +523,7 @@ final class Prediction implements Planner {
         elements = in.readInt();
         refined = in.readBoolean();
         in.readDouble();
+        in.readByte();
         double[] old = new double[Weights.count(earlier.rooms, world.channels())];
         for (int c = 0; c < old.length; c++) {
             old[c] = in.readDouble();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -82,5 +83,33 @@ class EnergyLedgerTest {
             double gained = -ledger.deficit(c) / ledger.shot()[c];
             assertTrue(gained < 1e-12, "gained " + gained + " of channel " + c);
         }
+    }
+
+    /**
+     * A lamp in a can in a white room that is open to one side: most light reaches the room after many reflections, so
+     * what is left unshot has one sign, and the whole room is too dark by it.
+     */
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(doubles = {.3, .2, .1})
+    void lightOfOneSign_isShotUntilItIsASmallPartOfTheError(double error) {
+        Surface lamp = new Surface("lamp", Rgb.grey(1), Rgb.grey(.5), false);
+        Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(.85), false);
+        Box room = new Box(Vec3.ZERO, new Vec3(3, 2, 4));
+        Box can = new Box(new Vec3(1, 1.2, 1), new Vec3(1.5, 2, 1.5));
+        SceneBuilder builder = new SceneBuilder();
+        for (int side = 0; side < 5; side++) {
+            builder.polygon(wall, room.inside(side));
+        }
+        for (int side = 0; side < 6; side++) {
+            Vec3[] inside = can.inside(side);
+            if (side != 2) {
+                builder.polygon(side == 3 ? lamp : wall, inside);
+                builder.polygon(wall, inside[3], inside[2], inside[1], inside[0]);
+            }
+        }
+        EnergyLedger ledger = Solve.byDefault().accurate(error).solution(builder.scene("room")).ledger();
+        assertTrue(Math.abs(ledger.unshot()[0]) < Math.max(1e-3, .1 * error) * ledger.emitted()[0],
+                "unshot " + ledger.unshot()[0] + " of " + ledger.emitted()[0]);
     }
 }
