@@ -16,7 +16,7 @@ public final class Accuracy {
      */
     public static final double BRIGHT = 3;
     /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
-    private static final double TOLERANCE = 0.04;
+    private static final double TOLERANCE = 0.028;
     private static final double MESH_ERROR = 8e-4;
     /** What a ray may carry falls faster than the error, as sampling and meshing each leave their part of it. */
     public static final double POWER = 1.25;
