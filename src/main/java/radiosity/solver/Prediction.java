@@ -38,7 +38,7 @@ final class Prediction implements Planner {
     /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
     private static final double SETTLED = 0.05;
     private static final int MOST_SPLITS = 12;
-    /** How often shots may leave more unshot than before: then the prediction is not good enough to go on. */
+    /** How often shots may leave more unshot than before: then nothing is predicted until the mesh is finer. */
     private static final int MOST_MISPREDICTED = 3;
     /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
     private static final double ROW_TOLERANCE = 0.02;
@@ -176,9 +176,13 @@ final class Prediction implements Planner {
             left = unsent <= enough() ? unsent : 0;
             return isEnough && !loop.lacksRays() ? mend() : renew();
         }
+        boolean isPredicted = coarse != null && !isWorse && mispredicted < MOST_MISPREDICTED;
+        List<Shot> shots = isPredicted ? withPrediction(last, goOn) : withoutPrediction(last);
+        if (shots.isEmpty()) {
+            return null;
+        }
         mispredicted += isWorse && mispredicted < MOST_MISPREDICTED ? 1 : 0;
-        List<Shot> shots = coarse == null || isWorse ? withoutPrediction(last) : withPrediction(last, goOn);
-        return shots.isEmpty() ? null : shoot(shots, unsent);
+        return shoot(shots, unsent);
     }
 
     /** Looks at the solution, and refines what most of its error is due to; null where that is enough. */
@@ -203,10 +207,11 @@ final class Prediction implements Planner {
 
     /**
      * Unshot flux, relative to the emitted, at which no more is shot: a part of the error that points have found, or
-     * of the one that is asked for, and less where the user has asked for less.
+     * of the one that is asked for if that is more, and less where the user has asked for less.
      */
     private double enough() {
-        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * loop.found());
+        double error = Math.max(loop.asked(), loop.found());
+        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error);
     }
 
     private boolean isEnough(Answer last, double unsent) {
