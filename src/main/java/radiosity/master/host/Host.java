@@ -146,8 +146,8 @@ public final class Host implements AutoCloseable {
             try {
                 remote.ping(session);
                 heard = System.nanoTime();
-            } catch (RemoteException | RuntimeException e) {
-                // the silence is noticed by whoever waits for this host
+            } catch (RemoteException | RuntimeException | OutOfMemoryError e) {
+                // whoever waits for this host notices its silence; whoever needs the memory says that there is none
             }
             try {
                 Thread.sleep(HEARTBEAT_MILLISECONDS);
