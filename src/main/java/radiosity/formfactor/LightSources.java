@@ -103,8 +103,8 @@ public final class LightSources {
     }
 
     /**
-     * Flux that arrives of all lights inside of closed rooms, at points spread over all faces: whatever the mesh, one
-     * per channel, W.
+     * Flux that arrives of all lights but the sun and skies, at points spread over all faces: whatever the mesh, one per
+     * channel, W.
      */
     public double[] flux() {
         double[] flux = new double[faces.channels()];

@@ -166,11 +166,11 @@ public final class InitialMesh {
     }
 
     /**
-     * Whether it is known how much flux can be received at most. It is not where lights without geometry shine into a
-     * scene that light escapes from: as much of theirs arrives as the mesh finds, and a finer one finds another amount.
+     * Whether it is known how much flux can be received at most. It is not where the sun or a sky shines into a scene
+     * that light escapes from: as much of theirs arrives as the mesh finds, and a finer one finds another amount.
      */
     public boolean boundsReceived() {
-        return conserves() || predicts() && scene.lights().isEmpty();
+        return conserves() || predicts() && scene.lights().stream().noneMatch(light -> light.kind().isOutside());
     }
 
     public boolean predicts() {

@@ -37,14 +37,14 @@ final class Flux {
     }
 
     /**
-     * Before the first shot of a patch, what was received came from lights. Where all flux must be received, the first
-     * mesh is not fine enough to say how much that is.
+     * Before the first shot of a patch, what was received came from lights. Where no more may be received than is shot,
+     * the first mesh is not fine enough to say how much that is.
      */
     void countLights(Answer first) {
         if (mesh.scene.lights().isEmpty()) {
             return;
         }
-        double[] exact = mesh.conserves() ? mesh.lightFlux() : new double[0];
+        double[] exact = mesh.boundsReceived() ? mesh.lightFlux() : new double[0];
         for (int c = 0; c < shot.length; c++) {
             shot[c] = exact.length > 0 ? exact[c] : first.received[c].value();
             emitted[c] = mesh.emitted[c] + shot[c];
