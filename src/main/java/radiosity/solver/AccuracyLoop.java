@@ -8,43 +8,44 @@ import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 
 /**
- * How exactly to sample and to mesh: at first as is expected to be exact enough, then, as long as independent points
- * find more error than was asked for, more exactly.
+ * The tolerances of rays and mesh. They begin at values that are expected to reach the error asked for, and are lowered
+ * as long as the certificate's independent points find a larger error.
  */
 final class AccuracyLoop {
 
-    /** What is aimed at, relative to the mean square error that is asked for: what points find is uncertain. */
+    /** Mean square error aimed at, over the mean square error asked for: the estimate is uncertain. */
     private static final double MARGIN = 0.9;
-    /** Part of that which is left to interpolation at least; what surfaces have too much or too little is its, too. */
+    /** Least part of the mean square error aimed at that is left to mesh and bias; the rest is left to rays. */
     private static final double LEAST_FOR_MESH = 0.4;
-    /** From one look at the solution to the next the mean square error is asked to fall to this part at most. */
+    /** Largest reduction of a mean square error from one estimate to the next, as a factor. */
     private static final double STEP = 0.4;
     /**
-     * The loop ends where the error falls as a smaller power of the work, elements times rays: noise falls as the root
-     * of rays, and the error of a mesh at the edges of shadows as that of elements. So many times the work tells.
+     * An estimate is in vain where the error fell slower than the work to this negative power, work being elements
+     * times rays. Noise falls as the square root of rays, and the mesh error at shadow edges as that of elements.
      */
     private static final double SLOWEST = 0.25;
+    /** Growth of the work from which on an estimate in vain is counted. */
     private static final double GROWTH = 1.2;
-    /** Looks: one of them may have met the worst element of all. */
+    /** Estimates in vain, in a row, that end the loop: one of them may have met the worst element of the scene. */
     private static final int MOST_IN_VAIN = 2;
-    /** And where this part of what is usual for the error that is asked for leaves it, or nothing is to be divided. */
+    /** An estimate in vain ends the loop where a tolerance is below this part of its value at the beginning. */
     private static final double LEAST = 0.01;
 
     /** What is to be refined. */
     enum Refine { NOTHING, MESH, RAYS }
 
     private double asked;
-    /** What one ray may carry, relative to the mean irradiance: at vertices that are made from now on. */
+    /** Irradiance that one ray may carry at vertices made from now on, over the mean irradiance. */
     private double tolerance;
-    /** The same at the vertices that there are. */
+    /** Irradiance that one ray has carried at the present vertices, over the mean irradiance. */
     private double gathered;
-    /** What interpolation on one element may add to the whole error. */
+    /** Error that interpolation on one element may add to the error of the whole solution. */
     private double meshError;
-    /** Relative error that points found in the last look; NaN where none was made at a new aim. */
+    /** Relative error of the last estimate; infinite before the first one, NaN before the first one at a new aim. */
     private double reached = Double.POSITIVE_INFINITY;
-    /** Work of that look: elements, over what a ray carried; 0 before the first. */
+    /** Work at the last estimate: number of elements over {@link #tolerance}; 0 before the first estimate. */
     private double work;
-    /** Looks in a row that found it no better than the one before, for the work. */
+    /** Number of estimates in vain in a row. */
     private int inVain;
 
     AccuracyLoop(InitialMesh mesh) {
@@ -54,17 +55,17 @@ final class AccuracyLoop {
         meshError = mesh.meshError();
     }
 
-    /** Relative error. */
+    /** The relative error asked for. */
     double asked() {
         return asked;
     }
 
-    /** Relative error that points found in the last look; the one asked for before the first look. */
+    /** The relative error of the last estimate; the error asked for where there was no estimate. */
     double found() {
         return reached < Double.POSITIVE_INFINITY ? reached : asked;
     }
 
-    /** Asks for less error than before. */
+    /** Lowers the relative error asked for. */
     void aim(double error) {
         asked = error;
         tolerance = Math.min(tolerance, Accuracy.tolerance(error));
@@ -80,43 +81,44 @@ final class AccuracyLoop {
         return meshError;
     }
 
-    /*---- Light that is gathered anew and averaged with what there is: the noise of both is independent ----*/
+    /*---- A second, independent sample of the irradiance at all vertices, and its average with the first ----*/
 
-    /** Whether the vertices that there are have gathered less exactly than new ones do. */
+    /** Whether present vertices have gathered with a larger tolerance than new vertices do. */
     boolean lacksRays() {
         return gathered > tolerance;
     }
 
     /**
-     * Variance of light that is gathered anew, over that of what there is, for the average of both, each weighed by the
-     * other's variance, to be as exact as new vertices are; at most 1.
+     * Variance of the second sample over the variance of the first, at most 1, such that their average, weighted by
+     * inverse variance, has the variance of new vertices.
      */
     private double varianceAnew() {
         double left = StrictMath.pow(tolerance / gathered, 2 / Accuracy.POWER);
         return left < 1 ? Math.min(1, left / (1 - left)) : 1;
     }
 
-    /** What one ray may carry where light is gathered anew. */
+    /** Irradiance that one ray may carry in the second sample, over the mean irradiance. */
     double toleranceAnew() {
         return gathered * StrictMath.pow(varianceAnew(), Accuracy.POWER / 2);
     }
 
-    /** Weight of light that was gathered anew. */
+    /** Weight of the second sample in the average, from 0 to 1. */
     double weightAnew() {
         return 1 / (1 + varianceAnew());
     }
 
-    /** All vertices have gathered anew. */
+    /** Notes that the second sample was averaged with the first. */
     void gatheredAnew() {
         gathered = tolerance;
     }
 
     /**
-     * What to refine: nothing where the solution is as exact as was asked for, or cannot become so. The mesh where its
-     * part of the error is too large, and then the elements that it still has; rays otherwise.
+     * Chooses what to refine and lowers its tolerance: the mesh where mesh and bias hold more than their part of the
+     * mean square error, else the rays; nothing where the error is at most the one asked for, or no longer falls.
      *
-     * <p>At the edge of a shadow the mean square error of a mesh falls as what one element may add, elsewhere faster:
-     * where light is smooth, N elements leave 1 / N of the error, and each of them adds 1 / N^3 to the mean square.
+     * <p>At shadow edges the mean square error of a mesh is proportional to {@link #meshError}; elsewhere the mean
+     * square error falls faster: where light is smooth, N elements have an error of 1 / N, and each adds 1 / N^3 to its
+     * square.
      */
     Refine refine(Certificate certificate, int elements) {
         double found = certificate.expected();

@@ -12,12 +12,11 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 
 /**
- * Gathering and shooting without sorting (section 2.2 of the paper): every patch has its turn, in the order of the
- * scene.
+ * Gathering and shooting without sorting (section 2.2 of the paper): patches shoot in the order of the scene.
  *
- * <p>Shooting is one patch after another, each with what it has by then. Where every patch gathers what all others
- * have, all have shot at once what they had: a sweep of gathering is one round here. For small scenes: the shots of
- * all patches that have light are looked at in every round.
+ * <p>Shooting: one patch per round, with the unshot radiosity that the patch has at its turn. Gathering: all patches
+ * shoot in one round, as all patches gathering from all others is the same exchange. For small scenes: in every round
+ * partitions answer with all patches that have unshot flux.
  */
 final class CyclicSchedule implements Planner {
 
@@ -26,11 +25,11 @@ final class CyclicSchedule implements Planner {
 
     private final Order.Rules rules;
     private final boolean gathers;
-    /** Who shot last. */
+    /** Face and path of the patch that shot last. */
     private int face = -1;
     private long path;
 
-    /** @param gathers whether all shoot at once */
+    /** @param gathers whether all patches shoot in one round */
     CyclicSchedule(int channels, boolean gathers) {
         this.gathers = gathers;
         rules = Order.Rules.exact(channels);
@@ -50,7 +49,7 @@ final class CyclicSchedule implements Planner {
                 Order.Question.candidates(Integer.MAX_VALUE));
     }
 
-    /** The first after the last one; round again at the end. */
+    /** The shot of the patch after the last shooter; of the first patch where there is none. */
     private Shot turn(List<Shot> inOrder) {
         Shot next = inOrder.stream().filter(shot -> top(shot).face() > face
                 || top(shot).face() == face && top(shot).path() > path).findFirst().orElse(inOrder.get(0));

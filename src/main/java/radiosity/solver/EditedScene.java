@@ -17,12 +17,12 @@ import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.SavedState;
 
-/** The beginning of a calculation from the solution of an earlier scene, or why that is none. */
+/** Starts a calculation from the solution of an earlier scene, or says why that solution cannot be used. */
 final class EditedScene {
 
-    /** Part of all area that may have come or gone. */
+    /** Largest part of the scene's area that may have been added or removed. */
     private static final double MOST_AREA = 0.5;
-    /** Unshot flux, relative to the emitted, above which little of the old light would be left. */
+    /** Unshot flux over emitted flux, after the edit, above which rendering anew costs less. */
     private static final double MOST_UNSHOT = 0.7;
 
     private final World world;
@@ -30,14 +30,14 @@ final class EditedScene {
     private InitialMesh before;
     private SceneChange change;
 
-    /** @param before of the earlier scene, or null where the state has to say it */
+    /** @param before initial mesh of the earlier scene, or null: then the mesh is made from the saved scene */
     EditedScene(World world, SavedState earlier, InitialMesh before) {
         this.world = world;
         this.earlier = earlier;
         this.before = before;
     }
 
-    /** Why the light of the earlier scene is of no use; nothing where it is. */
+    /** Why the light of the earlier scene cannot be used, in a few words; empty where it can. */
     Optional<String> obstacle() throws IOException {
         if (!world.mesh.predicts() || !world.mesh.shootsClusters()) {
             return Optional.of("only solutions of --schedule predict and --form-factors raycast are changed");
@@ -79,7 +79,11 @@ final class EditedScene {
         return fingerprint().equals(world.mesh.fingerprint());
     }
 
-    /** Takes over the light; see {@link #obstacle} for what is returned. */
+    /**
+     * Takes over the light of the earlier scene.
+     *
+     * @return why that light cannot be used; empty where it was taken over
+     */
     Optional<String> begin(SolveCounters counters, Prediction planner, BooleanSupplier goOn) throws IOException {
         SolveCounters old = new SolveCounters(before);
         List<byte[]> blocks = new ArrayList<>();

@@ -13,17 +13,17 @@ import radiosity.setup.InitialMesh;
 import radiosity.solution.EnergyLedger;
 import radiosity.util.ExactSum;
 
-/** Flux that was emitted and shot so far; with what partitions answer, where all of it went. */
+/** Flux that was emitted and shot so far; together with the partitions' answers, the energy ledger. */
 final class Flux {
 
     private final Faces faces;
-    /** Square scene units that 1 is in the faces. */
+    /** Square scene units per unit of area of {@link Faces}. */
     private final double squared;
-    /** One per channel: flux that left shooters, lights among them, W. */
+    /** One per channel: flux that shooters and lights without geometry have sent, W. */
     private final double[] shot;
-    /** One per channel: flux of shooters that are marked, of which nothing has arrived yet, W. */
+    /** One per channel: flux of shots that receivers will gather in a later round, W. */
     private final double[] underWay;
-    /** One per channel: flux of surfaces and lights, W. A light emits what arrives of it. */
+    /** One per channel: flux of emitting surfaces, and flux that arrives from lights without geometry, W. */
     private final double[] emitted;
     private final InitialMesh mesh;
 
@@ -37,8 +37,11 @@ final class Flux {
     }
 
     /**
-     * Before the first shot of a patch, what was received came from lights. Where no more may be received than is shot,
-     * the first mesh is not fine enough to say how much that is.
+     * Counts the flux of lights without geometry, before the first shot of a patch. All flux received by then came from
+     * those lights; but where the received flux is bounded by the flux that is shot, the first mesh is too coarse to
+     * integrate it, and points on all faces are used instead.
+     *
+     * @param first the partitions' first answer
      */
     void countLights(Answer first) {
         if (mesh.scene.lights().isEmpty()) {
@@ -59,7 +62,7 @@ final class Flux {
     }
 
     /**
-     * Takes over what was shot in an earlier scene.
+     * Takes over the flux that was shot in an earlier scene.
      *
      * @param surfaces flux that the elements have shot, one per channel, W
      * @param lights   flux of sources without geometry that arrives, one per channel, W
@@ -80,7 +83,7 @@ final class Flux {
         return lights;
     }
 
-    /** Counts what is marked as shot, but gathered later. */
+    /** Counts a shot that receivers will gather in a later round. */
     void mark(Shot patch) {
         double[] flux = patch.flux(faces);
         for (int c = 0; c < shot.length; c++) {
@@ -88,7 +91,7 @@ final class Flux {
         }
     }
 
-    /** What was marked has been gathered. */
+    /** Counts all marked shots as gathered. */
     void countMarked() {
         for (int c = 0; c < shot.length; c++) {
             shot[c] += underWay[c];
@@ -96,9 +99,7 @@ final class Flux {
         }
     }
 
-    /**
-     * Unshot flux, relative to the emitted, that is only rounding; of several layers, of the one that was shot most.
-     */
+    /** Unshot flux over emitted flux that is nothing but rounding; the largest of all layers. */
     double rounding() {
         double most = 1;
         for (int layer = 0; layer < faces.layers(); layer++) {
@@ -113,7 +114,7 @@ final class Flux {
         return DoubleStream.of(flux).skip((long) layer * colours).limit(colours).sum();
     }
 
-    /** Unshot flux relative to the emitted; of several layers, of the one that has most left. */
+    /** Sum of |unshot flux| over emitted flux; the largest of all layers. */
     double unsent(Answer answer) {
         double most = 0;
         for (int layer = 0; layer < answer.unshotFlux.length; layer++) {
@@ -124,8 +125,8 @@ final class Flux {
     }
 
     /**
-     * Unshot flux relative to the emitted where that of one sign cancels that of the other: what all light together
-     * will still become brighter or darker by; of several layers, of the one that has most left.
+     * |Sum of unshot flux| over emitted flux, where positive and negative unshot flux cancel: the relative bias of the
+     * solution as a whole; the largest of all layers.
      */
     double oneSided(Answer answer) {
         double most = 0;
@@ -141,10 +142,10 @@ final class Flux {
     }
 
     /**
-     * What was shot and not received, or received twice, relative to what was received, one per channel: where all must
-     * be received, each vertex is given that share of its own light back, so that flux is conserved and no light
-     * becomes negative. Where light may escape none is given back, but what was received beyond what was shot is
-     * taken back: the share is below 0 then.
+     * Flux that was shot and not received, over received flux, one per channel: the share of its irradiance that every
+     * vertex is given in addition, so that flux is conserved and no irradiance becomes negative. In a closed room the
+     * share has either sign. Where light may escape the share is at most 0: flux received beyond the flux that was shot
+     * is taken back, and nothing is added.
      */
     double[] missing(Answer answer) {
         double[] missing = new double[shot.length];
@@ -158,13 +159,13 @@ final class Flux {
         return missing;
     }
 
-    /** One value per channel, layer by layer. */
+    /** The ledger with one value per channel. */
     EnergyLedger byChannel(Answer answer) {
         return new EnergyLedger(emitted.clone(), shot.clone(), values(answer.received), values(answer.absorbed),
                 values(answer.unshot));
     }
 
-    /** One value per colour. */
+    /** The ledger with one value per colour, the sum over layers. */
     EnergyLedger ofAllLayers(Answer answer) {
         EnergyLedger all = byChannel(answer);
         return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),

@@ -11,26 +11,25 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 
 /**
- * How things stood when all partitions said it last, and how old that is.
+ * The latest answers of all partitions, added up, and their age.
  *
- * <p>There are two answers. The newest one is for whoever watches or saves, at any time. The one after the last whole
- * round is what the next round is chosen by: which one that is depends on the rounds alone, never on when somebody
- * looked.
+ * <p>Two answers are kept. The newest answer is for progress and saving, at any time. The answer after the last whole
+ * round decides the next round: which answer that is depends on the rounds alone, never on the time of a question.
  */
 final class LatestStatus {
 
-    /** So often at least it is asked within a round how things stand, for whoever watches; it costs time. */
+    /** Age of the newest answer from which on a step within a round asks for another, s; an answer costs time. */
     private static final double ANSWER_SECONDS = 4;
 
     private final World world;
     private final StepSizer sizer;
-    /** Answers to orders of this calculation that nobody has read, in the order of the orders. */
+    /** Pending answers, in the order of their orders. */
     private final Deque<Unread> unread = new ArrayDeque<>();
     private Answer newest;
     private Answer afterRound;
-    /** Whether the last order is one that is answered. */
+    /** Whether partitions answer the last order. */
     private boolean isLastAnswered;
-    /** When the newest answer came, ns. */
+    /** Time at which the newest answer came, by the world's clock, ns. */
     private long known;
 
     private record Unread(Order order, World.Begun begun) { }
@@ -41,24 +40,22 @@ final class LatestStatus {
         known = world.now();
     }
 
-    /** The newest answer that was read; null before the first question. */
+    /** The newest answer; null before the first question. */
     Answer newest() {
         return newest;
     }
 
-    /**
-     * The answer to the last whole round of those that were read, or to a question since; null before the first one.
-     */
+    /** The answer to the last whole round whose answer was read, or to a later question; null before the first. */
     Answer afterRound() {
         return afterRound;
     }
 
-    /** Whether somebody who watches may want to know more by now. */
+    /** Whether the newest answer is too old for a progress display. */
     boolean isOld() {
         return world.now() - known > ANSWER_SECONDS * 1e9;
     }
 
-    /** Takes over an order, or a step of a round, that was begun; its answer is read later. */
+    /** Notes an order, or a step of a round, that was begun; its answer is read later. */
     void begun(Order order, World.Begun begun) {
         isLastAnswered = order.isAnswered();
         if (isLastAnswered) {
@@ -66,7 +63,7 @@ final class LatestStatus {
         }
     }
 
-    /** Reads the first answer that was not read yet. */
+    /** Waits for the first pending answer and reads that answer. */
     private void read() throws IOException {
         Unread first = unread.remove();
         newest = first.begun.answer(sizer::took);
@@ -76,35 +73,33 @@ final class LatestStatus {
         }
     }
 
-    /** Waits for all answers, and reads them. */
+    /** Waits for all pending answers and reads them. */
     void catchUp() throws IOException {
         while (!unread.isEmpty()) {
             read();
         }
     }
 
-    /** Reads all answers but the one to the last whole round, and those after it. */
+    /** Reads pending answers up to, and without, the answer to the last whole round. */
     void catchUpToRoundBefore() throws IOException {
         while (unread.stream().filter(one -> !one.order.more()).count() > 1) {
             read();
         }
     }
 
-    /** Asks between rounds, and waits for the answer; all answers have been read. */
+    /** Asks a question between rounds, where no answer is pending, and waits for the answer. */
     void ask(Order question) throws IOException {
         look(question);
         afterRound = newest;
     }
 
-    /** Asks how things stand, before anything else is done. */
+    /** Asks the first question, before any order. */
     void askFirst(Order question) throws IOException {
         look(question);
         afterRound = afterRound == null ? newest : afterRound;
     }
 
-    /**
-     * Makes the newest answer the one to the last order: waits for it, or asks where the last order was not answered.
-     */
+    /** Waits for the answer to the last order; asks a question where partitions do not answer that order. */
     void know() throws IOException {
         catchUp();
         if (!isLastAnswered) {
@@ -119,9 +114,9 @@ final class LatestStatus {
     }
 
     /**
-     * Writes what the next round is chosen by, for whoever goes on later.
+     * Writes the answer that decides the next round, for a resumed calculation.
      *
-     * @param chosen who shoots in a round that was chosen, but is not part of the answer
+     * @param chosen shots of the round that was chosen already; the written answer has no candidates for them
      */
     void write(DataOutputStream out, List<Shot> chosen) throws IOException {
         afterRound.without(chosen, world.mesh.faces, world.mesh.fluxScale()).write(out);

@@ -20,19 +20,19 @@ public final class LocalWorld extends World {
     private final LongSupplier clock;
 
     /**
-     * @param threads at least 1; more than there are processors are not used
+     * @param threads at least 1; no more than the number of processors are used
      * @throws IllegalArgumentException where the number of threads is below 1
      */
     public LocalWorld(Scene scene, RadiositySettings settings, int threads) {
         this(scene, settings, threads, 1);
     }
 
-    /** Deals the blocks to several partitions, as over a network. */
+    /** Assigns the blocks to several partitions, as a network of hosts would. */
     public LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts) {
         this(scene, settings, threads, parts, System::nanoTime);
     }
 
-    /** @param clock for differences, ns; without influence on the result */
+    /** @param clock time from an arbitrary origin, ns; without influence on the result */
     LocalWorld(Scene scene, RadiositySettings settings, int threads, int parts, LongSupplier clock) {
         super(scene, settings, threads);
         this.clock = clock;
@@ -52,7 +52,7 @@ public final class LocalWorld extends World {
         return answers;
     }
 
-    /** As they are: nothing is written that is read here. */
+    /** Takes the answers as objects, without encoding. */
     @Override
     List<Answer> answers(Order order) {
         return partitions.stream().map(partition -> partition.answer(order)).toList();

@@ -11,8 +11,8 @@ import radiosity.protocol.Shot;
 /**
  * The whole linear system (equation 2 and section 2.1 of the paper), solved by Gauss-Seidel, for small scenes.
  *
- * <p>Its rows are made once. Then every patch shoots what it will have in the end, until nothing is left but rounding:
- * {@link Prediction} with the mesh itself as its coarse mesh.
+ * <p>The rows of the system are made once. Then every patch shoots its final radiosity, in rounds until nothing but
+ * rounding is unshot: {@link Prediction} with the mesh itself as the coarse mesh.
  */
 final class MatrixSolution implements Planner {
 

@@ -13,7 +13,7 @@ import radiosity.util.ArraySize;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
-/** Merges the blocks of all partitions into one mesh, in the order of their ids (figure 7: merge patch trees). */
+/** Merges the blocks of all partitions into one mesh, in the order of block ids (figure 7: merge patch trees). */
 final class Merger {
 
     private final InitialMesh mesh;
@@ -21,20 +21,20 @@ final class Merger {
     private final int channels;
     private final LongIndex index = new LongIndex(1024);
     private double[] position = new double[3 * 1024];
-    /** channels per vertex: sum over its copies. */
+    /** channels per vertex: sum of irradiance over the vertex's copies, W/m². */
     private double[] irradiance;
     private final VertexBulge bulge;
-    /** 1 per vertex: its key; corners of points have none of their own. */
+    /** 1 per vertex: its key; the corners of an element that is a point have keys derived from the point's key. */
     private long[] vertexKey = new long[1024];
-    /** 1 per vertex: copies that blocks have of it, buried ones left out. */
+    /** 1 per vertex: number of its copies in blocks, without buried copies. */
     private int[] copies = new int[1024];
     private int[] corner = new int[3 * 1024];
     private int[] faceOf = new int[1024];
     private int elements;
 
     /**
-     * @param dark the round whose new vertices have not gathered yet: they take what stands beside them; 0 where there
-     *             is none
+     * @param dark number of the round whose new vertices have not gathered yet; they take the irradiance of their
+     *             neighbours; 0 where there is no such round
      */
     Merger(InitialMesh mesh, List<byte[]> states, int dark) {
         this.mesh = mesh;
@@ -109,8 +109,8 @@ final class Merger {
     }
 
     /**
-     * A buried vertex takes the mean of those that it shares elements with, so that no dark seam shows; then those
-     * deeper inside from these, as one of them may stand on the edge of a larger element that is seen.
+     * Gives a buried vertex the mean irradiance of its known neighbours, so that no dark seam shows, layer by layer
+     * inwards: a buried vertex may be the corner of a large element that is partly visible.
      */
     private void fillBuried() {
         boolean[] known = new boolean[index.size()];
@@ -123,7 +123,12 @@ final class Merger {
         }
     }
 
-    /** @return whether any was filled; those are known then */
+    /**
+     * Fills buried vertices that share an element with a known vertex.
+     *
+     * @param known modified: 1 per vertex, whether its irradiance is known
+     * @return whether a vertex was filled
+     */
     private boolean fillBeside(boolean[] known) {
         double[] sum = new double[channels * known.length];
         int[] terms = new int[known.length];

@@ -9,28 +9,28 @@ import java.util.function.BooleanSupplier;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 
-/** Decides who shoots in the next round; a schedule at work. */
+/** A schedule at work: chooses the shots of the next round. */
 public sealed interface Planner permits ShootAndSort, Prediction, CyclicSchedule, MatrixSolution {
 
     /**
      * The next round.
      *
-     * @param last   what the partitions answered to the last one
-     * @param unsent unshot flux relative to the emitted
-     * @param goOn   asked now and then where it takes long to decide; changes nothing
-     * @return what to do, or null where nothing is left, or where it was not to go on
+     * @param last   the sum of the partitions' answers to the last round
+     * @param unsent unshot flux over emitted flux
+     * @param goOn   called now and then during a long choice, without influence on the choice
+     * @return the order, or null where no light is left to shoot or {@code goOn} returned false
      */
     Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException;
 
-    /** Receives what the partitions answered to an order for {@link Order.Kind#ROWS}, or to a part of one. */
+    /** Receives the partitions' answers to an order for {@link Order.Kind#ROWS}, or to a part of the order. */
     default void take(int shots, List<byte[]> rows) throws IOException { }
 
-    /** Whether rounds overlap: the next one is chosen from what was known before the present one. */
+    /** Whether rounds overlap: the next round is chosen by the answer to the round before the present one. */
     default boolean looksAhead() {
         return false;
     }
 
-    /** How many candidates partitions are to name where nothing is known of them. */
+    /** Number of candidates that partitions name in their first answer. */
     default int wanted() {
         return Integer.MAX_VALUE;
     }
@@ -38,23 +38,23 @@ public sealed interface Planner permits ShootAndSort, Prediction, CyclicSchedule
     /**
      * Whether the calculation is at its end.
      *
-     * @param last   what the partitions answered to the last round
-     * @param unsent unshot flux relative to the emitted
-     * @param wanted the same at which to stop
+     * @param last   the sum of the partitions' answers to the last round
+     * @param unsent unshot flux over emitted flux
+     * @param wanted unshot flux over emitted flux at which to stop
      */
     default boolean isEnough(Answer last, double unsent, double wanted) {
         return unsent <= wanted;
     }
 
-    /** Relative error at which the calculation may end; nothing where that is not looked at. */
+    /** Relative error at which the calculation may end; empty where the schedule estimates no error. */
     default OptionalDouble aim() {
         return OptionalDouble.empty();
     }
 
-    /** Asks for less error than before, if that is looked at. */
+    /** Lowers the relative error asked for; nothing happens where the schedule estimates no error. */
     default void aim(double error) { }
 
-    /** What resuming needs beside the elements. */
+    /** Writes the state of the schedule that a resumed calculation needs. */
     default void write(DataOutput out) throws IOException { }
 
     default void read(DataInput in) throws IOException { }

@@ -25,91 +25,101 @@ import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 
 /**
- * Every patch shoots once what it will have in the end, as far as that can be predicted, then what the prediction
- * lacked.
+ * The default schedule: every patch shoots its predicted final radiosity in one round, later rounds shoot what the
+ * prediction lacked, and mesh and rays are refined until the estimated error is the one asked for.
  *
- * <p>The linear system of a coarse mesh is made once; it turns unshot radiosity into the radiosity that will come of
- * it. What is shot is both together (overshooting: M. Feda, W. Purgathofer, Accelerating radiosity by overshooting,
- * 1992), so what is left after a round is small, and signed, at any reflectance. As soon as it is, the mesh is
- * subdivided where the light on it requires it, and the new vertices gather all that was shot before.
+ * <p>Prediction: the linear system of a coarse mesh is set up once. Solved for the unshot radiosity of all patches, the
+ * system gives the radiosity that multiple reflections will add to each patch. A patch shoots the sum of both
+ * (overshooting: M. Feda, W. Purgathofer, Accelerating radiosity by overshooting, 1992), so that the unshot radiosity
+ * after a round is small, and signed, at any reflectance.
+ *
+ * <p>The calculation as stages, see {@link #next}: SHOOT until little is unshot; SPLIT the mesh and let new vertices
+ * GATHER all light shot so far, until no element is to be divided; SHOOT what the finer mesh changed; MEND vertices
+ * with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Audit} estimates
+ * the error, and {@link AccuracyLoop} decides between a finer mesh (SPLIT again), more rays (RENEW, REGATHER and
+ * AVERAGE: all vertices gather a second, independent sample) and the end (DONE).
  */
 final class Prediction implements Planner {
 
-    /** Unshot flux, relative to the emitted, at which the mesh is looked at. */
+    /** Unshot flux over emitted flux at which the first rounds of shooting end and the mesh is divided. */
     private static final double SETTLED = 0.05;
+    /** SPLIT stages in a row: the depth that the mesh may gain between two estimates of the error. */
     private static final int MOST_SPLITS = 12;
-    /** How often shots may leave more unshot than before: then nothing is predicted until the mesh is finer. */
+    /** Rounds that may leave more flux unshot than the round before; then nothing is predicted until the next SPLIT. */
     private static final int MOST_MISPREDICTED = 3;
-    /** What the rows of the coarse system are good to: form factor that one ray may stand for. */
+    /** Form factor that one ray may stand for in a row of the coarse system. */
     private static final double ROW_TOLERANCE = 0.02;
-
-    /** Patches of the coarse mesh up to which light is predicted: each sees some hundred others, some 2 kB. */
+    /** Patches of the coarse mesh up to which light is predicted: a row has some hundred entries, 2 kB. */
     private static final int MOST_PREDICTED = 100_000;
-
-    /** Everybody. */
+    /** Asks all partitions for all patches with unshot flux. */
     private static final Order ALL = Order.asking(Order.Kind.ASK, Integer.MAX_VALUE);
 
-    /** Flux that is predicted to matter on some of the faces, W. */
+    /** Predicted flux on the faces that a predicate accepts, weighted by {@link Faces#importance}, W. */
     private interface PredictedFlux {
         double of(IntPredicate counts, int channel);
     }
 
-    /** What the last round was. */
+    /** The kind of the last round, see the class comment. The ordinal is part of saved calculations. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE, MEND }
 
-    /** Changes of the scene of which no more count. */
+    /** {@link #changes} is counted up to this number. */
     private static final int MOST_CHANGES = 3;
-    /** Unshot flux of a changed scene, relative to the emitted, above which what becomes of it is predicted. */
+    /** Unshot flux over emitted flux in an edited scene above which the coarse system is set up for a prediction. */
     private static final double PREDICTED = 0.1;
-    /** Unshot flux, relative to the emitted, that may be left, over the error: most of it has both signs. */
+    /** Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. */
     private static final double ENOUGH = 0.3;
-    /** The same, over the error that is asked for, of what is left if that of one sign is taken off the other. */
+    /** |Sum of unshot flux| over emitted flux that may be left, per relative error asked for: this part is a bias. */
     private static final double ENOUGH_ONE_SIDED = 0.05;
-    /** Error after some changes, over that when all had gathered anew last, that is taken. */
+    /** Factor by which edits may let the error exceed the usual one before all vertices gather anew. */
     private static final double WORSE = 1.15;
-    /** Part of the unshot flux that may be left to later rounds of a changed scene. */
+    /** Part of the unshot flux that a round in an edited scene may leave to later rounds. */
     private static final double LEFT = 0.05;
 
     /**
-     * What an earlier scene's calculation ended with.
+     * How the calculation of an earlier scene ended.
      *
-     * @param rules     how closely it looked
-     * @param isSettled whether what elements have not shot is only the noise of rays
+     * @param rules     tolerances and weights of the last round
+     * @param isSettled whether the unshot radiosity of the elements is nothing but the noise of rays
      */
     record Earlier(Order.Rules rules, boolean isSettled) { }
 
-    /** Looks at the solution anew; nothing where there is no light to look at. */
+    /** Estimates the error of the present solution; empty where there is no light. */
     interface Audit {
         Optional<Certificate> certificate() throws IOException;
     }
 
     private final World world;
+    /** Unshot flux over emitted flux at which the calculation may end. */
     private final double wanted;
-    /** Of an answer, see {@link Flux#oneSided}. */
+    /** {@link Flux#oneSided} of an answer. */
     private final ToDoubleFunction<Answer> oneSided;
-    /** Of the scene, scene units squared. */
+    /** Area of all faces, square scene units. */
     private final double area;
-    /** Null where the scene is too large for it. */
+    /** Null where the scene has more than {@link #MOST_PREDICTED} patches. */
     private final CoarseSystem coarse;
     private final AccuracyLoop loop;
     private final Audit audit;
     /** See {@link Weights}: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
+    /** Number of SPLIT stages since the error was estimated last. */
     private int splits;
+    /** Number of elements before the last SPLIT. */
     private int elements;
+    /** Whether the mesh is as fine as the loop's tolerance asks for. */
     private boolean refined;
     /**
-     * Unshot flux before the last shots, relative to the emitted: where they leave more, the next ones are without
-     * prediction. At the end what is left, or 0 where that is more than was to be.
+     * Unshot flux over emitted flux before the last SHOOT; where that round leaves more, the next one is shot without
+     * prediction. After the last round of shooting: the unshot flux that is left, or 0 where that exceeds
+     * {@link #enough}.
      */
     private double left = Double.POSITIVE_INFINITY;
-    /** How often shots have left more unshot than before, since the mesh was looked at last. */
+    /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */
     private int mispredicted;
-    /** How often the scene was changed since all have gathered anew; above 0, the light is an earlier scene's. */
+    /** Number of edits since all vertices gathered anew. Above 0 the light is that of an earlier scene, edited. */
     private int changes;
 
-    /** @param wanted unshot flux at which the calculation may end, relative to the emitted */
+    /** @param wanted unshot flux over emitted flux at which the calculation may end */
     Prediction(World world, double wanted, ToDoubleFunction<Answer> oneSided, Audit audit) {
         this.audit = audit;
         this.oneSided = oneSided;
@@ -123,7 +133,7 @@ final class Prediction implements Planner {
                 ? new CoarseSystem(world.mesh, world.parallel) : null;
     }
 
-    /** What the coarse system is made of; it changes nothing, and is asked for again by who goes on later. */
+    /** The order that makes the coarse system; a resumed calculation gives the order again. */
     private Order rows() {
         double[] equal = new double[world.channels()];
         Arrays.fill(equal, 1);
@@ -141,29 +151,22 @@ final class Prediction implements Planner {
         if (changes > 0) {
             return nextOfChange(last, unsent, goOn);
         }
-        switch (stage) {
+        return switch (stage) {
+            case NOTHING, SHOOT, DONE -> distribute(last, unsent, goOn);
             case SPLIT -> {
                 refined = last.elements == elements || splits == MOST_SPLITS;
-                if (last.elements > elements) {
-                    return gather();
-                }
+                yield last.elements > elements ? gather() : distribute(last, unsent, goOn);
             }
-            case GATHER -> {
-                if (!refined) {
-                    return split(last);
-                }
-            }
-            case RENEW -> {
-                return regather();
-            }
-            case REGATHER -> {
-                return average();
-            }
-            case AVERAGE, MEND, BALANCE -> {
-                return stage != Stage.BALANCE && world.mesh.boundsReceived() ? balance() : refine(last);
-            }
-            default -> { }
-        }
+            case GATHER -> refined ? distribute(last, unsent, goOn) : split(last);
+            case RENEW -> regather();
+            case REGATHER -> average();
+            case AVERAGE, MEND -> world.mesh.boundsReceived() ? balance() : refine(last);
+            case BALANCE -> refine(last);
+        };
+    }
+
+    /** Shoots until little flux is unshot; then divides the mesh, or prepares the estimate where that is done. */
+    private Order distribute(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         if (!refined && stage == Stage.SHOOT && unsent <= SETTLED) {
             return split(last);
         }
@@ -185,7 +188,7 @@ final class Prediction implements Planner {
         return shoot(shots, unsent);
     }
 
-    /** Looks at the solution, and refines what most of its error is due to; null where that is enough. */
+    /** Estimates the error and refines mesh or rays; null where the error is the one asked for, or cannot fall. */
     private Order refine(Answer last) throws IOException {
         Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
         AccuracyLoop.Refine refine = certificate.isEmpty() ? AccuracyLoop.Refine.NOTHING
@@ -206,8 +209,8 @@ final class Prediction implements Planner {
     }
 
     /**
-     * Unshot flux, relative to the emitted, at which no more is shot: a part of the error that points have found, or
-     * of the one that is asked for if that is more, and less where the user has asked for less.
+     * Unshot flux over emitted flux at which shooting ends: a part of the larger of the estimated error and the error
+     * asked for, or the user's own limit where that is lower than the default.
      */
     private double enough() {
         double error = Math.max(loop.asked(), loop.found());
@@ -220,9 +223,9 @@ final class Prediction implements Planner {
     }
 
     /**
-     * Light and mesh are those of an earlier scene, and what its changes leave unshot is signed: it is shot where it
-     * is, the mesh is divided where the light has become another, and nobody gathers anew all that was ever shot but
-     * those who have received less than nothing.
+     * The next round after an edit. Light and mesh are those of the earlier scene, and the unshot flux is the signed
+     * difference that the edit makes: patches shoot the difference, elements are divided where the light has changed,
+     * and only vertices with negative irradiance gather anew.
      */
     private Order nextOfChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         if (stage == Stage.SPLIT) {
@@ -251,9 +254,8 @@ final class Prediction implements Planner {
     }
 
     /**
-     * Where independent points find clearly more error than was asked for, all gather anew what was ever shot; after
-     * several changes also where they find more than before, and most of it is noise: that of one change is little, but
-     * that of many adds up.
+     * Ends the calculation after an edit, unless the estimated error is clearly above the {@link #usual} one: then all
+     * vertices gather anew. The noise that one edit adds is small, but the noise of many edits adds up.
      */
     private Order endOfChange(double unsent) throws IOException {
         Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
@@ -266,13 +268,16 @@ final class Prediction implements Planner {
         return null;
     }
 
-    /** The error that is no reason to do anything. */
+    /**
+     * Estimated error that an edited scene may have: the error asked for, or the last estimate where that was larger;
+     * after several edits, where most of the error is noise, the last estimate alone.
+     */
     private double usual(Certificate now) {
         boolean isNoise = 2 * now.sampling() * now.sampling() > now.expected() * now.expected();
         return changes == MOST_CHANGES && isNoise ? loop.found() : Math.max(loop.asked(), loop.found());
     }
 
-    /** Those with most unshot flux, who have most of it together. */
+    /** The patches with most unshot flux, as many as have all but {@link #LEFT} of the unshot flux together. */
     private List<Shot> largest() throws IOException {
         List<Shot> all = world.joined(world.answer(ALL).candidates);
         double rest = all.stream().mapToDouble(Shot::flux).sum();
@@ -288,8 +293,8 @@ final class Prediction implements Planner {
     }
 
     /**
-     * What later shots take back goes along other rays than what came before, and where little arrives more may be
-     * taken back than had come: there vertices gather anew what surfaces have shot in all, none of which is negative.
+     * Vertices with negative irradiance gather anew the total radiosity that surfaces have shot, which is nowhere
+     * negative. Their irradiance is negative because negative shots use other rays than the shots that they correct.
      */
     private Order mend() throws IOException {
         stage = Stage.MEND;
@@ -298,9 +303,9 @@ final class Prediction implements Planner {
     }
 
     /**
-     * All vertices gather anew, at once, what surfaces radiate then: that is averaged with what they had, unless that
-     * was negative, and as its rays are others the average has less noise. So is it where the last shots left more
-     * unshot than there was before: what was predicted too much is taken back by all at once.
+     * All vertices gather anew the total radiosity of all surfaces, in the stages RENEW, REGATHER and AVERAGE. The
+     * second sample has rays of its own, so that the average of both samples has less noise; a negative first sample is
+     * dropped. Also where predictions have failed: the new sample holds no flux that was predicted and never came.
      */
     private Order renew() throws IOException {
         stage = Stage.RENEW;
@@ -327,7 +332,7 @@ final class Prediction implements Planner {
         return order;
     }
 
-    /** Nobody shoots: vertices are given back what rays have lost. */
+    /** Scales the irradiance of all vertices by {@link Flux#missing}, without a shot. */
     private Order balance() {
         stage = Stage.BALANCE;
         return order(Order.Kind.BALANCE, List.of(), new double[0]);
@@ -346,8 +351,8 @@ final class Prediction implements Planner {
     }
 
     /**
-     * All that have something to shoot, or will have if that is predicted; in closed rooms all, as what they have in
-     * common is taken off.
+     * Patches that may shoot: those with unshot flux, and reflecting patches where light is predicted; in closed
+     * rooms all patches, as the uniform part of their radiosity is shot for all of them at once.
      */
     private List<Shot> candidates(Answer answer) {
         return world.joined(answer.candidates).stream()
@@ -361,7 +366,10 @@ final class Prediction implements Planner {
                 .anyMatch(c -> faces.reflectance(tree.face(), c) > 0));
     }
 
-    /** With what will become of them, which is reckoned while they are on their way; none where it was not to go on. */
+    /**
+     * Shots of unshot radiosity and the radiosity that is predicted to follow. Partitions send their unshot radiosity
+     * while the coarse system is solved. Empty where {@code goOn} ends the calculation.
+     */
     private List<Shot> withPrediction(Answer last, BooleanSupplier goOn) throws IOException {
         World.Begun means = world.begin(Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
         World.Begun all = world.begin(ALL, World.NOBODY);
@@ -376,7 +384,7 @@ final class Prediction implements Planner {
         return coarse.with(candidates, h, stage == Stage.NOTHING);
     }
 
-    /** In a scene of too many patches every block shoots what it has. */
+    /** Shots of unshot radiosity alone. */
     private List<Shot> withoutPrediction(Answer last) throws IOException {
         List<Shot> candidates = candidates(world.answer(ALL));
         if (stage == Stage.NOTHING) {
@@ -385,7 +393,7 @@ final class Prediction implements Planner {
         return candidates.stream().map(world.mesh.rounding::of).toList();
     }
 
-    /** Flux that would be reflected, as counted by {@link Faces#importance}, if every surface saw every other alike. */
+    /** Flux that surfaces would reflect, weighted by {@link Faces#importance}, if all saw each other equally, W. */
     private double interreflected(IntPredicate counts, int c) {
         Faces faces = world.mesh.faces;
         double whole = 0;
@@ -402,7 +410,7 @@ final class Prediction implements Planner {
         return emitted == 0 ? 0 : emitted * counted / (whole - reflected) * area / faces.area();
     }
 
-    /** By the radiosity that is there and is predicted, over all area; a channel without light does not count. */
+    /** Sets {@link #weight} from present and predicted radiosity; the weight of a channel without light is 0. */
     private void weigh(Answer last, List<Shot> unshot, PredictedFlux predicted) {
         int channels = world.channels();
         for (int c = 0; c < channels; c++) {
@@ -417,8 +425,10 @@ final class Prediction implements Planner {
     }
 
     /**
-     * The same over the faces of a closed room, or of none; no less than that of the whole, and that where no light was
-     * seen.
+     * Weight of a channel in one closed room, or on the faces outside of closed rooms; at least the weight in the whole
+     * scene, and equal to that in a room without light.
+     *
+     * @param room index of the room, -1 for the faces outside
      */
     private double weightIn(int room, int c, List<Shot> unshot, PredictedFlux predicted) {
         Faces faces = world.mesh.faces;
@@ -438,11 +448,13 @@ final class Prediction implements Planner {
     }
 
     /**
-     * No candidates are named: most rounds need none, and all of them together are the whole mesh. What is predicted is
-     * shot along the same rays in every round, each at every point: in a white room the prediction makes 10,000 times
-     * as much of what rounds differ by, and their sum would grow without end. Others are sparing, as nothing is made of
-     * them, but where less is to be left unshot than is usual; what changes leave unshot is shot only as long as it
-     * becomes less.
+     * An order for all partitions. Partitions answer without candidates: most rounds need none, and all candidates
+     * together are the whole mesh.
+     *
+     * <p>A sparing order omits rays at random ("Russian roulette"). Orders to shoot predicted radiosity are not sparing
+     * but use the same rays in every round: in a white room the prediction multiplies differences between rounds by up
+     * to 10,000, and their sum would diverge. Orders to gather totals are sparing, as nothing is predicted from them,
+     * unless the user asks for less unshot flux than the default.
      */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
         boolean isOfAll = kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER || kind == Order.Kind.MEND;
@@ -455,7 +467,6 @@ final class Prediction implements Planner {
                 Order.Question.candidates(0));
     }
 
-    /** It asks when it knows the coarse system. */
     @Override
     public int wanted() {
         return 0;
@@ -475,7 +486,6 @@ final class Prediction implements Planner {
         }
     }
 
-    /** The accuracy that was asked for is reached, or cannot be. */
     @Override
     public boolean isEnough(Answer last, double unsent, double wanted) {
         return stage == Stage.DONE;
@@ -510,15 +520,16 @@ final class Prediction implements Planner {
             weight[c] = in.readDouble();
         }
         if (stage == Stage.DONE && changes == 0 && left > enough()) {
-            stage = Stage.SHOOT; // less is to be left now
+            stage = Stage.SHOOT; // the resumed calculation has a lower limit of unshot flux
             left = Double.POSITIVE_INFINITY;
         }
     }
 
     /**
-     * Reads what an earlier scene's calculation wrote, to go on with that of a changed scene.
+     * Reads the state that an earlier scene's calculation wrote, and goes on from that state with the edited scene.
      *
-     * @return how closely it looked, by its own weights; nothing where it was not at its end
+     * @param earlier initial mesh of the earlier scene
+     * @return how the earlier calculation ended; empty where that was stopped before its end
      */
     Optional<Earlier> readChanged(DataInput in, InitialMesh earlier) throws IOException {
         boolean isDone = Stage.values()[in.readByte()] == Stage.DONE;
@@ -547,7 +558,7 @@ final class Prediction implements Planner {
                 loop.meshError(), new double[0], new double[0]), before == 0));
     }
 
-    /** See {@link Weights}. */
+    /** The weights in use, not copied; see {@link Weights}. */
     double[] weight() {
         return weight;
     }

@@ -28,17 +28,16 @@ import radiosity.solution.Solution;
 import radiosity.util.ParallelFor;
 
 /**
- * The loop of figure 7: who has unshot flux shoots, everybody receives, until little enough is left.
+ * The loop of figure 7: patches with unshot flux shoot, all elements receive, until little flux is unshot. The
+ * {@link Schedule} chooses the patches that shoot.
  *
- * <p>Who shoots is the schedule's choice, see {@link Schedule}.
- *
- * <p>Whatever is asked for meanwhile ({@link #progress}, {@link #ledger}, {@link #state}, {@link #solution}) only
- * reads: the calculation goes on to the same bits whenever and however often a listener asks.
+ * <p>{@link #progress}, {@link #ledger}, {@link #state} and {@link #solution} only read: the calculation gives the same
+ * bits whenever and however often a listener calls them.
  */
 public final class ProgressiveRadiosity {
 
     private final World world;
-    /** Shots after which the listener is to be asked. */
+    /** Numbers of shots: at every multiple of each, a step ends. */
     private final List<Integer> pauses = new ArrayList<>();
     private final StopRule stop;
     private final SolveCounters counters;
@@ -46,18 +45,18 @@ public final class ProgressiveRadiosity {
     private final StepSizer sizer;
     private final LatestStatus last;
     private Planner planner;
-    /** What was found by looking at the solution after that round, and that many shots. */
+    /** The last estimate of the error, made after {@link #certifiedRound} rounds and {@link #certifiedShots} shots. */
     private Optional<Certificate> certificate = Optional.empty();
     private int certifiedRound = -1;
     private int certifiedShots;
-    /** What {@link #state} ends with; null until it is first wanted. */
+    /** The encoded scene at the end of every {@link #state}; null before the first. */
     private byte[] scene;
 
     public ProgressiveRadiosity(World world, StopRule stop) {
         this(world, stop, StepSizer.STEP_SECONDS);
     }
 
-    /** @param stepSeconds how long a step may take; without influence on the result */
+    /** @param stepSeconds wanted duration of a step, s; without influence on the result */
     public ProgressiveRadiosity(World world, StopRule stop, double stepSeconds) {
         this.world = world;
         this.stop = stop;
@@ -84,9 +83,9 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Chooses who shoots in the next round, by what was unshot after the last one.
+     * Chooses the shots of the next round by the unshot flux after the last one.
      *
-     * @return whether anybody was chosen: not where nothing is left to shoot, or the listener asks to stop
+     * @return false where no flux is left to shoot, or the listener asks to stop
      */
     private boolean choose(RoundListener listener) throws IOException {
         Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
@@ -97,10 +96,10 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * One round: those who were chosen shoot, all elements receive and are refined, and the listener saves. A long
-     * round is done in several steps, after each of which the listener may stop it.
+     * One round: the chosen patches shoot, all elements receive and are refined, and the listener saves. A long round
+     * is done in several steps, after each of which the listener may stop the calculation.
      *
-     * @return whether to go on
+     * @return false where the listener asks to stop
      */
     private boolean round(RoundListener listener) throws IOException {
         boolean goOn;
@@ -111,12 +110,12 @@ public final class ProgressiveRadiosity {
         return goOn;
     }
 
-    /** What was left to shoot after the last round of which the answer was read, relative to what was emitted. */
+    /** Unshot flux over emitted flux after the last round whose answer was read. */
     private double unsent() {
         return counters.flux.unsent(last.afterRound());
     }
 
-    /** Asks the listener as often as between steps. */
+    /** Calls the listener, but no more often than between steps; true where the calculation is to go on. */
     private BooleanSupplier nowAndThen(RoundListener listener) {
         long[] asked = {world.now()};
         return () -> {
@@ -129,7 +128,7 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Ends steps at every multiple of a number of shots, so that the listener is called there.
+     * Ends steps at every multiple of a number of shots, where the listener is called then.
      *
      * @param shots at least 1
      * @throws IllegalArgumentException where the number is below 1
@@ -147,7 +146,7 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    /** Asks how things stand where nobody has asked yet. */
+    /** Asks the partitions for their first answer, unless there is one. */
     private void ask() throws IOException {
         prepare();
         if (last.newest() == null) {
@@ -156,15 +155,15 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    /** Makes the newest answer the one to the last order. */
+    /** Waits for the answer to the last order. */
     private void know() throws IOException {
         ask();
         last.know();
     }
 
     /**
-     * Asks for less error: the next {@link #run} goes on from where the last one ended. Only where light is predicted;
-     * otherwise, and where as little was asked for before, nothing changes.
+     * Lowers the error asked for: the next {@link #run} goes on from the end of the last one. Nothing changes where the
+     * schedule estimates no error, and where the error asked for was as low before.
      *
      * @param error relative, above 0; see {@link Certificate#expected}
      * @throws IllegalArgumentException where the error is not above 0
@@ -177,7 +176,7 @@ public final class ProgressiveRadiosity {
         planner.aim(error);
     }
 
-    /** The relative error that is asked for; nothing where the schedule looks at no error. */
+    /** The relative error asked for; empty where the schedule estimates no error. */
     public OptionalDouble aim() {
         prepare();
         return planner.aim();
@@ -200,7 +199,7 @@ public final class ProgressiveRadiosity {
                 && planner.isEnough(last.afterRound(), left, Math.max(stop.unsent(), counters.flux.rounding()));
     }
 
-    /** Whether more is unshot than the stop rule asks for, but only as {@linkplain StopRule#ROUNDING rounding}. */
+    /** Whether the unshot flux exceeds the stop rule's, but is nothing but {@linkplain StopRule#ROUNDING rounding}. */
     public boolean isOnlyRoundingLeft() {
         double left = counters.flux.unsent(counters.shown(last.newest()));
         return left > stop.unsent() && left <= counters.flux.rounding();
@@ -208,7 +207,7 @@ public final class ProgressiveRadiosity {
 
     /*---- Rounds that overlap ----*/
 
-    /** All of a round was begun: what comes then may be chosen before the round is over. */
+    /** Chooses the next round where a round was begun as a whole and the schedule's rounds overlap. */
     private void lookAhead(Order done) throws IOException {
         if (queue.isEmpty() && done.changes() && planner.looksAhead()) {
             last.catchUpToRoundBefore();
@@ -217,8 +216,8 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Chooses the next round by the answer before the present one; where that answer names no candidate who is left,
-     * partitions are asked.
+     * Chooses the next round by the answer to the round before the present one; asks the partitions where all
+     * candidates of that answer shoot in the present round.
      */
     private void chooseAhead() throws IOException {
         double left = unsent();
@@ -228,8 +227,8 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * A step: as much of the present round as takes no longer than a user waits. Where the round is cut into steps has
-     * no influence on the result.
+     * A step: a part of the present round that is short enough for a user who wants to stop. The division of a round
+     * into steps has no influence on the result.
      */
     private void shootAndReceive() throws IOException {
         if (queue.isBetweenRounds()) {
@@ -290,7 +289,7 @@ public final class ProgressiveRadiosity {
         sizer.took(now.shots().size(), (world.now() - begin) * 1e-9);
     }
 
-    /** To be given back, see {@link Flux#missing}; empty where nothing is. */
+    /** {@link Flux#missing} for orders that correct the received flux, one per channel; else empty. */
     private double[] missing(Order.Kind kind) {
         boolean gives = world.mesh.boundsReceived() && (kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT);
         return gives && counters.shots() > 0
@@ -298,7 +297,7 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Where the calculation stands by the newest answer; waits for nobody but before {@link #run}.
+     * Progress by the newest answer that was read; waits for the partitions before {@link #run} only.
      *
      * @throws UncheckedIOException where a partition cannot be reached
      */
@@ -312,8 +311,8 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Where the light went so far. May be asked for before and after {@link #run}, and whenever the listener is
-     * called.
+     * Emitted, shot, received and absorbed flux so far. May be called before and after {@link #run}, and by the
+     * listener.
      *
      * @throws UncheckedIOException where a partition cannot be reached
      */
@@ -327,8 +326,8 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Everything so far, merged from all partitions. May be asked for before and after {@link #run}, and
-     * whenever the listener is called.
+     * The present solution, merged from all partitions. May be called before and after {@link #run}, and by the
+     * listener.
      *
      * @throws IOException where a partition cannot be reached
      */
@@ -340,11 +339,11 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * How far the solution so far can be trusted; takes a small part of the time that the solution took.
+     * Estimates the error of the present solution; takes a small part of the time that the solution took.
      *
      * @param threads at least 1
      * @throws IllegalArgumentException where the number of threads is below 1
-     * @return nothing where some vertices have not gathered yet, nobody has shot, or all is dark
+     * @return empty where some vertices have not gathered yet, no patch has shot, or the scene is dark
      */
     public Optional<Certificate> certificate(int threads) throws IOException {
         return certificate(new ParallelFor(threads));
@@ -368,8 +367,7 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * What {@link #resume} takes; for whoever wants to go on later. May be asked for before and after {@link #run},
-     * and whenever the listener is called.
+     * The state that {@link #resume} takes. May be called before and after {@link #run}, and by the listener.
      *
      * @throws IOException where a partition cannot be reached
      */
@@ -379,7 +377,7 @@ public final class ProgressiveRadiosity {
         return state(world.blocks());
     }
 
-    /** Whether the round after the present one is chosen by an answer that nobody can be asked for again. */
+    /** Whether the round after the present one is chosen by an answer that partitions cannot give again. */
     private boolean isChosenAhead() {
         return planner.looksAhead() && queue.changes();
     }
@@ -404,7 +402,7 @@ public final class ProgressiveRadiosity {
         return SavedState.of(pieces);
     }
 
-    /** For whoever changes it later. */
+    /** The encoded scene, for {@link #change} by a later calculation. */
     private byte[] scene() {
         if (scene == null) {
             scene = SavedScene.write(SceneBytes.write(world.mesh.original, world.settings()));
@@ -413,12 +411,12 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Goes on from the solution of an earlier scene, of which this one is an edited copy: light that no longer arrives
-     * is taken back, new light is sent, and nothing else is done again. The same bits for any number of threads and
-     * hosts. To be called before {@link #run} and before anything is asked for.
+     * Goes on from the solution of an earlier scene, of which this scene is an edited copy: light that no longer
+     * arrives is taken back, new light is sent, and all other light stays. The same bits for any number of threads and
+     * hosts. To be called before every other method of this class.
      *
-     * @param earlier of the earlier {@link Solution}
-     * @return why the scene has to be rendered anew, in a few words; nothing where it goes on from the earlier solution
+     * @param earlier state of the earlier {@link Solution}
+     * @return why the scene has to be rendered anew, in a few words; empty where the earlier solution is used
      * @throws IllegalStateException where the calculation was run already, or was asked for anything
      */
     public Optional<String> change(SavedState earlier) throws IOException {
@@ -426,11 +424,11 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * The same for who may not wait for the end.
+     * Goes on from the solution of an earlier scene, see {@link #change(SavedState)}, unless cancelled.
      *
-     * @param mesh of the earlier scene, of the same settings; null where the state has to say it
-     * @param goOn is asked now and then, by any thread
-     * @throws CancellationException where it says no; the calculation is of no use then
+     * @param mesh initial mesh of the earlier scene, with the same settings; null to make the mesh from the state
+     * @param goOn called now and then, by any thread
+     * @throws CancellationException where {@code goOn} returns false; this object cannot be used then
      */
     public Optional<String> change(SavedState earlier, InitialMesh mesh, BooleanSupplier goOn) throws IOException {
         if (last.newest() != null) {
@@ -452,11 +450,11 @@ public final class ProgressiveRadiosity {
     }
 
     /**
-     * Goes on from where an earlier calculation stopped: the same scene and settings give the same bits as without a
-     * stop. To be called before {@link #run} and before anything is asked for.
+     * Goes on with an earlier calculation that was stopped: the same scene and settings give the same bits as without a
+     * stop. To be called before every other method of this class.
      *
-     * @param state of the earlier {@link Solution}
-     * @throws SceneFormatException where scene or settings are others
+     * @param state state of the earlier {@link Solution}
+     * @throws SceneFormatException where the state belongs to another scene or other settings
      * @throws IllegalStateException where the calculation was run already, or was asked for anything
      */
     public void resume(SavedState state) throws IOException {
@@ -482,7 +480,7 @@ public final class ProgressiveRadiosity {
         }
     }
 
-    /** Patches that have shot. */
+    /** Number of shots so far. */
     public int shots() {
         return counters.shots();
     }

@@ -8,16 +8,16 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 
-/** The round that was chosen, or what is left of it; where rounds overlap, also who shoots in the one before. */
+/** The chosen round, or the rest of it; where rounds overlap, also the shots of the round before. */
 final class RoundQueue {
 
     private static final Choice NONE = new Choice(null, 0);
 
     private Choice present = NONE;
-    /** Who shoots in the round that was begun last, as long as another one may be chosen. */
+    /** Shots of the round that was begun last, as long as the next round may be chosen; else empty. */
     private List<Shot> begun = List.of();
 
-    /** @param unsent what was left to shoot when it was chosen, relative to what was emitted */
+    /** @param unsent unshot flux over emitted flux when the round was chosen */
     private record Choice(Order round, double unsent) {
 
         void write(DataOutputStream out) throws IOException {
@@ -31,57 +31,62 @@ final class RoundQueue {
         }
     }
 
-    /** Whether it is not known what comes next. */
+    /** Whether no round, and no rest of a round, is in the queue. */
     boolean isEmpty() {
         return present.round == null;
     }
 
-    /** Whether all of the last round was begun, and nothing of the next one. */
+    /** Whether the last round was begun as a whole, and the next round was not begun. */
     boolean isBetweenRounds() {
         return isEmpty() || !present.round.begun();
     }
 
-    /** Whether there is a round that changes elements, or the rest of one. */
+    /** Whether the queue holds a round, or the rest of a round, that changes elements. */
     boolean changes() {
         return !isEmpty() && present.round.changes();
     }
 
-    /** What is left of the present round. */
+    /** The rest of the present round. */
     Order round() {
         return present.round;
     }
 
-    /** What was left to shoot when the present round was chosen, relative to what was emitted. */
+    /** Unshot flux over emitted flux when the present round was chosen. */
     double unsent() {
         return present.unsent;
     }
 
-    /** Who shoots in the last round that was chosen. */
+    /** Shots of the round that was chosen last. */
     List<Shot> shooters() {
         return isBetweenRounds() && !isEmpty() ? present.round.shots() : begun;
     }
 
-    /** Takes a round; there is none left. */
+    /** Adds a round to the empty queue. */
     void add(Order round, double unsent) {
         present = new Choice(round, unsent);
     }
 
     /**
-     * @param round   the present one, as it is carried out
-     * @param another whether another one will be chosen before all of it is done
+     * Replaces the present round by the same round with its number.
+     *
+     * @param another whether the next round will be chosen before this one is carried out as a whole
      */
     void begin(Order round, boolean another) {
         present = new Choice(round, present.unsent);
         begun = another ? round.shots() : List.of();
     }
 
-    /** @param shots number of shots of those left that are under way now */
+    /**
+     * Removes shots that were begun from the present round.
+     *
+     * @param shots number of shots, from the first of the rest
+     */
     void done(int shots) {
         present = shots < present.round.shots().size()
                 ? new Choice(present.round.after(shots), present.unsent) : NONE;
     }
 
-    /** Rows are left out: whoever goes on later has none, and asks for all of them. */
+    /** Writes the rest of the present round; nothing of an order for rows, as a resumed calculation orders all rows. */
     void write(DataOutputStream out) throws IOException {
         (isEmpty() || present.round.kind() != Order.Kind.ROWS ? present : NONE).write(out);
     }

@@ -10,27 +10,28 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 
 /**
- * Shooting and sorting (section 2.2 of the paper): whoever has most unshot flux shoots.
+ * Shooting and sorting (section 2.2 of the paper): the patch with most unshot flux shoots.
  *
- * <p>A round may hold several shots: a part of those already done and a part of all patches, so that the first are
- * single, or some that have about as much to shoot: patches of a lamp, of which none will have more by what another one
- * shoots. Rounds overlap: who shoots in one is chosen by what was known before the last, so nobody waits for anybody.
+ * <p>A round may hold several shots: a part of the number of shots done and of the number of patches, so that the first
+ * rounds are single shots; or patches with about the same unshot flux, like those of a lamp. Rounds overlap: the shots
+ * of a round are chosen by the answer to the round before the last, so that no host waits for another.
  */
 final class ShootAndSort implements Planner {
 
     private static final int MOST_IN_ROUND = 64;
     private static final int SHOTS_PER_SHOT = 16;
     private static final int PATCHES_PER_SHOT = 32;
-    /** The number of shooters that may shoot in any round, of which each has this part of the flux of the first. */
+    /** Number of shots that any round may hold where their unshot flux is similar. */
     private static final int MOST_ALIKE = 16;
+    /** Unshot flux over that of the round's first shot from which on a shot is similar. */
     private static final double ALIKE = 0.5;
-    /** Those are named that have this part of the flux of the last one that was chosen. */
+    /** Unshot flux over that of the round's last shot from which on partitions name a candidate. */
     private static final double NAMED = 0.5;
 
     private final Order.Rules rules;
     private final int most;
     private final int mostAlike;
-    /** How many were chosen so far. */
+    /** Number of shots chosen so far. */
     private int shots;
 
     ShootAndSort(long patches, int channels) {
@@ -61,16 +62,14 @@ final class ShootAndSort implements Planner {
         return (int) candidates.stream().limit(mostAlike).takeWhile(shot -> shot.flux() >= least).count();
     }
 
-    /** Twice as many as two rounds may hold. */
+    /** Twice the number of shots that two rounds may hold. */
     @Override
     public int wanted() {
         int next = Math.max(mostAlike, batch(shots));
         return 2 * (next + Math.max(mostAlike, batch(shots + next)));
     }
 
-    /**
-     * How many may shoot in the next round; follows from the scene and the number of shots done, so everybody agrees.
-     */
+    /** Largest number of shots of the next round; depends on the scene and the number of shots chosen alone. */
     private int batch(int shots) {
         return Math.max(1, Math.min(most, shots / SHOTS_PER_SHOT));
     }

@@ -8,17 +8,17 @@ import radiosity.protocol.Order;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.Progress;
 
-/** What was done so far: shots and rounds, and where the light went by that. */
+/** Numbers of shots and rounds, the flux that was emitted and shot, and the answer that shown light belongs to. */
 final class SolveCounters {
 
     private final InitialMesh mesh;
     private int shots;
     private int rounds;
-    /** The round that has made vertices, or renewed all, that have not gathered yet; 0 where there is none. */
+    /** Number of the round that made or renewed vertices which have not gathered yet; 0 where there are none. */
     private int dark;
-    /** The answer before that round: until they have gathered, it is what the light that is shown comes to. */
+    /** The answer before the {@link #dark} round; until its vertices have gathered, this answer is shown. */
     private Answer beforeDark;
-    /** The answer before vertices gathered anew, as long as nobody has shot since; else null. */
+    /** The answer before vertices gathered anew, until the next shot; else null. */
     private Answer beforeRenewal;
     final Flux flux;
 
@@ -27,7 +27,7 @@ final class SolveCounters {
         flux = new Flux(mesh);
     }
 
-    /** Before anything is done: the light that has no geometry. */
+    /** Counts the flux of lights without geometry, at the beginning of a calculation. */
     void begin(Answer first) {
         if (rounds == 0) {
             flux.countLights(first);
@@ -52,10 +52,10 @@ final class SolveCounters {
     }
 
     /**
-     * An order, or a part of one, that is done or under way.
+     * Counts an order, or a part of an order, that was begun.
      *
-     * @param before the last answer before it
-     * @param after  the last answer by now
+     * @param before the last answer before the order
+     * @param after  the last answer at present
      */
     void count(Order done, Answer before, Answer after) {
         switch (done.kind()) {
@@ -89,14 +89,14 @@ final class SolveCounters {
         return rounds;
     }
 
-    /** The round that has made vertices, or renewed all, that have not gathered yet; 0 where there is none. */
+    /** Number of the round that made or renewed vertices which have not gathered yet; 0 where there are none. */
     int dark() {
         return dark;
     }
 
     /**
-     * What the light that is shown comes to. What vertices have gathered anew differs from what was shot by the noise
-     * of rays, which is nothing that is still to be sent: unsent is what had not been shot before.
+     * The answer that describes the light shown. Where vertices have gathered anew, their irradiance differs from the
+     * flux that was shot by the noise of rays, which nobody will shoot; the unshot flux shown is that before.
      */
     Answer shown(Answer last) {
         return dark != 0 ? beforeDark : beforeRenewal != null ? last.withUnshotFlux(beforeRenewal) : last;

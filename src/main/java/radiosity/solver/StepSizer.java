@@ -3,20 +3,21 @@ package radiosity.solver;
 import radiosity.protocol.Order;
 
 /**
- * How many shots to do at a time, so that a user who wants to stop does not wait; without influence on the result.
+ * Chooses the number of shots of a step such that a user who stops the calculation does not wait; the number has no
+ * influence on the result.
  *
- * <p>The first of a kind of round is done alone, and where nobody is at work, so that all begin soon. Shots are not
- * alike: of those before, the slow ones are remembered.
+ * <p>The first step of a kind of round, and the first step after idle time, is one shot. Shots differ in duration; the
+ * sizer remembers slow shots longer than fast ones.
  */
 public final class StepSizer {
 
-    /** How long a step is to take, s: a stop is not much farther away. */
+    /** Wanted duration of a step, s. */
     public static final double STEP_SECONDS = 0.25;
-    /** A step holds at most this many times the shots of the last one. */
+    /** Largest number of shots of a step over the number of the step before. */
     private static final int GROWTH = 4;
-    /** What an entry of the coarse system is taken to need at first, s; other kinds of round may need anything. */
+    /** First guess of the time for one entry of the coarse system, s. */
     private static final double ENTRY_SECONDS = 5e-8;
-    /** How much of a slow step is remembered from one step to the next. */
+    /** Part of the estimated time per shot that is kept where a step was faster. */
     private static final double MEMORY = 0.8;
 
     private final double stepSeconds;
@@ -30,10 +31,12 @@ public final class StepSizer {
     }
 
     /**
-     * How many of the shots that are left to do next.
+     * The number of shots of the next step.
      *
      * @param now     kind of the present round
-     * @param receive elements that there are, or entries of the coarse system per shot
+     * @param receive number of elements, or of entries of the coarse system per shot
+     * @param left    number of shots left in the round
+     * @return from 1 to {@code left}
      */
     int size(Order.Kind now, int receive, int left) {
         if (now != kind) {
@@ -48,12 +51,12 @@ public final class StepSizer {
         return (int) Math.max(1, Math.min(left, most));
     }
 
-    /** Nothing is under way. */
+    /** Notes that no step is under way. */
     void rest() {
         last = 0;
     }
 
-    /** Takes into account how long a step took; several may have been under way. */
+    /** Notes the duration of a step, s. */
     void took(int shots, double seconds) {
         last = Math.max(1, shots);
         secondsPerShot = Math.max(seconds / last, MEMORY * secondsPerShot);

@@ -22,7 +22,7 @@ import radiosity.util.ParallelFor;
 public abstract class World implements AutoCloseable {
 
     public final InitialMesh mesh;
-    /** For what is not done by partitions. */
+    /** Threads of this process, for work that partitions do not do. */
     public final ParallelFor parallel;
 
     /**
@@ -42,7 +42,7 @@ public abstract class World implements AutoCloseable {
         return mesh.settings;
     }
 
-    /** Largest area of a patch of the initial mesh, square scene units: as asked, or as chosen from the scene. */
+    /** Largest area of a patch of the initial mesh, square scene units: given by the user or chosen for the scene. */
     public double patchArea() {
         return mesh.patchArea();
     }
@@ -62,56 +62,58 @@ public abstract class World implements AutoCloseable {
         return mesh.faces.channels();
     }
 
-    /** One round on all partitions: what each of them answers, as bytes. */
+    /** Carries out an order on all partitions and returns the encoded answer of each. */
     public abstract List<byte[]> round(Order order) throws IOException;
 
-    /** One round on all partitions where each says how things stand then. */
+    /** Carries out an order on all partitions and returns the answer of each. */
     List<Answer> answers(Order order) throws IOException {
         return decode(round(order));
     }
 
-    /** Asks for rows, see {@link Order.Kind#ROWS}, and has them taken. */
+    /** Carries out an order for rows of the coarse system, see {@link Order.Kind#ROWS}, and gives them to a planner. */
     public void rows(Order order, Planner planner) throws IOException {
         planner.take(order.shots().size(), round(order));
     }
 
-    /** Receives how long a step took. */
+    /** Receives the number of shots and the duration of steps. */
     public interface StepTimes {
         void took(int shots, double seconds);
     }
 
-    /** Ignores them. */
+    /** Ignores the durations of steps. */
     public static final StepTimes NOBODY = (shots, seconds) -> { };
 
-    /** What partitions answer to an order that was begun. Nobody else has it than the caller who began the order. */
+    /** The pending answers of all partitions to an order; read by the caller who began the order alone. */
     public interface Begun {
 
         /**
-         * Waits for the answers of all partitions; not for orders that are not {@linkplain Order#isAnswered answered}.
+         * Waits for the answers of all partitions. Not allowed where the order is not {@linkplain Order#isAnswered
+         * answered}.
          *
-         * @param times receives every step that is done by now
-         * @return the answers added up
+         * @param times receives the duration of every step that has ended
+         * @return the sum of the answers
          */
         Answer answer(StepTimes times) throws IOException;
     }
 
     /**
-     * Begins an order, or a step of a round, that may still be under way afterwards, and others with it.
+     * Begins an order, or a step of a round. The method may return before the order is carried out; up to
+     * {@link #stepsAhead} orders are under way at a time.
      *
-     * @param times receives every step that is done by now
+     * @param times receives the duration of every step that has ended
      */
     public abstract Begun begin(Order step, StepTimes times) throws IOException;
 
-    /** Waits until no order is under way. */
+    /** Waits until all orders are carried out. */
     public abstract void finish(StepTimes times) throws IOException;
 
-    /** How many steps may be under way, at least 1. */
+    /** Largest number of steps under way, at least 1. */
     public abstract int stepsAhead();
 
-    /** A clock for differences, ns. */
+    /** Time from an arbitrary origin, ns. */
     public abstract long now();
 
-    /** One round on all partitions: their answers added up. */
+    /** Carries out an order on all partitions and returns the sum of their answers. */
     public final Answer answer(Order order) throws IOException {
         return sum(answers(order), order.most());
     }
@@ -142,7 +144,7 @@ public abstract class World implements AutoCloseable {
         return all;
     }
 
-    /** What all shooters have ever shot. */
+    /** Total radiosity that every shooter has shot. */
     public List<Shot> totals() throws IOException {
         List<Shot> totals = new ArrayList<>();
         for (byte[] bytes : round(Order.asking(Order.Kind.TOTALS, 0))) {
@@ -151,7 +153,7 @@ public abstract class World implements AutoCloseable {
         return joined(totals);
     }
 
-    /** What all shooters have not shot yet, but for rounding; see {@link Order.Kind#UNSHOT}. */
+    /** Unshot radiosity of every shooter, without rounding errors; see {@link Order.Kind#UNSHOT}. */
     public final List<Shot> unshot() throws IOException {
         List<Shot> unshot = new ArrayList<>();
         for (byte[] bytes : round(Order.asking(Order.Kind.UNSHOT, 0))) {
@@ -160,15 +162,15 @@ public abstract class World implements AutoCloseable {
         return joined(unshot);
     }
 
-    /** Those of blocks as those of what shoots together; sorted. */
+    /** Joins the shots of patches that shoot as one cluster, and sorts them. */
     public final List<Shot> joined(List<Shot> shots) {
         return mesh.shootsClusters() ? mesh.clusters.join(shots, parallel) : shots.stream().sorted().toList();
     }
 
-    /** The states of all blocks, by id. */
+    /** The encoded states of all blocks, one per block, by block id. */
     public abstract List<byte[]> blocks() throws IOException;
 
-    /** Puts all blocks back to what {@link #blocks} had given. */
+    /** Sets all blocks to states that {@link #blocks} has returned. */
     public abstract void restore(List<byte[]> states) throws IOException;
 
     @Override
