@@ -1,17 +1,17 @@
 package radiosity.mesh;
 
 /**
- * When an element is subdivided (section 2.5 of the paper): when the radiosities at its vertices differ by more than a
- * threshold.
+ * Decides that an element is subdivided (section 2.5 of the paper) where the radiosities at its vertices differ by more
+ * than a threshold.
  */
 public final class AdaptiveMeshing {
 
-    /** At a sharp shadow the difference never falls: no element is divided deeper than this below its patch. */
+    /** Most levels of an element below its patch: at a sharp shadow the difference never falls below the threshold. */
     static final int DEEPEST = 4;
 
     private final double threshold;
 
-    /** @param threshold largest difference between two vertices of an element, W/m²; infinite: no subdivision */
+    /** @param threshold largest radiosity difference between vertices of an element, W/m²; infinite: no subdivision */
     public AdaptiveMeshing(double threshold) {
         this.threshold = threshold;
     }
@@ -20,12 +20,12 @@ public final class AdaptiveMeshing {
         return threshold < Double.POSITIVE_INFINITY;
     }
 
-    /** Decided from the element's own values. */
+    /** Whether a node is an element that is to be divided. Reads the light of this element only. */
     public boolean wants(RadiosityNodes nodes, int node) {
         return nodes.isElement(node) && nodes.depthBelowPatch(node) < DEEPEST && difference(nodes, node) > threshold;
     }
 
-    /** Largest difference of radiosity between two corners, over the colours, W/m². */
+    /** Largest difference of radiosity between two corners of an element, over the colours, W/m². */
     private static double difference(RadiosityNodes nodes, int node) {
         double largest = 0;
         for (int c = 0; c < nodes.faces().colours(); c++) {
@@ -38,7 +38,7 @@ public final class AdaptiveMeshing {
         return largest;
     }
 
-    /** Of all layers. */
+    /** Radiosity of one colour at corner k of an element, summed over the layers, W/m². */
     private static double radiosity(RadiosityNodes nodes, int node, int k, int colour) {
         double sum = 0;
         for (int c = colour; c < nodes.channels(); c += nodes.faces().colours()) {

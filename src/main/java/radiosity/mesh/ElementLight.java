@@ -5,9 +5,9 @@ import radiosity.mesh.face.Subdivision;
 import radiosity.util.ArraySize;
 
 /**
- * The light on the elements of some patch trees: what has arrived at their vertices, and what they have shot.
+ * The light on the elements of some patch trees: irradiance at vertices, and radiosity shot at corners of elements.
  *
- * <p>Between the corners of an element all of it is linear.
+ * <p>Between the corners of an element, irradiance and radiosity are linear.
  */
 public final class ElementLight {
 
@@ -15,7 +15,7 @@ public final class ElementLight {
     private final NodeTree tree;
     private final ReceivingPoints points;
     private final int channels;
-    /** 3 x channels per element, by its place: radiosity S that has been shot at each corner. W/m². */
+    /** 3 x channels per element, in the order of {@link NodeTree#place}: radiosity S shot at each corner, W/m². */
     private double[] shot;
 
     ElementLight(RadiosityNodes nodes, NodeTree tree, ReceivingPoints points) {
@@ -27,9 +27,9 @@ public final class ElementLight {
     }
 
     /**
-     * How many numbers say what elements have shot.
+     * Number of entries of the array of shot radiosities: 3 x channels per element.
      *
-     * @throws radiosity.util.TooLargeException where they are more than an array holds
+     * @throws radiosity.util.TooLargeException where an array cannot hold this number of entries
      */
     static int size(int channels, long elements) {
         return ArraySize.of(what(channels), 3, channels, elements);
@@ -39,7 +39,7 @@ public final class ElementLight {
         return "light shot by elements in " + channels + " channels";
     }
 
-    /** Makes room for about this number of divided elements more. */
+    /** Makes room for the elements of about this number of further divisions. */
     void expect(int divided) {
         int each = 3 * channels;
         makeRoom(each * ArraySize.room(what(channels), tree.elements(), tree.elements() + 3L * divided, each));
@@ -51,7 +51,7 @@ public final class ElementLight {
         }
     }
 
-    /** Gives four children what their parent had shot. */
+    /** Gives four children the radiosity that their parent had shot, interpolated at their corners. */
     void divide(int node, int first) {
         int n = 3 * channels;
         double[] before = Arrays.copyOfRange(shot, n * tree.place(node), n * (tree.place(node) + 1));
@@ -63,18 +63,18 @@ public final class ElementLight {
         }
     }
 
-    /** H, channels per vertex, W/m²; whoever owns the tree adds to it. */
+    /** Irradiance H, channels per vertex, W/m². Not a copy: the owner of the tree adds to this array. */
     public double[] irradiance() {
         return points.irradiance();
     }
 
-    /** Irradiance H at corner k of an element, W/m²: that of its vertex, or the mean of the others if it is buried. */
+    /** Irradiance H at corner k of an element, W/m². A buried vertex takes the mean of the element's others. */
     public double irradiance(int node, int k, int channel) {
         int v = tree.corner(node, k);
         return points.isBuried(v) ? ofOthers(node, channel) : arrived(v, channel);
     }
 
-    /** The mean over those corners that are not buried, W/m². */
+    /** The mean irradiance of the element's vertices that are not buried, W/m²; 0 where all are buried. */
     private double ofOthers(int node, int channel) {
         double sum = 0;
         int seen = 0;
@@ -89,11 +89,13 @@ public final class ElementLight {
     }
 
     /**
-     * By how much the mean of H over an element exceeds that of its corners, W/m²: where light is curved, straight
-     * lines between vertices lose some. It takes away no more than the corners have in the mean.
+     * By how much the mean of H over an element exceeds the mean of H at its corners, W/m²: where irradiance is
+     * curved, linear interpolation between vertices loses light. A negative bulge is at most as large as the mean of H
+     * at the corners.
      *
-     * <p>Seen from its parent (L. F. Richardson, The deferred approach to the limit, 1927): an edge of half the length
-     * bulges a quarter as much, and the mean over a parabolic triangle is a third of the sum of its edges' bulges.
+     * <p>The bulge is extrapolated from the element's parent (L. F. Richardson, The deferred approach to the limit,
+     * 1927): an edge of half the length bulges a quarter as much, and over a triangle on which H is quadratic, the mean
+     * bulge is a third of the sum of the bulges of its edges. An element without parent has bulge 0.
      */
     public double bulge(int node, int channel) {
         double sum = 0;
@@ -116,10 +118,10 @@ public final class ElementLight {
     }
 
     /**
-     * By what part of themselves the differences of H between the corners of an element count where H and its bulge are
-     * reflected, in [0, 1]: less than 1 where a corner would reflect less than nothing otherwise. The mean stays the
-     * same (X. Zhang, C.-W. Shu, On maximum-principle-satisfying high order schemes for scalar conservation laws,
-     * 2010).
+     * Factor in [0, 1] by which differences of H from its mean over the corners are reduced before H and the bulge are
+     * reflected: less than 1 where a corner would reflect less than 0, although the mean with the bulge does not. The
+     * mean stays the same (X. Zhang, C.-W. Shu, On maximum-principle-satisfying high order schemes for scalar
+     * conservation laws, 2010).
      */
     private double slope(int node, int channel, double bulge) {
         double least = least(node, channel);
@@ -127,7 +129,7 @@ public final class ElementLight {
         return least + bulge >= 0 || mean + bulge < 0 ? 1 : (mean + bulge) / (mean - least);
     }
 
-    /** H at the middle of the edge opposite corner k of an inner node less the mean of the edge's ends, W/m². */
+    /** Bulge of the edge opposite corner k of an inner node, W/m²: H at its middle less the mean of H at its ends. */
     private double bulge(int node, int k, int channel) {
         int p = tree.corner(node, (k + 1) % 3);
         int q = tree.corner(node, (k + 2) % 3);
@@ -152,17 +154,17 @@ public final class ElementLight {
         return shot[channels * (3 * tree.place(node) + k) + channel];
     }
 
-    /** The same at all corners, see {@link PatchTree.Quantity}. */
+    /** Puts the radiosity shot at an element's corners into {@code values}, see {@link PatchTree.Quantity}. W/m². */
     public void shot(int node, double[] values, int at) {
         System.arraycopy(shot, 3 * channels * tree.place(node), values, at, 3 * channels);
     }
 
-    /** Sets S at corner k of an element, W/m²; for whoever owns the tree. */
+    /** Sets the radiosity S shot at corner k of an element, W/m²; only the owner of the tree may call this. */
     public void setShot(int node, int k, int channel, double radiosity) {
         shot[channels * (3 * tree.place(node) + k) + channel] = radiosity;
     }
 
-    /** What was shot and what is unshot, at all corners, W/m²; see {@link PatchTree.Quantity}. */
+    /** Puts an element's shot plus unshot radiosity into {@code values}, see {@link PatchTree.Quantity}. W/m². */
     public void leaving(int node, double[] values, int at) {
         unshot(node, values, at);
         for (int i = 0; i < 3 * channels; i++) {
@@ -171,18 +173,18 @@ public final class ElementLight {
     }
 
     /**
-     * Unshot radiosity U = B - S, the element's bulge included, at corner k of an element, W/m²; signed. Of the mean
-     * over the corners: what is shot at each of them is said below.
+     * Unshot radiosity U = B - S at corner k of an element, with the reflected bulge, W/m²; signed. Only the mean over
+     * the three corners is exact: {@link #unshot(int, double[], int)} also limits the differences between corners.
      *
-     * @param bulge of the element in this channel
+     * @param bulge the element's {@link #bulge(int, int)} in this channel
      */
     public double unshot(int node, int k, int channel, double bulge) {
         return radiosity(node, k, channel) - shot(node, k, channel) + nodes.reflectance(node, channel) * bulge;
     }
 
     /**
-     * What is to be shot for all that was ever shot to be what leaves the corners, and no less than nothing: a vertex
-     * that has received less than nothing, as later shots took back along other rays, radiates nothing.
+     * Like {@link #unshot(int, double[], int)}, but a corner from which less than 0 would leave counts as black: its
+     * unshot radiosity is -S. Irradiance can be negative where later shots took light back along other rays.
      */
     public void unshotOfPositive(int node, double[] values, int at) {
         unshot(node, values, at);
@@ -191,7 +193,10 @@ public final class ElementLight {
         }
     }
 
-    /** What is to be shot at all corners: no corner reflects less than nothing. See {@link PatchTree.Quantity}. */
+    /**
+     * Puts an element's unshot radiosity, W/m², into {@code values}, see {@link PatchTree.Quantity}. Where the mean of
+     * H with the bulge is not negative, differences between corners are reduced so that no corner reflects less than 0.
+     */
     public void unshot(int node, double[] values, int at) {
         for (int c = 0; c < channels; c++) {
             double exitance = nodes.exitance(node, c);

@@ -6,9 +6,9 @@ import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
 /**
- * Which vertices lie inside a solid, where a floor runs on below a block: whatever they look at turns its back.
+ * Finds vertices inside a solid, as where a floor continues below a block: all surfaces in sight show their backs.
  *
- * <p>Such a vertex stays black and would darken the elements around it.
+ * <p>A vertex inside a solid receives no light and would darken the elements around it, so it is marked as buried.
  */
 public final class InteriorTest {
 
@@ -16,14 +16,14 @@ public final class InteriorTest {
     private final IntPredicate hidden;
     private final Solids solids;
 
-    /** @param hidden which faces are known to lie inside one */
+    /** @param hidden whether a face is known to lie inside a solid */
     public InteriorTest(Faces faces, RadiosityBounds bounds, IntPredicate hidden) {
         this.faces = faces;
         this.hidden = hidden;
         solids = new Solids(bounds, faces.fronts());
     }
 
-    /** Marks those of the vertices from first on that are buried. */
+    /** Marks the vertices from {@code first} to {@code last - 1} that lie inside a solid as buried. */
     public void look(RadiosityNodes nodes, int first, int last) {
         for (int v = first; v < last; v++) {
             if (isBuried(nodes, v)) {
@@ -39,8 +39,8 @@ public final class InteriorTest {
     /**
      * Whether a point lies inside a solid.
      *
-     * @param place x, y, z of the scene brought to size 1, 3 from {@code at}
-     * @param f     the face on which it lies
+     * @param place x, y, z of the point in the scene brought to size 1, 3 from {@code at}; not modified
+     * @param f     the face on which the point lies
      */
     public boolean isBuried(float[] place, int at, int f) {
         return hidden.test(f) || isHeld(place, at, f);

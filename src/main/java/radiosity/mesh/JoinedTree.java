@@ -3,12 +3,12 @@ package radiosity.mesh;
 import java.util.Queue;
 import radiosity.mesh.face.NodePath;
 
-/** Trees that lie side by side as the one tree of which they are parts. */
+/** Joins the patch trees of neighbouring subtrees to the patch tree of a common ancestor. */
 public final class JoinedTree {
 
-    /** Null where it has parts. */
+    /** The given patch tree of this node; null where the node is divided into four parts. */
     private final PatchTree whole;
-    /** Four, by their place among the children. */
+    /** Four, one per child of this node; null where this node has a given patch tree. */
     private final JoinedTree[] part;
 
     private JoinedTree(PatchTree whole, JoinedTree[] part) {
@@ -17,9 +17,10 @@ public final class JoinedTree {
     }
 
     /**
-     * The tree below a node.
+     * Joins the patch trees of all subtrees below a node to the tree of the node.
      *
-     * @param parts modified: the trees of which it consists, in their order, are taken from its head
+     * @param parts modified: patch trees in depth-first order; the parts of the node are removed from the head
+     * @throws IllegalArgumentException where the head of the queue does not hold all parts of the node
      */
     public static PatchTree of(int face, long path, Queue<PatchTree> parts) {
         JoinedTree joined = take(face, path, parts);

@@ -3,12 +3,12 @@ package radiosity.mesh;
 import java.util.Arrays;
 import radiosity.mesh.face.NodePath;
 
-/** A tree cut off at a number of levels below its face: deeper elements are replaced by their mean. */
+/** Cuts a patch tree off at a level below its face; every element gets its mean radiosity at all corners. */
 public final class MeanTree {
 
     private MeanTree() { }
 
-    /** @param level below the face, that no element is below but the tree's top */
+    /** @param level levels below the face at which the tree is cut off; a tree with a deeper top keeps its top only */
     public static PatchTree of(PatchTree tree, int level) {
         int[] of = new int[tree.child().length];
         int[] levels = new int[of.length];
@@ -26,7 +26,7 @@ public final class MeanTree {
         return new PatchTree(tree.face(), tree.path(), Arrays.copyOf(child, size), means(tree, child, of, size));
     }
 
-    /** At all corners of elements. */
+    /** 3 x channels per node: the mean radiosity of an element at each of its corners; 0 for inner nodes. W/m². */
     private static double[] means(PatchTree tree, int[] child, int[] of, int size) {
         int channels = tree.channels();
         double[] means = new double[3 * channels * size];

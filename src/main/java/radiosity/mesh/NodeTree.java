@@ -5,8 +5,8 @@ import radiosity.mesh.face.NodePath;
 import radiosity.util.ArraySize;
 
 /**
- * Trees of nodes in arrays, where each lies and what it shares with others. A node is an index; what it needs no array
- * for is found from its parents.
+ * The nodes of some patch trees in arrays: place of each node, its vertices, its parent and children. A node is an
+ * index; its path is not stored, but found from its ancestors.
  */
 final class NodeTree {
 
@@ -14,23 +14,23 @@ final class NodeTree {
 
     private int count;
     private int elements;
-    /** 1 per node. */
+    /** 1 per node: the face on which the node lies. */
     private int[] face;
     /** 1 per node: levels below the face. */
     private byte[] level;
-    /** 1 per node: what it is a part of; of a root, -1 less its number. */
+    /** 1 per node: its parent; of root number i, -1 - i. */
     private int[] parent;
     /** 1 per node: first of four consecutive children, or -1. */
     private int[] child;
-    /** 3 per node: vertices. */
+    /** 3 per node: vertex at each corner. */
     private int[] corner;
-    /** 1 per node: an element's place among the elements, in no order; an inner node has that of its first child. */
+    /** 1 per node: an element's number among the elements, in any order; an inner node has its first child's. */
     private int[] place;
     private final Roots roots;
 
     /**
-     * @param roots    about how many
-     * @param expected about how many nodes
+     * @param roots    expected number of roots
+     * @param expected expected number of nodes
      */
     NodeTree(int roots, int expected) {
         this.roots = new Roots(roots);
@@ -49,7 +49,7 @@ final class NodeTree {
         return node;
     }
 
-    /** @return the first of four, which have no corners yet */
+    /** @return the first of four children, whose corners are not set yet */
     int addChildren(int node) {
         int first = count;
         for (int k = 0; k < 4; k++) {
@@ -71,7 +71,7 @@ final class NodeTree {
         return count++;
     }
 
-    /** Makes room for about this number of divided nodes more. */
+    /** Makes room for about this number of further divided nodes. */
     void expect(int divided) {
         int room = ArraySize.room(CORNERS, count, count + 4L * divided, 3);
         if (room > face.length) {
@@ -108,7 +108,7 @@ final class NodeTree {
         return level[node];
     }
 
-    /** See {@link NodePath}. */
+    /** Path of a node below its face, see {@link NodePath}. */
     long path(int node) {
         long steps = 0;
         int bits = 0;
@@ -120,7 +120,7 @@ final class NodeTree {
         return roots.path(-1 - parent[at]) << bits | steps;
     }
 
-    /** What a node is a part of, or -1. */
+    /** The parent of a node, or -1 for a root. */
     int parent(int node) {
         return Math.max(-1, parent[node]);
     }
@@ -137,12 +137,12 @@ final class NodeTree {
         corner[3 * node + k] = vertex;
     }
 
-    /** In the order in which they were added. */
+    /** The roots, in the order in which they were added. */
     int[] roots() {
         return roots.all();
     }
 
-    /** The node of this name, or -1. */
+    /** The node with this face and path, or -1. */
     int find(int onFace, long atPath) {
         int levels = NodePath.level(atPath);
         int up = levels;

@@ -7,9 +7,9 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 
 /**
- * Cuts the patch tree into blocks of neighbouring patches, in an order in which what is close in space is close
- * (section 4.3 of the paper). Depends on the scene and the patch area alone; dealing block b to owner b mod n
- * interleaves the owners geometrically.
+ * Cuts the patch tree into blocks of neighbouring patches, in a geometric order: blocks that are close in the order are
+ * close in space (section 4.3 of the paper). The blocks depend on the scene and the patch area alone; dealing block b
+ * to owner b mod n interleaves the owners geometrically.
  */
 public final class Partitioner {
 
@@ -18,7 +18,7 @@ public final class Partitioner {
 
     private final Patcher patcher;
     private final int blockSize;
-    /** Id of the first block. */
+    /** Id of the first block that is made. */
     private final int first;
     private final List<Block> blocks = new ArrayList<>();
     private int[] face = new int[16];
@@ -37,9 +37,9 @@ public final class Partitioner {
     }
 
     /**
-     * All blocks of a scene, by their ids.
+     * All blocks of a scene, in the order of their ids.
      *
-     * @param wanted about how many, where there are enough patches for them
+     * @param wanted approximate number of blocks; fewer where the scene has not enough patches
      */
     public static List<Block> blocks(Patcher patcher, int wanted) {
         Partitioner partitioner = new Partitioner(patcher, wanted, 0);
@@ -51,10 +51,10 @@ public final class Partitioner {
     }
 
     /**
-     * A block cut into smaller ones.
+     * Cuts a block into smaller blocks.
      *
-     * @param wanted about how many there would be of the whole scene, where there are enough patches
-     * @param first  id of the first of them
+     * @param wanted approximate number of blocks to which the whole scene would be cut at the same block size
+     * @param first  id of the first smaller block; the others follow
      */
     public static List<Block> within(Block block, Patcher patcher, int wanted, int first) {
         Partitioner partitioner = new Partitioner(patcher, wanted, first);
@@ -94,7 +94,7 @@ public final class Partitioner {
         patches = 0;
     }
 
-    /** By Morton's code of their middles: G. M. Morton, A computer oriented geodetic data base, 1966. */
+    /** The faces by the Morton codes of their centroids: G. M. Morton, A computer oriented geodetic data base, 1966. */
     private static int[] inGeometricOrder(Faces faces) {
         long[] code = new long[faces.count()];
         Integer[] order = new Integer[faces.count()];
@@ -109,7 +109,7 @@ public final class Partitioner {
         return Arrays.stream(order).mapToInt(Integer::intValue).toArray();
     }
 
-    /** Bit i to bit 3 i. */
+    /** Moves bit i to bit 3 i, for the lowest 21 bits. */
     private static long spread(long x) {
         long s = x & 0x1FFFFF;
         s = (s | s << 32) & 0x1F00000000FFFFL;

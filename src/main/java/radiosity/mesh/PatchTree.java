@@ -6,26 +6,26 @@ import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 
 /**
- * The elements below a node, by value, and a radiosity at the corners of each.
+ * A copy of the elements below a node, with a radiosity at the corners of each element.
  *
- * @param face      face on which it lies
- * @param path      its top node below the face, see {@link NodePath}
+ * @param face      face on which the node lies
+ * @param path      path of the node below its face, see {@link NodePath}
  * @param child     1 per node, breadth first: first of four consecutive children, or -1
- * @param radiosity 3 x channels per node, corner by corner; 0 for inner nodes. Empty where it is left out. W/m²
+ * @param radiosity 3 x channels per node, corner by corner, W/m²; 0 for inner nodes. Empty where it is left out
  */
 public record PatchTree(int face, long path, int[] child, double[] radiosity) {
 
-    /** A quantity at the corners of an element: puts 3 x channels, corner by corner, from a place on. */
+    /** A quantity at the corners of an element: writes 3 x channels values, corner by corner, from an index on. */
     public interface Quantity {
         void put(int element, double[] values, int at);
     }
 
-    /** Of its radiosity. */
+    /** Number of channels of the radiosity; 0 where the radiosity is empty. */
     public int channels() {
         return radiosity.length / (3 * child.length);
     }
 
-    /** A copy of the elements below a node. */
+    /** Copies the elements below a node and their values of a quantity. */
     public static PatchTree of(RadiosityNodes nodes, int top, Quantity quantity) {
         int[] order = breadthFirst(nodes, top);
         int channels = nodes.channels();
@@ -44,16 +44,16 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return new PatchTree(nodes.face(top), nodes.path(top), below, values);
     }
 
-    /** Nothing, on an element. */
+    /** A tree that consists of one element with radiosity 0. */
     public static PatchTree none(int face, long path, int channels) {
         return new PatchTree(face, path, new int[] {-1}, new double[3 * channels]);
     }
 
     /**
-     * The same radiosity on the elements of a tree that goes as deep or deeper, as {@link RadiosityNodes#split} would
-     * leave it.
+     * The same radiosity on the elements of a deeper tree, interpolated as {@link RadiosityNodes#split} does.
      *
-     * @param into as {@link #child}
+     * @param into children of the nodes of the deeper tree, as {@link #child}; not modified, kept
+     * @throws IllegalArgumentException where the other tree is less deep somewhere
      */
     public PatchTree divided(int[] into) {
         if (Arrays.equals(child, into)) {
@@ -65,7 +65,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return new PatchTree(face, path, into, values);
     }
 
-    /** @param here at the corners, where this tree goes no deeper; else null */
+    /** @param here values at the corners where this tree goes no deeper, n entries; else null */
     private void divide(int i, double[] here, int[] into, int j, double[] values, int n) {
         double[] now = here == null && child[i] < 0 ? ofElement(i, n) : here;
         if (into[j] < 0) {
@@ -81,7 +81,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         }
     }
 
-    /** The sum of this and another one below the same node, on the elements of both. */
+    /** The sum of two trees with the same top node, on a tree that is everywhere as deep as the deeper of the two. */
     public PatchTree plus(PatchTree other) {
         int[] both = Arrays.equals(child, other.child) ? child : ofBoth(child, other.child);
         double[] sum = divided(both).radiosity.clone();
@@ -92,7 +92,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return new PatchTree(face, path, both, sum);
     }
 
-    /** A tree that goes as deep as the deeper one of two everywhere, as {@link #child}. */
+    /** Children of the nodes of the least tree that is everywhere as deep as two others, as {@link #child}. */
     private static int[] ofBoth(int[] a, int[] b) {
         int most = a.length + b.length;
         int[] child = new int[most];
@@ -135,9 +135,9 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
     }
 
     /**
-     * Adds to what the elements below a node have shot; they may have been subdivided deeper than this tree is.
+     * Adds this tree's radiosity to the radiosity that elements have shot, interpolated where they are divided deeper.
      *
-     * @param top the node of this name, or one below it
+     * @param top the node with this tree's face and path, or a node below that one
      */
     public void addShot(RadiosityNodes nodes, int top) {
         int at = 0;
@@ -157,7 +157,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return Arrays.copyOfRange(radiosity, n * i, n * i + n);
     }
 
-    /** @param values 3 x channels at the corners, where this tree goes no deeper; else null */
+    /** @param values 3 x channels at the corners where this tree goes no deeper; else null */
     private void addShot(RadiosityNodes nodes, int node, int i, double[] values) {
         int n = 3 * nodes.channels();
         boolean ends = values == null && child[i] < 0;
@@ -178,7 +178,8 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
     }
 
     /**
-     * Radiosity times area summed over the elements, per channel, of the scene's squared size; added to {@code sum}.
+     * Adds this tree's flux per channel, radiosity times area summed over elements, to {@code sum}; W/m² times squared
+     * scene size.
      */
     public void addFlux(Faces faces, double[] sum) {
         add(0, faces.area(face) / (1L << 2 * NodePath.level(path)), sum);
@@ -205,7 +206,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return least;
     }
 
-    /** Mean radiosity below a node, per channel; added to {@code mean}. */
+    /** Adds {@code share} times the mean radiosity over a node to {@code mean}: one value per channel, W/m². */
     public void addMean(int node, double share, double[] mean) {
         for (int k = 0; k < 4 && child[node] >= 0; k++) {
             addMean(child[node] + k, share / 4, mean);

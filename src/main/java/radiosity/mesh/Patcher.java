@@ -6,33 +6,33 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 
 /**
- * How deep the initial mesh goes, and where its receiving points lie (section 4.2.1 of the paper).
+ * Decides how deep the initial mesh goes, and where its receiving points lie (section 4.2.1 of the paper).
  *
- * <p>Every face is divided in four until no patch is larger than the patch area. Neighbours share vertices within a
- * part. A vertex on the border of its part receives light a little inside it: at the exact edge of a room the form
- * factor of the adjacent wall is undefined.
+ * <p>Every face is divided in four until no patch is larger than the patch area. Neighbouring faces share vertices
+ * within a coplanar region. A vertex on the border of its region receives light at a point a little inside the region:
+ * at the exact edge of a room the form factor of the adjacent wall is undefined.
  */
 public final class Patcher {
 
-    /** How far a receiving point is pulled inside, of the height of an element. */
+    /** Distance by which a receiving point is pulled inside its region, in heights of an element. */
     static final double PULL = 0.03;
-    /** A patch smaller than this receives at its middle only, of the area of all faces; see {@link #isPoint}. */
+    /** Largest area of a patch that receives at its middle only, as share of all faces' area; see {@link #isPoint}. */
     private static final double POINT = 0x1p-16;
-    /** Largest of {@link #slack}. */
+    /** Largest value of {@link #slack}. */
     public static final int MOST_SLACK = 3;
-    /** In a part of this number of faces or more they have fewer shared corners than middles. */
+    /** Coplanar regions of this number of faces or more have fewer shared corners than middles of faces. */
     private static final int SHARED = 6;
 
     private final Faces faces;
     private final double patchArea;
     private final byte[] level;
     private final BitSet point;
-    /** 9 per face: displacement of the receiving point at each of its corners. */
+    /** 9 per face: displacement of the receiving point at each corner of the face, x, y, z. */
     private final float[] cornerPull;
 
     /**
-     * @param patchArea largest area of a patch, of the scene's squared size, above 0
-     * @param points    whether small patches may receive at one point
+     * @param patchArea largest area of a patch, in squared scene sizes, above 0
+     * @param points    whether small patches may receive at their middle only
      */
     public Patcher(Faces faces, double patchArea, boolean points) {
         this(faces, patchArea, levels(faces, patchArea), points ? points(faces) : new BitSet());
@@ -68,7 +68,7 @@ public final class Patcher {
         return points;
     }
 
-    /** A mesh of about this number of patches or of fewer, but with all the subtrees of these blocks. */
+    /** A mesh of about this number of patches or fewer, but deep enough to hold every subtree of some blocks. */
     public Patcher coarser(List<Block> blocks, int patches) {
         double largest = Math.max(patchArea, areaFor(faces, patches));
         byte[] coarse = levels(faces, largest);
@@ -81,7 +81,7 @@ public final class Patcher {
         return new Patcher(faces, largest, coarse, point);
     }
 
-    /** A patch area that gives about this number of patches. */
+    /** The patch area, in squared scene sizes, that gives about this number of patches. */
     public static double areaFor(Faces faces, int patches) {
         return Math.max(faces.area() / patches, Double.MIN_NORMAL);
     }
@@ -90,28 +90,28 @@ public final class Patcher {
         return faces;
     }
 
-    /** Largest area of a patch, of the scene's squared size. */
+    /** Largest area of a patch, in squared scene sizes. */
     public double patchArea() {
         return patchArea;
     }
 
-    /** Divisions in four from face to patch. */
+    /** Levels from a face down to its patches. */
     public int level(int face) {
         return level[face];
     }
 
     /**
-     * Whether a face is a patch that receives at its middle only: what was modelled finer than light needs, and shares
-     * no corners in one plane with others, would have three points where one is as good.
+     * Whether a face is one small patch that receives at its middle only: such a face is modelled finer than the light
+     * needs and shares few corners with coplanar faces, so three receiving points would cost more and gain nothing.
      */
     public boolean isPoint(int face) {
         return level[face] == 0 && point.get(face);
     }
 
     /**
-     * By how many powers of two the light at a face's vertex may be less exact than elsewhere. A given error of the
-     * whole costs least where more work would gain the same everywhere: work at a point goes with about 1 / error, what
-     * it is good for with the area that the point stands for.
+     * Number of powers of two, from 0 to {@link #MOST_SLACK}, by which the tolerance for light at a face's vertices is
+     * raised. A given total error costs least where further work reduces it equally everywhere: the work at a point
+     * grows with 1 / error, and its effect on the total with the area that the point represents.
      */
     public int slack(int face) {
         if (!isPoint(face)) {
@@ -131,10 +131,10 @@ public final class Patcher {
     }
 
     /**
-     * Where the light at a vertex is gathered.
+     * Finds the receiving point of a vertex.
      *
      * @param weights  weights of the face's corners at the vertex, 3 from {@code at}, units of 2^-30; not modified
-     * @param depth    level of the elements that the vertex was made for
+     * @param depth    level of the elements for which the vertex is made
      * @param position x, y, z of the vertex, 3 from {@code to}; not modified
      * @param receiver modified: x, y, z of the receiving point, 3 from {@code to}
      */
@@ -161,7 +161,7 @@ public final class Patcher {
         }
     }
 
-    /** In the face's plane, at right angles to its edge k, towards the face. */
+    /** Sets v to the normal of the edge opposite corner k that points into face f, scaled to a given length. */
     private void inward(int f, int k, double length, float[] v) {
         int p = (k + 1) % 3;
         int q = (k + 2) % 3;

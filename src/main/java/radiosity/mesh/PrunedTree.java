@@ -3,14 +3,14 @@ package radiosity.mesh;
 import java.util.Arrays;
 import radiosity.mesh.face.NodePath;
 
-/** A tree without the elements that are not needed to say what it says: where four are as one, they are one. */
+/** Removes redundant elements from a patch tree: four siblings with radiosity linear over their parent are merged. */
 public final class PrunedTree {
 
     private final PatchTree tree;
-    /** As of the tree; -1 where four have become one. */
+    /** Children of the nodes as in {@link PatchTree#child}, but -1 where four siblings have been merged. */
     private final int[] child;
     private final double[] radiosity;
-    /** Values per node. */
+    /** Values per node: 3 x channels. */
     private final int n;
     private int size;
 
@@ -23,9 +23,9 @@ public final class PrunedTree {
     }
 
     /**
-     * The same radiosity, to the last bit, on as few elements.
+     * The same radiosity, to the last bit, on as few elements as possible.
      *
-     * @param level below the face, that no element is above
+     * @param level siblings whose parent lies above this level below the face are not merged
      */
     public static PatchTree of(PatchTree tree, int level) {
         if (tree.child().length == 1) {
@@ -65,8 +65,8 @@ public final class PrunedTree {
     }
 
     /**
-     * Whether four consecutive nodes are elements that have, at the middles of their parent's edges, what lies between
-     * its corners.
+     * Whether four consecutive nodes are elements whose radiosity at the middles of their parent's edges is the exact
+     * mean of the values at the ends of these edges.
      */
     private boolean isLinear(int first) {
         for (int k = 0; k < 4; k++) {
@@ -88,7 +88,7 @@ public final class PrunedTree {
         return true;
     }
 
-    /** What is left. */
+    /** A patch tree of the nodes that remain. */
     private PatchTree tree() {
         int[] from = new int[size];
         int[] below = new int[size];

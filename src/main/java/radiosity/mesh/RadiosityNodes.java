@@ -11,9 +11,9 @@ import radiosity.util.ArraySize;
 /**
  * The patch trees of some blocks and their light, in arrays (section 4.5.7 of the paper); a node is an index.
  *
- * <p>Leaves are the elements. Each refers to three vertices; light arrives at vertices, and what an element has shot
- * is kept at its own corners. Between corners both are linear. A patch is a leaf of the initial mesh: whatever is
- * subdivided later lies below one.
+ * <p>The leaves are the elements. Each element refers to three vertices. Irradiance is kept at vertices, shot radiosity
+ * at the corners of each element; both are linear between corners. A patch is a leaf of the initial mesh: every node
+ * that is made later lies below a patch.
  */
 public final class RadiosityNodes {
 
@@ -24,10 +24,10 @@ public final class RadiosityNodes {
 
     private final NodeTree tree;
     private final ElementLight light;
-    /** Leaves of the initial mesh. */
+    /** Leaves of the initial mesh, in the order of the blocks. */
     private final int[] patches;
     private int patchCount;
-    /** For whoever divides nodes: modified. */
+    /** Scratch space for the weights of a node's corners; makes division of nodes single-threaded. */
     private final int[] weights = new int[9];
 
     /** Makes the initial mesh of some blocks. */
@@ -86,10 +86,10 @@ public final class RadiosityNodes {
     }
 
     /**
-     * Divides an element in four (section 2.5). What its new corners had received and shot is what stood there before.
+     * Divides an element in four (section 2.5); new corners take interpolated irradiance and shot radiosity.
      *
-     * @param with new vertices are shared with those of all splits of the same number, above 0
-     * @return the first of the four
+     * @param with number of the split, above 0: new vertices are shared among all splits with this number
+     * @return the first of the four children
      */
     public int split(int node, int with) {
         int first = divide(node, tree.level(node) + 1, with);
@@ -98,9 +98,9 @@ public final class RadiosityNodes {
     }
 
     /**
-     * To be called before splits with a number that there was none with: nobody asks for other shared vertices again.
+     * Must be called before the first split with a new number: vertices of earlier splits are not shared any more.
      *
-     * @param expected how many splits, about
+     * @param expected approximate number of splits for which room is made
      */
     public void beginSplits(int expected) {
         points.forget();
@@ -133,7 +133,7 @@ public final class RadiosityNodes {
         return first;
     }
 
-    /** Gives a node that received at its middle only a vertex at each corner; the one in its middle rests. */
+    /** Gives a node that received at its middle a vertex at each corner; the vertex at the middle becomes buried. */
     private void giveCorners(int node, int depth, int with) {
         int middle = corner(node, 0);
         for (int k = 0; k < 3; k++) {
@@ -142,7 +142,7 @@ public final class RadiosityNodes {
         points.bury(middle);
     }
 
-    /*---- What is there ----*/
+    /*---- Queries ----*/
 
     public Faces faces() {
         return faces;
@@ -156,12 +156,11 @@ public final class RadiosityNodes {
         return light;
     }
 
-    /** Number of nodes, inner ones and elements. */
+    /** Number of nodes, inner nodes and elements. */
     public int nodes() {
         return tree.count();
     }
 
-    /** Number of leaves. */
     public int elements() {
         return tree.elements();
     }
@@ -180,12 +179,12 @@ public final class RadiosityNodes {
         return patches[i];
     }
 
-    /** Levels between a node and the patch that it lies below. */
+    /** Levels between a node and the patch of which it is a part. */
     int depthBelowPatch(int node) {
         return tree.level(node) - patcher.level(face(node));
     }
 
-    /** The top nodes of all blocks, in their order. */
+    /** The top nodes of all blocks, in the order of the blocks. */
     public int[] tops() {
         return tree.roots();
     }
@@ -200,7 +199,7 @@ public final class RadiosityNodes {
     }
 
     /**
-     * Where corner k of a node lies in the scene; any number of threads may ask.
+     * Position of corner k of a node in the scene. Safe for concurrent calls.
      *
      * @param to modified: x, y, z in scene units, 3 from {@code at}
      */
@@ -216,7 +215,7 @@ public final class RadiosityNodes {
         }
     }
 
-    /** The node of this name, or -1. */
+    /** The node with this face and path, or -1. */
     public int find(int onFace, long atPath) {
         return tree.find(onFace, atPath);
     }
@@ -229,7 +228,7 @@ public final class RadiosityNodes {
         return tree.path(node);
     }
 
-    /** What a node is a part of, or -1. */
+    /** The parent of a node, or -1 for a top node. */
     public int parent(int node) {
         return tree.parent(node);
     }
@@ -239,7 +238,7 @@ public final class RadiosityNodes {
         return tree.child(node);
     }
 
-    /** Number under which an inner node was divided; 0 in the initial mesh. */
+    /** Number of the split that divided an inner node; 0 in the initial mesh. */
     public int dividedWith(int node) {
         return points.made(corner(child(node) + 3, 0));
     }
@@ -248,7 +247,7 @@ public final class RadiosityNodes {
         return tree.child(node) < 0;
     }
 
-    /** Whether all corners of a node are one vertex, in its middle; once it is split it has three. */
+    /** Whether a node has one vertex at its middle for all three corners; a split gives it three vertices. */
     public boolean isPoint(int node) {
         return corner(node, 0) == corner(node, 1);
     }
@@ -258,27 +257,27 @@ public final class RadiosityNodes {
         return tree.corner(node, k);
     }
 
-    /** Area of a node, of the scene's squared size. */
+    /** Area of a node, in squared scene sizes. */
     public double area(int node) {
         return faces.area(face(node)) / (1L << 2 * tree.level(node));
     }
 
-    /** Receiving points, 3 per vertex; not to be modified. */
+    /** Receiving points of all vertices, x, y, z, 3 per vertex; not to be modified. */
     public float[] receivers() {
         return points.receivers();
     }
 
-    /** A face on which a vertex lies, or next to it: the same whichever of its faces the vertex was made for. */
+    /** A face on which a vertex lies, or a neighbour of that face: the same for whichever face the vertex was made. */
     public int vertexFace(int vertex) {
         return points.face(vertex);
     }
 
-    /** The face in whose plane a vertex receives, as {@link #vertexFace} the same for all. */
+    /** The face in whose plane a vertex receives: the same for whichever face the vertex was made. */
     public int vertexPlane(int vertex) {
         return points.plane(vertex);
     }
 
-    /** What a vertex is, whoever owns it. */
+    /** Key of the place of a vertex, equal for all owners. */
     public long vertexKey(int vertex) {
         return points.key(vertex);
     }
@@ -288,36 +287,36 @@ public final class RadiosityNodes {
         return points.made(vertex);
     }
 
-    /** The vertices that were made by splits of this number. */
+    /** The vertices that were made by splits with this number, ascending. */
     public int[] verticesMade(int with) {
         return points.madeBy(with);
     }
 
-    /** Sets aside what all vertices have received: they have received nothing then, and gather anew. */
+    /** Sets the irradiance of all vertices aside and starts anew from 0, so that all vertices can gather again. */
     public void setAside() {
         points.setAside();
     }
 
     /**
-     * All vertices have gathered anew: that is averaged with what is set aside, unless this is negative.
+     * Averages the irradiance gathered anew with the irradiance set aside, unless this is negative in a channel.
      *
-     * @param anew weight of what was gathered anew, in (0, 1]
+     * @param anew weight of the irradiance gathered anew, in (0, 1]
      */
     public void averageAside(double anew) {
         points.averageAside(anew);
     }
 
-    /** Whether vertices gather anew, and what they had received before is set aside. */
+    /** Whether vertices gather anew while their earlier irradiance is set aside. */
     public boolean isSetAside() {
         return points.isSetAside();
     }
 
-    /** Irradiance of a vertex that is shown: what was set aside, else what it has received, W/m². */
+    /** Irradiance of a vertex for display, W/m²: the irradiance set aside, if there is one, else the current. */
     public double shown(int vertex, int channel) {
         return points.shown(vertex, channel);
     }
 
-    /** For whoever restores what was saved: the irradiance of a vertex that is set aside, W/m². */
+    /** Restores the irradiance of a vertex that is set aside, from a saved state, W/m². */
     public void setAside(int vertex, int channel, double irradiance) {
         points.setAside(vertex, channel, irradiance);
     }
@@ -330,17 +329,17 @@ public final class RadiosityNodes {
         points.bury(vertex);
     }
 
-    /** E in W/m², in the mean over a node. */
+    /** Exitance E, mean over a node, W/m². */
     public double exitance(int node, int channel) {
         return faces.exitance(face(node), mapPath(node), channel);
     }
 
-    /** rho in [0, 1), in the mean over a node. */
+    /** Reflectance rho, mean over a node, in [0, 1). */
     public double reflectance(int node, int channel) {
         return faces.reflectance(face(node), mapPath(node), channel);
     }
 
-    /** Where a node lies, if that matters for how it looks. */
+    /** Path of a node where its face has varying materials; else the path of the face, which costs nothing to find. */
     private long mapPath(int node) {
         return faces.isMapped(face(node)) ? tree.path(node) : NodePath.FACE;
     }

@@ -2,14 +2,14 @@ package radiosity.mesh;
 
 import radiosity.mesh.face.Faces;
 
-/** How far the receiving points at the corners of faces are pulled into their part: one way for all its faces. */
+/** Pulls the receiving points at corners of faces into their coplanar region, all faces at a corner alike. */
 final class ReceiverInset {
 
     private final Faces faces;
     private final byte[] level;
-    /** 3 per fan: sum of unit directions to the middles of the faces that meet there. */
+    /** 3 per fan (see {@link Faces#fan}): sum of the unit vectors to the centroids of the faces that meet there. */
     private final double[] direction;
-    /** 1 per fan: least height of a patch that meets there. */
+    /** 1 per fan: least height of a patch that meets there, in scene sizes. */
     private final double[] height;
     private final boolean[] border;
 
@@ -42,7 +42,7 @@ final class ReceiverInset {
         border[i] |= (faces.border[f] & ~(1 << k)) != 0;
     }
 
-    /** 9 per face. */
+    /** 9 per face: displacement of the receiving point at each corner; 0 at corners on no border of a region. */
     float[] displacements() {
         float[] pull = new float[9 * faces.count()];
         for (int f = 0; f < faces.count(); f++) {

@@ -7,32 +7,32 @@ import radiosity.util.ArraySize;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
-/** The vertices of some patch trees, in arrays: where light is gathered, and what has arrived there. */
+/** The vertices of some patch trees in arrays: position, receiving point and irradiance of each vertex. */
 final class ReceivingPoints {
 
-    /** Weights of a face's corners in its middle. */
+    /** Weights of a face's corners at the centroid of the face, in units of 2^-30. */
     private static final int[] MIDDLE = {NodePath.ONE / 3, NodePath.ONE / 3, NodePath.ONE - 2 * (NodePath.ONE / 3)};
 
     private final Patcher patcher;
     private final int channels;
     private int count;
-    /** 3 per vertex. */
+    /** 3 per vertex: x, y, z. */
     private float[] position = new float[3 * 64];
-    /** 3 per vertex: where its light is gathered. */
+    /** 3 per vertex: x, y, z of the point where its light is gathered. */
     private float[] receiver = new float[3 * 64];
-    /** 1 per vertex: the face that stands for it, the same whoever has it; see {@link VertexKey#face}. */
+    /** 1 per vertex: its representative face, equal for all owners; see {@link VertexKey#face}. */
     private int[] face = new int[64];
-    /** 1 per vertex: what it is, whoever owns it. */
+    /** 1 per vertex: key of its place, equal for all owners; see {@link VertexKey#of}. */
     private long[] key = new long[64];
-    /** 1 per vertex: number of the split that made it; 0 in the initial mesh. */
+    /** 1 per vertex: number of the split that made the vertex; 0 in the initial mesh. */
     private int[] made = new int[64];
-    /** 1 per vertex: inside another object; its elements do without it. */
+    /** 1 per vertex: whether it receives nothing, as it lies inside a solid; its elements use their other vertices. */
     private boolean[] buried = new boolean[64];
-    /** channels per vertex: H in W/m². */
+    /** channels per vertex: irradiance H, W/m². */
     private double[] irradiance;
-    /** channels per vertex: H in W/m² that is set aside while all vertices gather anew; else null. */
+    /** channels per vertex: irradiance H that is set aside while all vertices gather anew, W/m²; else null. */
     private double[] aside;
-    /** Vertices of the initial mesh by key, and later ones by key and number of the split. */
+    /** Vertices of the initial mesh by key, later ones by key, number of the split and ends of the divided edge. */
     private LongIndex index = new LongIndex(256);
 
     ReceivingPoints(Patcher patcher) {
@@ -42,17 +42,17 @@ final class ReceivingPoints {
     }
 
     /**
-     * The vertex with certain weights of a face's corners; made where it is not there yet.
+     * Finds or makes the vertex with given weights of a face's corners.
      *
-     * @param w    weights, 3 from {@code wAt}, in units of 2^-30; not modified
-     * @param at   its position, 3 from {@code from}; not modified
-     * @param with 0 in the initial mesh, else number of the split: only vertices of one split are shared
+     * @param w    weights of the face's corners, 3 from {@code wAt}, in units of 2^-30; not modified
+     * @param at   position of the vertex, 3 from {@code from}; not modified
+     * @param with 0 in the initial mesh, else number of the split: only splits with the same number share vertices
      */
     int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with) {
         return vertex(f, w, wAt, depth, at, from, with, with);
     }
 
-    /** The vertex in the middle of a face. */
+    /** Finds or makes the vertex at the centroid of a face. */
     int middle(int f, float[] corners) {
         float[] at = new float[3];
         for (int a = 0; a < 3; a++) {
@@ -61,7 +61,7 @@ final class ReceivingPoints {
         return vertex(f, MIDDLE, 0, 0, at, 0, 0);
     }
 
-    /** @param shared 0 where all of this place are one vertex, else what those that are one have in common */
+    /** @param shared where {@code with} is not 0: vertices of one place are the same only where this is equal */
     private int vertex(int f, int[] w, int wAt, int depth, float[] at, int from, int with, long shared) {
         long id = VertexKey.of(patcher.faces(), f, w, wAt);
         int v = index.findOrAdd(with == 0 ? id : Hash.mix(id, shared), count);
@@ -82,9 +82,9 @@ final class ReceivingPoints {
     }
 
     /**
-     * The vertex halfway between two; a new one has received what they have in the mean. It is shared only by who has
-     * both ends in common: ends of different histories would give it another value from each side, and which of them
-     * came first would depend on how blocks are dealt.
+     * Finds or makes the vertex halfway between vertices u and v. A new vertex has the mean irradiance of u and v.
+     * After the initial mesh only elements that have both u and v share the vertex: from other ends it would get
+     * another irradiance, and which ends came first would depend on how blocks are dealt.
      */
     int between(int u, int v, int f, int[] w, int depth, int with) {
         float[] at = new float[3];
@@ -101,7 +101,8 @@ final class ReceivingPoints {
     }
 
     /**
-     * The vertex at a corner of a face that received at its middle only; a new one has received what the middle has.
+     * Finds or makes the vertex at a corner of a face that received at its middle; a new one has the middle's
+     * irradiance.
      *
      * @param w weights of the face's corners, 3 from {@code wAt}, in units of 2^-30; not modified
      */
@@ -122,13 +123,13 @@ final class ReceivingPoints {
         return v;
     }
 
-    /** Gives back what room there is, and forgets by what vertices could be shared. */
+    /** Frees unused room, and forgets the index by which vertices are shared. */
     void trim() {
         makeRoom(count);
         forget();
     }
 
-    /** Forgets by what vertices could be shared. */
+    /** Forgets the index by which vertices are shared. */
     void forget() {
         index = new LongIndex(256);
     }
@@ -184,17 +185,13 @@ final class ReceivingPoints {
         return irradiance;
     }
 
-    /** Sets aside what all vertices have received: they have received nothing then. */
+    /** See {@link RadiosityNodes#setAside()}. */
     void setAside() {
         aside = irradiance;
         irradiance = new double[aside.length];
     }
 
-    /**
-     * All vertices have gathered anew: that is averaged with what is set aside, unless this is negative.
-     *
-     * @param anew weight of what was gathered anew, in (0, 1]
-     */
+    /** See {@link RadiosityNodes#averageAside}. */
     void averageAside(double anew) {
         for (int v = 0; v < count; v++) {
             boolean isNegative = false;
@@ -212,12 +209,12 @@ final class ReceivingPoints {
         return aside != null;
     }
 
-    /** What is shown of a vertex: what was set aside, else what it has received, W/m². */
+    /** See {@link RadiosityNodes#shown}. */
     double shown(int v, int channel) {
         return (aside == null ? irradiance : aside)[channels * v + channel];
     }
 
-    /** For whoever restores what was saved. */
+    /** See {@link RadiosityNodes#setAside(int, int, double)}. */
     void setAside(int v, int channel, double value) {
         aside = aside == null ? new double[irradiance.length] : aside;
         aside[channels * v + channel] = value;

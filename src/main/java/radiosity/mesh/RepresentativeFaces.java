@@ -4,20 +4,20 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Small faces that are neighbours and look the same way, of which one stands for all where light is predicted: of
- * what was modelled finer than light needs, there are too many to ask each.
+ * Groups neighbouring small faces with similar normals; in the prediction of light one face represents each group, as a
+ * row of the linear system for every face of a finely modelled object would be too much.
  */
 public final class RepresentativeFaces {
 
-    /** Faces that stand for others, about. */
+    /** Approximate number of representative faces for the small faces of a scene. */
     private static final int LEADERS = 4000;
-    /** Faces that one stands for, at least. */
+    /** Least number of faces in a full group, the representative included. */
     private static final int LEAST = 4;
-    /** Ways to look: along x, y or z, up or down. */
+    /** Number of classes of normals: along +x, -x, +y, -y, +z or -z, by the largest component. */
     private static final int WAYS = 6;
 
     private final Patcher patcher;
-    /** 1 per face. */
+    /** 1 per face: the face that represents it, often the face itself. */
     private final int[] leader;
     private final int most;
     private int followers;
@@ -62,12 +62,12 @@ public final class RepresentativeFaces {
         return 2 * along + (patcher.faces().normal(face, along) < 0 ? 1 : 0);
     }
 
-    /** The face that stands for one: mostly itself. */
+    /** The face that represents a face; mostly the face itself. */
     public int leader(int face) {
         return leader[face];
     }
 
-    /** Faces for which another one stands. */
+    /** Number of faces that are represented by another face. */
     public int followers() {
         return followers;
     }

@@ -5,7 +5,7 @@ import radiosity.mesh.face.NodePath;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
-/** The top nodes of the subtrees that some blocks have, by name. */
+/** The top nodes of the subtrees of some blocks, found by face and path. */
 final class Roots {
 
     private final LongIndex names;
@@ -13,7 +13,7 @@ final class Roots {
     private long[] path;
     private int count;
 
-    /** @param expected about how many */
+    /** @param expected expected number of top nodes */
     Roots(int expected) {
         names = new LongIndex(expected);
         node = new int[Math.max(1, expected)];
@@ -34,17 +34,17 @@ final class Roots {
         return count;
     }
 
-    /** Of root i, see {@link NodePath}. */
+    /** Path of top node i below its face, see {@link NodePath}. */
     long path(int i) {
         return path[i];
     }
 
-    /** In the order of the blocks. */
+    /** The top nodes, in the order in which they were added. */
     int[] all() {
         return Arrays.copyOf(node, count);
     }
 
-    /** The root of this name, or -1. */
+    /** The top node with this face and path, or -1. */
     int find(int face, long at) {
         return names.find(name(face, at));
     }

@@ -5,18 +5,18 @@ import radiosity.util.ArraySize;
 import radiosity.util.LongIndex;
 
 /**
- * What is shown at vertices beyond the light that arrives there. Where light is curved, straight lines between vertices
- * lose some of it: elements reflect it ({@link ElementLight#bulge}), and pictures would not show it. So a vertex shows
- * the mean of what the elements around it have more, by their areas. What is shown then carries the flux that elements
- * receive, and is nearer to the light over their areas, as the best fit by straight lines is.
+ * Corrects the displayed irradiance of vertices for curvature. Where irradiance is curved, linear interpolation loses
+ * flux; elements reflect this flux ({@link ElementLight#bulge}), but pictures would not show it. So a vertex shows its
+ * irradiance plus the area-weighted mean bulge of the elements around it. The display then carries the flux that
+ * elements receive and, like a least-squares linear fit, is nearer to the true irradiance.
  */
 public final class VertexBulge {
 
     private final int channels;
     private final LongIndex index = new LongIndex(1024);
-    /** channels per vertex: sum over the elements around it of area times bulge, W/m² of the scene's squared size. */
+    /** channels per vertex: area times bulge summed over the elements around it, W/m² times squared scene size. */
     private double[] flux;
-    /** 1 per vertex: area of those elements, of the scene's squared size. */
+    /** 1 per vertex: area of the elements around the vertex, in squared scene sizes. */
     private double[] area = new double[1024];
 
     public VertexBulge(int channels) {
@@ -25,9 +25,9 @@ public final class VertexBulge {
     }
 
     /**
-     * Adds all elements of some blocks; nothing of those that gather anew.
+     * Adds all elements of some blocks; adds nothing where their vertices gather anew.
      *
-     * @param dark the round whose new vertices have not gathered yet; 0 where there is none
+     * @param dark number of the split whose new vertices have not gathered yet; 0 where all have
      */
     public void add(RadiosityNodes nodes, int dark) {
         for (int node = 0; node < nodes.nodes(); node++) {
@@ -37,7 +37,7 @@ public final class VertexBulge {
         }
     }
 
-    /** Whether an inner node knows the light at the middles of its edges. */
+    /** Whether the vertices at the middles of a node's edges have gathered; false without a node (parent -1). */
     private static boolean hasGathered(RadiosityNodes nodes, int parent, int dark) {
         boolean all = parent >= 0;
         for (int k = 0; k < 3 && all && dark != 0; k++) {
@@ -63,7 +63,7 @@ public final class VertexBulge {
         }
     }
 
-    /** The irradiance that a vertex shows, W/m²: it takes away no more than has arrived. */
+    /** The irradiance that a vertex shows, W/m²; a negative correction is at most the irradiance that arrived. */
     public double shown(long vertexKey, int channel, double arrived) {
         int v = index.find(vertexKey);
         double more = v < 0 ? 0 : flux[channels * v + channel] / area[v];

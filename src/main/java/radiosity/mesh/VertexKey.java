@@ -4,7 +4,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.util.Hash;
 
-/** What a vertex is: a corner of faces, a place on an edge that two may share, or a place on one face. */
+/** Keys of vertices by place: a corner of faces, a place on an edge that faces may share, or one inside a face. */
 final class VertexKey {
 
     private VertexKey() { }
@@ -30,8 +30,8 @@ final class VertexKey {
     }
 
     /**
-     * The face that stands for a vertex, the same for whichever of its faces it is made: the lowest face round the
-     * corner, or the lowest round the ends of the edge.
+     * The representative face of a vertex, equal for all faces that share it: the lowest face around a corner, the
+     * lowest around the ends of an edge inside a region, else the face.
      *
      * @param w weights of the face's corners, 3 from {@code at}, in units of 2^-30; not modified
      */
