@@ -3,7 +3,7 @@ package radiosity.mesh.cut;
 import radiosity.scene.Vec3;
 
 /**
- * A segment of a face's plane along which another triangle stands on it or comes through.
+ * A segment in the plane of a face along which another triangle stands on the face or passes through it.
  *
  * @param across unit vector in the face's plane, at right angles to the segment
  */
@@ -13,12 +13,12 @@ record Contact(Vec3 from, Vec3 to, Vec3 across) {
         return to.minus(from).length();
     }
 
-    /** Distance of a point from the line, signed. */
+    /** Signed distance of a point from the line through the segment, scene units. */
     double beside(Vec3 p) {
         return p.minus(from).dot(across);
     }
 
-    /** How far along the line a point lies, 0 at one end and {@link #length} at the other. */
+    /** Position of a point along the line, scene units: 0 at {@code from} and {@link #length} at {@code to}. */
     double along(Vec3 p) {
         return p.minus(from).dot(to.minus(from)) / length();
     }

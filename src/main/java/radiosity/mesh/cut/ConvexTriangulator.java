@@ -5,7 +5,7 @@ import java.util.List;
 import radiosity.mesh.face.CutPoints;
 import radiosity.scene.Vec3;
 
-/** Triangles of a convex polygon that may have points on its edges: the best shaped ear is cut off first. */
+/** Cuts a convex polygon, which may have points on its edges, into triangles: the best shaped ear comes first. */
 final class ConvexTriangulator {
 
     private final CutPoints points;
@@ -16,7 +16,7 @@ final class ConvexTriangulator {
         this.normal = normal;
     }
 
-    /** @return 3 points per triangle, counter-clockwise like the loop; fewer where it has no area */
+    /** @return 3 points per triangle, counter-clockwise like the loop; a remainder without area gets no triangles */
     List<int[]> triangles(int[] loop) {
         List<Integer> left = new ArrayList<>();
         for (int p : loop) {
@@ -35,7 +35,7 @@ final class ConvexTriangulator {
         return found;
     }
 
-    /** An ear whose rest keeps an area, or is none. */
+    /** The best ear whose removal leaves a polygon with an area, or nothing; -1 where there is none. */
     private int best(List<Integer> left) {
         int n = left.size();
         int best = -1;
@@ -62,7 +62,7 @@ final class ConvexTriangulator {
         return false;
     }
 
-    /** Area over squared edges, 0 where it is next to nothing; negative where turned round. */
+    /** Area over the sum of squared edges; 0 where that is nearly 0, negative for a triangle that is turned over. */
     private double quality(int p, int q, int r) {
         Vec3 a = points.at(q).minus(points.at(p));
         Vec3 b = points.at(r).minus(points.at(q));

@@ -11,17 +11,17 @@ import radiosity.mesh.face.Faces;
 import radiosity.scene.Vec3;
 
 /**
- * Faces of one plane as convex polygons that share their edges, divided along contacts.
+ * The faces of one plane as convex polygons with common edges, which are divided along contacts.
  *
- * <p>A triangle much larger than what stands on it is divided in four first, so that a small footprint does not leave
- * long splinters; then lines divide whole polygons. A new point on an edge is put into the polygons on both sides of
- * it.
+ * <p>A triangle much larger than a contact on it is first divided in four, so that a short contact leaves no long
+ * splinters; then contact lines divide whole polygons. A new point on an edge becomes a point of the polygons on both
+ * sides of the edge.
  */
 final class CutMesh {
 
-    /** A point this near to a line lies on it, of the scene's size. */
+    /** A point nearer to a line than this lies on the line, in scene sizes. */
     static final double NEAR = 1e-6;
-    /** A triangle is divided in four where an edge is longer than this many times what stands on it. */
+    /** A triangle is divided in four where its longest edge is longer than this number of contact lengths. */
     private static final double COARSE = 4;
 
     private final Faces faces;
@@ -31,10 +31,10 @@ final class CutMesh {
     /** By face: its polygons in the order in which they were made. */
     private final Map<Integer, List<CutPolygon>> polygons = new HashMap<>();
     private int count;
-    /** By an edge, which runs counter-clockwise about it. */
+    /** By the {@link #key} of a directed edge: the polygon whose loop runs along the edge in this direction. */
     private final Map<Long, CutPolygon> beside = new HashMap<>();
 
-    /** @param most with more polygons than this nothing is divided */
+    /** @param most number of polygons above which no polygon is divided any more */
     CutMesh(Faces faces, CutPoints points, int most) {
         this.most = most;
         this.faces = faces;
@@ -58,12 +58,12 @@ final class CutMesh {
         }
     }
 
-    /** Another for every edge, spread so that those of neighbouring points have other hashes. */
+    /** Key of a directed edge; the factor gives the edges of neighbouring points different hash codes. */
     private static long key(int from, int to) {
         return ((long) from << 32 | to) * 0x9e3779b97f4a7c15L;
     }
 
-    /** Those of one face. */
+    /** The polygons of one face. */
     List<CutPolygon> polygons(int face) {
         return polygons.get(face);
     }
@@ -75,7 +75,7 @@ final class CutMesh {
                 this::divide);
     }
 
-    /** Those made on the way are looked at too. */
+    /** Hands the wanted polygons of a face, also those added meanwhile, to {@code todo}, until there are too many. */
     private void each(int face, Predicate<CutPolygon> wanted, Consumer<CutPolygon> todo) {
         List<CutPolygon> some = polygons.get(face);
         for (int i = 0; i < some.size() && count <= most; i++) {
@@ -126,7 +126,7 @@ final class CutMesh {
         return m;
     }
 
-    /** Into a polygon that is taken out of the list, and into the one on the other side of its edge. */
+    /** Inserts a point in the edge from u to v of p and of its neighbour; {@link #beside} is not changed for p. */
     private void insert(CutPolygon p, int u, int v, int point) {
         p.insert(u, point);
         CutPolygon other = beside.get(key(v, u));
@@ -143,7 +143,7 @@ final class CutMesh {
         each(face, p -> crossing(p, contact) != null, p -> cut(p, contact));
     }
 
-    /** Makes points of the ends of a contact where they lie on edges between polygons. */
+    /** Makes the ends of a contact points of the mesh where they lie on an edge, along the contact, of two polygons. */
     void pin(int face, Contact contact) {
         for (int i = 0; i < 2; i++) {
             Vec3 end = i == 0 ? contact.from() : contact.to();
@@ -188,7 +188,7 @@ final class CutMesh {
         add(new CutPolygon(p.face, p.chain(end[1], end[0]), null));
     }
 
-    /** Where a line meets an edge. */
+    /** The point at which a contact's line meets an edge; u must be below v, so that both sides get the same point. */
     private int meeting(Contact contact, int u, int v) {
         double du = beside(contact, u);
         double dv = beside(contact, v);
@@ -203,8 +203,8 @@ final class CutMesh {
     }
 
     /**
-     * The two places of a polygon's loop at which, or after which, a contact's line passes through; null where the
-     * contact itself does not go through the inside.
+     * The two indices in a polygon's loop at which, or between which and the next, a contact's line passes; null where
+     * the contact itself does not pass through the inside of the polygon.
      */
     private int[] crossing(CutPolygon p, Contact contact) {
         int n = p.loop.length;

@@ -2,13 +2,13 @@ package radiosity.mesh.cut;
 
 import java.util.Arrays;
 
-/** A convex piece of a face; what lies beside it may have corners on its edges. */
+/** A convex piece of a face. Neighbouring polygons may have corners on its edges. */
 final class CutPolygon {
 
     final int face;
-    /** Points, counter-clockwise; corners of neighbours on its edges among them. */
+    /** Points, counter-clockwise, including the corners of neighbouring polygons that lie on its edges. */
     int[] loop;
-    /** Its three corners; null where it is no triangle any more. */
+    /** The three corners where the polygon is still a triangle; else null. */
     final int[] corners;
 
     CutPolygon(int face, int[] loop, int[] corners) {
@@ -30,7 +30,7 @@ final class CutPolygon {
         return loop[(i + 1) % loop.length];
     }
 
-    /** Its points from one to another, both included. */
+    /** The points of the loop from one to another, both included. */
     int[] chain(int from, int to) {
         int start = place(from);
         int count = Math.floorMod(place(to) - start, loop.length) + 1;
@@ -39,7 +39,7 @@ final class CutPolygon {
         return chain;
     }
 
-    /** Puts a point after another. */
+    /** Inserts a point in the loop behind another point. */
     void insert(int after, int point) {
         int at = place(after) + 1;
         int[] longer = new int[loop.length + 1];

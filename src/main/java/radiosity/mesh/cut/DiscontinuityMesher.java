@@ -15,21 +15,21 @@ import radiosity.scene.Vec3;
 import radiosity.util.LongIndex;
 
 /**
- * Cuts large faces where others stand on them or come through, so that no element has light and shadow of two sides of
- * a wall, and none lies half under a block.
+ * Cuts large faces where other triangles stand on them or pass through them, so that no element has the light of both
+ * sides of a wall, or lies half under a block.
  *
- * <p>Discontinuity meshing for the discontinuities that no refinement can find an end to: D. Baum, S. Mann, K. Smith,
- * J. Winget, Making radiosity usable, 1991. Faces of a size of few elements are left as they are.
+ * <p>This is discontinuity meshing for discontinuities at which refinement would never end: D. Baum, S. Mann, K. Smith,
+ * J. Winget, Making radiosity usable, 1991. Coplanar regions of small faces only are left as they are.
  */
 public final class DiscontinuityMesher {
 
-    /** Of the area of all faces. */
+    /** A coplanar region is cut if one of its faces is larger than this share of the area of all faces. */
     private static final double LEAST_AREA = 2e-4;
-    /** Points nearer to each other are one, of the scene's size. */
+    /** Points nearer to each other than this are one point, in scene sizes. */
     private static final double SAME = 1e-7;
-    /** Pieces of all faces: more of them would be the mesh, and not what the mesh needs. */
+    /** Most pieces of all faces: more pieces would replace the mesh instead of preparing it. */
     private static final int MOST = 20_000;
-    /** Shorter contacts are not worth an edge in the mesh: of the root of the area of all faces. */
+    /** Least length of a contact that is worth an edge, relative to the square root of the area of all faces. */
     private static final double LEAST_LENGTH = 1e-3;
 
     private final Faces faces;
@@ -37,16 +37,16 @@ public final class DiscontinuityMesher {
     private final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
     private final Map<Integer, List<int[]>> pieces = new HashMap<>();
-    /** Edges along contacts: two points, the lower number first. */
+    /** Edges of pieces along contacts, see {@link EdgePieces#key}. */
     final LongIndex edges = new LongIndex(0);
     private int count;
 
     /**
-     * Cuts large faces along their contacts. Where so many triangles stand on faces, or come through them, that there
-     * would be more pieces than elements, the shorter half of the contacts' lengths is left out, as often as that is
-     * needed: the edge of a window pane in its wall stays, the feet of the chairs go.
+     * Cuts large faces along their contacts. Where the contacts would make too many pieces, the least length of a
+     * contact is doubled until they do not: the edge of a window pane in its wall stays, the feet of chairs are left
+     * out.
      *
-     * @return the faces themselves where nothing stands on them or comes through
+     * @return the faces themselves where nothing stands on them or passes through
      */
     public static Faces cut(Faces faces) {
         double least = LEAST_LENGTH;
@@ -63,7 +63,7 @@ public final class DiscontinuityMesher {
         this(faces, LEAST_LENGTH);
     }
 
-    /** @param least length of the shortest contact that counts, of the root of the area of all faces */
+    /** @param least length of the shortest contact that counts, relative to the square root of the area of all faces */
     private DiscontinuityMesher(Faces faces, double least) {
         this.faces = faces;
         points = new CutPoints(faces.scene(), SAME * faces.size());

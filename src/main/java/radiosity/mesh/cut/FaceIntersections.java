@@ -10,28 +10,28 @@ import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.PointNumbers;
 
-/** Finds where triangles stand on a face or come through it. */
+/** Finds the contacts along which triangles stand on a face or pass through it. */
 final class FaceIntersections {
 
-    /** What is nearer to a plane stands on it, of the scene's size. */
+    /** A point nearer to a plane than this lies in the plane, in scene sizes. */
     private static final double TOUCH = 1e-6;
-    /** A normal along an axis of the scene has a component that differs from 1 by less. */
+    /** A normal is along an axis of the scene if one of its components differs from 1 or -1 by less than this. */
     private static final double UPRIGHT = 1e-12;
-    /** Of more, the longest are taken. */
+    /** Most contacts on one face; where there are more, the longest are kept. */
     private static final int MOST = 256;
 
     private final Faces faces;
     private final CutPoints points;
     private final Scene scene;
-    /** 1 per point of the scene: the lowest one with the same coordinates. */
+    /** 1 per point of the scene: the lowest point with the same coordinates. */
     private final int[] numbers;
     private final double touch;
     private final double least;
-    /** 6 per triangle: low x, y, z, high x, y, z, scene units. */
+    /** 6 per triangle: low x, y, z, high x, y, z, scene units, grown by {@link #touch}. */
     private final double[] box;
-    /** Along the axes of the scene. */
+    /** Boxes of all triangles along the axes of the scene. */
     private final TriangleBoxes upright;
-    /** Along those of the part that is being looked at, where it has many faces. */
+    /** The boxes used for the current region: along its plane where it is oblique and has many faces, else upright. */
     private TriangleBoxes boxes;
     private long looks;
 
@@ -57,8 +57,8 @@ final class FaceIntersections {
     }
 
     /**
-     * Prepares for the faces of a part. Where these are many and their plane is oblique, boxes along the plane tell
-     * what lies in it from what stands on it; boxes along the axes of the scene do not.
+     * Prepares for the faces of a coplanar region. If they are many and oblique, boxes along their plane tell triangles
+     * in the plane from triangles that stand on it; boxes along the axes of the scene do not.
      */
     void begin(List<Integer> part) {
         boxes = upright;
@@ -69,7 +69,7 @@ final class FaceIntersections {
         }
     }
 
-    /** Low x, y, z, high x, y, z. */
+    /** The box around a coplanar region: low x, y, z, high x, y, z, scene units. */
     private double[] around(List<Integer> part) {
         double[] around = new double[6];
         for (int a = 0; a < 3; a++) {
@@ -80,12 +80,12 @@ final class FaceIntersections {
         return around;
     }
 
-    /** Boxes that were looked at for triangles that reach into them, for tests. */
+    /** Number of boxes that were tested in searches for triangles; read by tests. */
     long looks() {
         return looks;
     }
 
-    /** Those on one face; what touches only its border is among them. */
+    /** The contacts on one face, longest first, also those that touch its border only. */
     List<Contact> on(int face) {
         List<Contact> found = new ArrayList<>();
         int own = faces.triangle(face);
@@ -115,7 +115,7 @@ final class FaceIntersections {
         return true;
     }
 
-    /** Null where a triangle meets a plane in no segment, or has nothing before it. */
+    /** A triangle's contact with a plane; null where they share no segment or no corner is in front of the plane. */
     private Contact contact(int t, Vec3 origin, Vec3 n) {
         double[] above = new double[3];
         double highest = 0;
@@ -141,7 +141,7 @@ final class FaceIntersections {
         return new Contact(end[0], end[1], n.cross(end[1].minus(end[0])).unit());
     }
 
-    /** The same to the last bit from whichever end it is looked at. */
+    /** The point where an edge meets the plane, the same to the last bit for both directions of the edge. */
     private Vec3 crossing(int t, double[] above, int k, int next) {
         boolean turn = numbers[scene.corners()[3 * t + k]] > numbers[scene.corners()[3 * t + next]];
         int from = turn ? next : k;

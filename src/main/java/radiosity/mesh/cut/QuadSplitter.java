@@ -10,27 +10,27 @@ import radiosity.util.LongIndex;
 import radiosity.util.PointNumbers;
 
 /**
- * Cuts long quadrangles across, for division in four keeps a triangle's shape: a corridor's wall would be meshed as
- * finely across as along, or as coarsely along as across. What is to be cut follows from the scene alone.
+ * Cuts long quadrangles across, because division in four keeps the shape of a triangle: the wall of a corridor would be
+ * meshed as finely across as along, or as coarsely along as across. The cuts depend on scene and patch area alone.
  *
  * <p>A quadrangle is two triangles of one surface in one plane with their longest edge in common.
  */
 public final class QuadSplitter {
 
-    /** Mean length over mean width from which a quadrangle is cut. */
+    /** Ratio of mean length to mean width from which a quadrangle is cut. */
     private static final double LONG = 2;
-    /** What normals in one plane differ by at most. */
+    /** Largest length of the difference between unit normals of two triangles in one plane. */
     private static final double SAME_PLANE = 1e-5;
 
     private final Scene scene;
     private final int[] number;
     private final LongIndex places;
-    /** 3 per point. */
+    /** 3 per point: x, y, z, scene units. */
     private double[] points;
     private int pointCount;
-    /** 3 per triangle. */
+    /** 3 per triangle: its points. */
     private int[] corners;
-    /** 1 per triangle: which of the scene it is, or is a piece of. */
+    /** 1 per triangle: the triangle of the given scene that it is, or is a piece of. */
     private int[] origin;
     private int triangles;
 
@@ -45,10 +45,10 @@ public final class QuadSplitter {
     }
 
     /**
-     * A scene without long quadrangles.
+     * A scene whose long quadrangles are cut.
      *
-     * @param patchArea largest area of a patch, square scene units: a triangle that is no larger is left as it is
-     * @return the same scene where there is nothing to cut
+     * @param patchArea largest area of a patch, square scene units: triangles that are no larger are left as they are
+     * @return the same scene where no quadrangle is long
      */
     public static Scene cut(Scene scene, double patchArea) {
         QuadSplitter strips = of(scene, patchArea);
@@ -62,7 +62,7 @@ public final class QuadSplitter {
                 : Arrays.copyOf(strips.origin, strips.triangles);
     }
 
-    /** Null where there is nothing to cut. */
+    /** Null where no quadrangle is long. */
     private static QuadSplitter of(Scene scene, double patchArea) {
         QuadSplitter strips = new QuadSplitter(scene);
         int[] partner = strips.partners(patchArea);
@@ -79,7 +79,7 @@ public final class QuadSplitter {
         return strips;
     }
 
-    /** 1 per triangle: that with which it makes a long quadrangle, or -1. */
+    /** 1 per triangle: the triangle with which it makes a long quadrangle, or -1. */
     private int[] partners(double patchArea) {
         int[] partner = new int[scene.triangles()];
         Arrays.fill(partner, -1);
@@ -109,7 +109,7 @@ public final class QuadSplitter {
         return scene.corners()[3 * t + k % 3];
     }
 
-    /** From which corner a triangle's longest edge goes. */
+    /** The corner k from which a triangle's longest edge goes to corner k + 1. */
     private int longest(int t) {
         double[] length = IntStream.range(0, 3)
                 .mapToDouble(k -> scene.corner(t, (k + 1) % 3).minus(scene.corner(t, k)).length())
@@ -117,7 +117,7 @@ public final class QuadSplitter {
         return length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
     }
 
-    /** Whether the longest edges of two triangles run in opposite directions, and in one plane. */
+    /** Whether two triangles lie in one plane and have their longest edge in common, in opposite directions. */
     private boolean areOne(int t, int u) {
         return number[corner(t, longest(t))] == number[corner(u, longest(u) + 1)]
                 && number[corner(t, longest(t) + 1)] == number[corner(u, longest(u))]
@@ -129,7 +129,7 @@ public final class QuadSplitter {
         return cross.times(1 / cross.length());
     }
 
-    /** Its four corners, beginning so that the first and the third side are the long ones. */
+    /** The four corners of a quadrangle, rotated so that the first and the third side are the long ones. */
     private int[] quadrangle(int t, int u) {
         int k = longest(t);
         int[] q = {corner(t, k), corner(u, longest(u) + 2), corner(t, k + 1), corner(t, k + 2)};
@@ -144,7 +144,7 @@ public final class QuadSplitter {
         return new Vec3(points[3 * p], points[3 * p + 1], points[3 * p + 2]);
     }
 
-    /** Into how many pieces a quadrangle is cut, which are about as wide as long. */
+    /** Number of pieces into which a quadrangle is cut, each about as wide as long; 1 where it is not long. */
     private int pieces(int[] q) {
         double length = (side(q, 0) + side(q, 2)) / 2;
         Vec3 across = point(q[2]).minus(point(q[0])).cross(point(q[3]).minus(point(q[1])));
@@ -165,7 +165,7 @@ public final class QuadSplitter {
         }
     }
 
-    /** The point i n-ths of the way from one to another; the same for all quadrangles on this edge. */
+    /** The point at i / n of the way between two points; the same point for all quadrangles on this edge. */
     private int between(int from, int to, int i, int n) {
         if (i == 0 || i == n) {
             return i == 0 ? from : to;
@@ -185,7 +185,7 @@ public final class QuadSplitter {
         return p;
     }
 
-    /** @param from the triangle of the scene that it is, or is a piece of */
+    /** @param from the triangle of the given scene that the new triangle is, or is a piece of */
     private void add(int a, int b, int c, int from) {
         if (triangles == origin.length) {
             origin = Arrays.copyOf(origin, 2 * triangles);

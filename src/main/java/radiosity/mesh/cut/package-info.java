@@ -1,4 +1,4 @@
 /**
- * Faces cut where other triangles stand on them or come through them (discontinuity meshing).
+ * Cuts faces where other triangles stand on them or pass through them (discontinuity meshing).
  */
 package radiosity.mesh.cut;
