@@ -7,21 +7,22 @@ import radiosity.mesh.face.Faces;
 import radiosity.util.BoxTree;
 
 /**
- * Which faces stand in a room that is proven closed: from every point of it surfaces are seen in all directions, by
- * their radiating sides.
+ * Finds the faces that stand in a room that is proven closed: from every point of such a room the radiating sides of
+ * surfaces are seen in all directions.
  *
- * <p>A shell is what is connected by edges; it is whole where every edge is run through as often in one direction as in
- * the other, so that as a chain it has no boundary; corners of others may stand on an edge. A whole shell seen from
- * inside is the wall of a room; the room is closed if whatever else reaches into its box is whole or stands on a wall,
- * is seen from outside, and with each face either in it or out of it. A hairline opening leaves a boundary.
+ * <p>A shell is a set of faces connected across edges. A shell is whole where every edge is used as often in one
+ * direction as in the other, so that the shell has no boundary; corners of other faces may stand on an edge. A whole
+ * shell that is seen from inside is the wall of a room. The room is closed if every other shell that reaches into the
+ * box of the wall is whole or stands on a wall, is seen from outside, and has each face either inside or outside of the
+ * room. Even a hairline opening leaves a boundary.
  */
 public final class ClosedRooms {
 
-    /** Boxes that overlap by less do not, of the scene's size. */
+    /** Boxes that overlap by less than this are apart, in scene sizes. */
     private static final double TOUCH = 1e-6;
-    /** How far before a face it is asked where it stands, of the scene's size. */
+    /** Distance in front of a face of the points that are tested for lying in a room, in scene sizes. */
     private static final double BEFORE = 1e-5;
-    /** Faces of solids times faces of walls that are looked at; what would take more counts as open. */
+    /** Most pairs of a face of a solid and a face of a wall that are tested; a room with more pairs counts as open. */
     private static final long MOST_PAIRS = 5_000_000;
     private static final int PLACES = 4;
 
@@ -30,21 +31,21 @@ public final class ClosedRooms {
     /** 1 per face: the lowest face of its shell. */
     private final int[] shell;
     private final boolean[] open;
-    /** 1 per lowest face: volume, of the scene's cubed size; negative where it is seen from inside. */
+    /** 1 per lowest face: volume of the shell, in cubed scene sizes; negative where the shell is seen from inside. */
     private final double[] volume;
-    /** 6 per lowest face: low x, y, z, high x, y, z. */
+    /** 6 per lowest face: box around the shell, low x, y, z, high x, y, z. */
     private final float[] box;
     private final int[] room;
     private final FaceGroups members;
     private final FaceGroups parts;
     private final ShellBoxes all;
-    /** Boxes of closed shells that are seen from inside: nothing that one reaches into is the wall of a closed room. */
+    /** Boxes of whole shells seen from inside: a wall is never closed where another of these overlaps its box. */
     private final ShellBoxes inward;
-    /** Boxes of shells of which it depends on the wall whether they are solid. */
+    /** Boxes of open shells, which may count as solid if they stand on a wall. */
     private final ShellBoxes doubtful;
-    /** Pairs of shells and of faces that were looked at, for tests. */
+    /** Number of pairs of shells and of faces that were tested; read by tests. */
     public long looks;
-    /** 1 per lowest face: whether all of the shell are buried pieces that look at backs. */
+    /** 1 per lowest face: whether the shell sees backs and consists of buried pieces only. */
     private final boolean[] hidden;
     private int count;
     private final boolean plain;
@@ -53,7 +54,7 @@ public final class ClosedRooms {
         this(faces, f -> false);
     }
 
-    /** @param buried whether nothing but backs is seen from a face */
+    /** @param buried whether every surface that is seen from a face shows its back */
     public ClosedRooms(Faces faces, IntPredicate buried) {
         this.faces = faces;
         int n = faces.count();
@@ -87,12 +88,12 @@ public final class ClosedRooms {
         return room[face];
     }
 
-    /** Whether a face is a piece that lies under what stands on its triangle. */
+    /** Whether a face is a piece of a triangle that lies under another object which stands on the triangle. */
     public boolean isHidden(int face) {
         return room[face] < 0 && hidden[shell[face]];
     }
 
-    /** Whether all faces stand in one closed room, and no two shells touch: nothing is covered. */
+    /** Whether all faces but hidden ones stand in one closed room of whole shells, and no two solids touch. */
     public boolean isPlain() {
         return plain;
     }
@@ -112,13 +113,13 @@ public final class ClosedRooms {
         return true;
     }
 
-    /** Boxes of some shells, to find those that overlap another without looking at all. */
+    /** Boxes of some shells in a tree, which finds the boxes that overlap a shell's without testing all. */
     private final class ShellBoxes {
 
         private final int[] some;
         private final BoxTree tree;
 
-        /** @param some lowest faces; not modified, kept */
+        /** @param some lowest faces of shells; not modified, kept */
         ShellBoxes(int[] some) {
             this.some = some;
             double[] boxes = new double[6 * some.length];
@@ -128,7 +129,7 @@ public final class ClosedRooms {
             tree = new BoxTree(boxes);
         }
 
-        /** Whether one of them, but for the shell itself, overlaps a shell and is wanted. */
+        /** Whether a wanted shell other than s has a box that overlaps the box of s by {@code by} on every axis. */
         boolean any(int s, double by, IntPredicate wanted) {
             BoxTree.Region region = (boxes, i) -> {
                 looks++;
@@ -164,7 +165,7 @@ public final class ClosedRooms {
         }
     }
 
-    /** Corners of a face as seen from a place. */
+    /** Corners of a face relative to a point, 9 numbers. */
     private double[] corners(int f, double x, double y, double z) {
         double[] c = new double[9];
         for (int i = 0; i < 9; i++) {
@@ -182,14 +183,14 @@ public final class ClosedRooms {
         return !open[s] && volume[s] < 0;
     }
 
-    /** Whether all that reaches into a shell's box is solid: what is closed and seen from inside never is. */
+    /** Whether every shell that reaches into the box of a wall is solid; another wall never is. */
     private boolean isClosed(int wall) {
         return !inward.any(wall, TOUCH, s -> true) && !doubtful.any(wall, TOUCH, s -> !isSolid(s, wall));
     }
 
     /**
-     * Seen from outside, and whole or standing on a wall with what it lacks. Or a piece of a triangle that lies wholly
-     * outside, behind what stands on the triangle.
+     * Whether a shell is seen from outside, and whole or standing on a wall with its rim; or consists of pieces that
+     * lie outside the wall, behind an object that stands on their triangle.
      */
     private boolean isSolid(int s, int wall) {
         if (shells.seesBacks[s]) {
@@ -201,9 +202,9 @@ public final class ClosedRooms {
     }
 
     /**
-     * Gives a wall and the solids in it the number of a room, unless a face is neither in it nor out of it.
+     * Gives the faces of a wall and the faces in it the number of a new room, unless one is partly in and partly out.
      *
-     * @param inside 1 per face: 0; the same afterwards
+     * @param inside scratch, 1 per face: 0 before and after the call
      */
     private void furnish(int wall, int[] inside) {
         int[] walls = members.of(wall);
@@ -233,7 +234,7 @@ public final class ClosedRooms {
         }
     }
 
-    /** How many of a few places before a face are inside a shell: its middle, and near its corners. */
+    /** The number of points in front of a face, its middle and a point near each corner, that lie inside a shell. */
     private int inside(int face, int[] walls) {
         looks += walls.length;
         int found = 0;
@@ -252,8 +253,8 @@ public final class ClosedRooms {
     }
 
     /**
-     * Whether a place is inside a shell: by the solid angle that this fills, seen from there. A. van Oosterom,
-     * J. Strackee, The solid angle of a plane triangle, 1983.
+     * Whether a point is inside a shell seen from inside: whether the shell's solid angle, seen from there, is -4 pi
+     * and not 0. A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983.
      */
     private boolean isInside(double[] at, int[] walls) {
         double angle = 0;

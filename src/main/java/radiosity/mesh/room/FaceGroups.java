@@ -2,10 +2,10 @@ package radiosity.mesh.room;
 
 import java.util.Arrays;
 
-/** Faces in groups: the members of each, without looking at all faces. */
+/** Groups of faces: lists the members of a group without a search through all faces. */
 final class FaceGroups {
 
-    /** 1 per group number: where its members end in the list below; they begin where those of the one before end. */
+    /** 1 per group: the end of its members in {@link #members}; they begin at the end of the group before. */
     private final int[] ends;
     private final int[] members;
 
@@ -26,7 +26,7 @@ final class FaceGroups {
         ends = Arrays.copyOf(place, n);
     }
 
-    /** Faces, ascending. */
+    /** The faces of a group, ascending. */
     int[] of(int group) {
         return Arrays.copyOfRange(members, group == 0 ? 0 : ends[group - 1], ends[group]);
     }

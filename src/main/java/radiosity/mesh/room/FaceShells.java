@@ -12,28 +12,28 @@ import radiosity.util.DisjointSets;
 import radiosity.util.LongIndex;
 
 /**
- * What is connected by edges so that there is air on one side of it: faces that look at each other where they meet.
+ * Shells: sets of faces that are connected across edges and border on the same air, as neighbours face each other.
  *
- * <p>A shell is whole where every face is looked at over every edge by another of it; corners of others may stand on an
- * edge.
+ * <p>A shell is whole where every face has, across every edge, a face of the same shell that faces it; corners of other
+ * faces may stand on an edge.
  */
 final class FaceShells {
 
     private final Faces faces;
     /** 1 per face: the lowest face of its shell. */
     final int[] shell;
-    /** 1 per lowest face. */
+    /** 1 per lowest face: whether the shell is not whole. */
     final boolean[] open;
-    /** 1 per lowest face: whether some face of it looks at the back of another over an edge. */
+    /** 1 per lowest face: whether a face of the shell looks at the back of another face across an edge. */
     final boolean[] seesBacks;
-    /** Per lowest face of an open shell: the ends of the edges that only one face has. */
+    /** Per lowest face of an open shell: the two ends of each edge that belongs to one face only. */
     final Map<Integer, List<int[]>> rims = new HashMap<>();
 
-    /** Of the edges and then of their pieces: two ends, the lower number first; and sides at each, in a chain. */
+    /** 2 per edge or piece: ends, lower first. The sides at an edge are a list from {@code first} by {@code next}. */
     private int[] ends = new int[64];
     private int[] first = new int[32];
     private int[] next = new int[64];
-    /** 2 * face, + 1 where it runs from the lower end. */
+    /** 1 per side: 2 * face, + 1 where the face runs along the edge from the lower end to the higher. */
     private int[] side = new int[64];
     private int sides;
     private LongIndex edges;
@@ -62,7 +62,7 @@ final class FaceShells {
         Arrays.fill(first, -1);
     }
 
-    /** A face's edge or piece of one, as the face runs along it. */
+    /** Adds an edge of a face, or a piece of one, in the direction in which the face runs along it. */
     private void put(int p, int q, int face) {
         int known = edges.size();
         int edge = edges.findOrAdd(EdgePieces.key(p, q), known);
@@ -86,7 +86,7 @@ final class FaceShells {
         return next[first[edge]] < 0;
     }
 
-    /** Whether two faces that share an edge are the two sides of one thing. */
+    /** Whether the first two faces at an edge have opposite normals, as the two sides of one sheet have. */
     private boolean isTwoSided(int edge) {
         int f = side[first[edge]] / 2;
         int g = isLoose(edge) ? f : side[next[first[edge]]] / 2;
@@ -97,7 +97,7 @@ final class FaceShells {
         return cosine < -1 + 1e-6;
     }
 
-    /** Where corners of other edges stand on an edge that only one face has, or two that are one, it is taken apart. */
+    /** Divides edges of one face only, or of the two sides of one sheet, where ends of other edges stand on them. */
     private void divideLoose() {
         int[] loose = IntStream.range(0, edges.size()).filter(edge -> isLoose(edge) || isTwoSided(edge)).toArray();
         int[] others = IntStream.concat(Arrays.stream(loose), IntStream.range(0, edges.size()).filter(this::isContact))
@@ -127,7 +127,7 @@ final class FaceShells {
         }
     }
 
-    /** Whether all faces at an edge end there. */
+    /** Whether all faces at an edge are pieces and end at a border of their coplanar region there. */
     private boolean isContact(int edge) {
         for (int s = first[edge]; s >= 0; s = next[s]) {
             int f = side[s] / 2;

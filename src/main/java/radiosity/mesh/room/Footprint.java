@@ -5,10 +5,10 @@ import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Vec3;
 
-/** Where a shell that is open stands: a block without a bottom is as good as solid where its rim is all on a floor. */
+/** Tests whether an open shell, as a block without a bottom, is as good as solid: its whole rim stands on a floor. */
 final class Footprint {
 
-    /** What is nearer to a plane lies in it, of the scene's size. */
+    /** A point nearer to a plane or an edge than this lies on it, in scene sizes. */
     private static final double IN_PLANE = 1e-6;
 
     private final Faces faces;
@@ -17,9 +17,9 @@ final class Footprint {
     private final List<int[]> rim;
 
     /**
-     * @param parts faces by their parts
-     * @param own   faces of the shell that is open; not modified
-     * @param rim   two points per edge of its boundary, at least one edge
+     * @param parts faces grouped by coplanar region
+     * @param own   faces of the open shell; not modified
+     * @param rim   the two ends of each edge of the shell's boundary, at least one edge
      */
     Footprint(Faces faces, FaceGroups parts, int[] own, List<int[]> rim) {
         this.faces = faces;
@@ -29,9 +29,9 @@ final class Footprint {
     }
 
     /**
-     * Whether the rim lies on one plane part of a wall, and the shell is seen from outside.
+     * Whether the rim lies on one coplanar region of a wall, and the shell is seen from outside.
      *
-     * @param wall faces; not modified
+     * @param wall faces of the wall; not modified
      */
     boolean isOn(int[] wall) {
         double[] first = at(rim.get(0)[0]);
@@ -53,7 +53,7 @@ final class Footprint {
         return IntStream.of(floor).anyMatch(f -> covers(f, p));
     }
 
-    /** A point, brought to size 1 around the origin. */
+    /** Position of a point in the scene brought to size 1 around the origin. */
     private double[] at(int point) {
         Vec3 unit = faces.unit(faces.place(point));
         return new double[] {unit.x(), unit.y(), unit.z()};
@@ -89,7 +89,7 @@ final class Footprint {
                 to[2] - faces.corner(f, k, 2)};
     }
 
-    /** Volume of the shell closed by a lid in a plane through an apex, of the scene's cubed size. */
+    /** Volume of the shell closed by a lid in a plane through an apex, in cubed scene sizes. */
     private double volumeFrom(double[] apex) {
         double sum = 0;
         for (int f : own) {

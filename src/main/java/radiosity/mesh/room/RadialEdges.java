@@ -6,13 +6,13 @@ import radiosity.mesh.face.Faces;
 import radiosity.scene.Vec3;
 
 /**
- * Which faces that meet at an edge look at each other: of those round it, neighbours between which there is air.
+ * Finds which faces that meet at an edge face each other: neighbours around the edge with air in between.
  *
- * <p>A face whose neighbour shows its back there looks into something that is no room.
+ * <p>A face whose neighbour around the edge shows its back looks into a space that is no room.
  */
 final class RadialEdges {
 
-    /** What angles of faces that lie in each other differ by at most, of a quarter turn. */
+    /** Angles around an edge are rounded to multiples of this, in quarter turns: faces at equal angles coincide. */
     private static final double SAME = 1e-6;
 
     private final Faces faces;
@@ -21,16 +21,16 @@ final class RadialEdges {
         this.faces = faces;
     }
 
-    /** Receives pairs of faces that look at each other. */
+    /** Receives each pair of faces that face each other. */
     interface Meeting {
         void meet(int face, int other);
     }
 
-    /** A face at an edge: at which angle it stands, and whether it looks to where the angle grows. */
+    /** A face at an edge: its angle around the edge, and whether it looks towards larger angles. */
     private record Leaf(int face, double angle, boolean ahead) { }
 
     /**
-     * @param some  sides at the edge from point p to point q: 2 * face, + 1 where it runs that way; not modified
+     * @param some  sides at the edge from p to q: 2 * face, + 1 where the face runs from p to q; not modified
      * @param alone receives each face that looks at a back
      */
     void pair(int p, int q, int[] some, Meeting meeting, IntConsumer alone) {
@@ -53,7 +53,7 @@ final class RadialEdges {
         }
     }
 
-    /** From an edge into a face, at right angles to the edge; of any length. */
+    /** A vector of any length from an edge into a face, at right angles to the edge. */
     private Vec3 across(int f, int p, Vec3 along) {
         Vec3 sum = Vec3.ZERO;
         for (int k = 0; k < 3; k++) {
@@ -63,7 +63,7 @@ final class RadialEdges {
         return sum;
     }
 
-    /** Something that grows with the angle about the edge, from 0 to 4. */
+    /** A measure from 0 to 4 that grows with the angle from {@code zero} about the edge; 1 per quarter turn. */
     private static double angle(Vec3 zero, Vec3 along, Vec3 v) {
         double x = v.dot(zero) / (zero.length() * v.length());
         double y = v.dot(along.cross(zero)) / (zero.length() * v.length());

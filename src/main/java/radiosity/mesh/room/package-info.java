@@ -1,4 +1,4 @@
 /**
- * Which faces stand in a room that is proven closed.
+ * Finds the faces that stand in a room that is proven closed.
  */
 package radiosity.mesh.room;
