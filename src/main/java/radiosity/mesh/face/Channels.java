@@ -4,12 +4,12 @@ import java.util.List;
 import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 
-/** Which channels there are for the light of a scene: colours, and of these as many as lamps are kept apart. */
+/** The channels of a scene's light: one per colour, repeated per lamp where the light of lamps is kept apart. */
 final class Channels {
 
     /** 1 where everything in the scene is grey, else 3. */
     final int colours;
-    /** What has a layer of its own; empty where all light is kept as one. */
+    /** The lamps that have a layer of channels each; empty where the light of all lamps is kept together. */
     final List<Lamp> lamps;
 
     Channels(Scene scene, boolean layered) {
@@ -27,7 +27,7 @@ final class Channels {
         return Math.max(1, lamps.size());
     }
 
-    /** Whether the light of this surface, or of this light, is in a channel. */
+    /** Whether a channel holds the light that a surface emits ({@code surface} true), or that a light source emits. */
     boolean isOf(boolean surface, int index, int channel) {
         if (lamps.isEmpty()) {
             return true;

@@ -6,12 +6,12 @@ import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
 /**
- * Finds which faces of a surface meet along an edge in one plane. Fills {@code part}, {@code fan} and {@code border} of
- * faces.
+ * Finds the faces of a surface that meet along an edge in one plane. Fills the arrays {@code part}, {@code fan} and
+ * {@code border} of the faces.
  */
 final class CoplanarRegions {
 
-    /** Angle between normals of one part, radians. */
+    /** Largest angle between the normals of neighbouring faces of one region, radians. */
     private static final double SAME_PLANE = 1e-4;
 
     private final Faces faces;
@@ -21,9 +21,9 @@ final class CoplanarRegions {
     }
 
     /**
-     * Every edge is a border until exactly two faces of a part are found to share it.
+     * Joins faces to regions. An edge is inside a region where exactly two faces share it, else it is a border.
      *
-     * @param cut edges that are borders all the same, as {@link EdgePieces#key} has them; not modified
+     * @param cut edges that are borders in any case, see {@link EdgePieces#key}; not modified
      */
     void join(LongIndex cut) {
         int n = faces.count();
@@ -54,7 +54,7 @@ final class CoplanarRegions {
         Arrays.setAll(faces.fan, fans::of);
     }
 
-    /** Edge e % 3 of face e / 3 lies opposite its corner of that number. */
+    /** Key of edge e, which lies opposite corner e % 3 of face e / 3; equal for faces of one surface and side. */
     private long key(int e) {
         int f = e / 3;
         int from = corner(e, 1);
@@ -64,7 +64,7 @@ final class CoplanarRegions {
         return Hash.mix(ends, 2L * surface + (faces.side(f) & 1));
     }
 
-    /** Run through in opposite directions, and in one plane. */
+    /** Whether two edges run in opposite directions between the same points, and their faces lie in one plane. */
     private boolean matches(int e, int g) {
         int f = e / 3;
         int h = g / 3;

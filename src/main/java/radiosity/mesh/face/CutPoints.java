@@ -8,28 +8,26 @@ import radiosity.scene.Vec3;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
-/** The points of a scene, and those that cutting adds; what is as good as one place has one number. */
+/** The points of a scene and the points that cutting adds; points that nearly coincide get one number. */
 public final class CutPoints {
 
-    /** Edge of a cell, of the distance within which points are one: most points reach into one cell only. */
+    /** Edge of a grid cell, in units of the distance within which points are one: most searches visit one cell only. */
     private static final double CELL = 16;
 
     private final double[] old;
     private final double same;
     private final List<Vec3> added = new ArrayList<>();
-    /** Cells of space that hold points which were used so far. */
+    /** Grid cells that hold used points. */
     private final LongIndex cells = new LongIndex(16);
-    /** 1 per cell: place in the list below of the point that came last; -1 where there is none. */
+    /** 1 per cell: index in {@link #known} of the point that was added last; -1 where there is none. */
     private int[] last = new int[0];
-    /**
-     * Points that were used so far, in their order: their numbers, and the place of the one before in the same cell.
-     */
+    /** Numbers of the used points in the order of first use, and per point the index of the one before in its cell. */
     private final List<Integer> known = new ArrayList<>();
     private final List<Integer> before = new ArrayList<>();
-    /** Points whose distances were measured, for tests. */
+    /** Number of points whose distance was measured; read by tests. */
     public long looks;
 
-    /** @param same points nearer to each other than this are one, scene units */
+    /** @param same largest distance between points that are one, scene units */
     public CutPoints(Scene scene, double same) {
         old = scene.points();
         this.same = same;
@@ -40,14 +38,14 @@ public final class CutPoints {
         return i < old.length ? new Vec3(old[i], old[i + 1], old[i + 2]) : added.get(number - old.length / 3);
     }
 
-    /** A point of the scene will be used. */
+    /** Marks a point of the scene as used, unless a used point is at the same place. */
     public void use(int number) {
         if (find(at(number)) < 0) {
             keep(number);
         }
     }
 
-    /** The number of a point; it is added where none is there yet. */
+    /** The number of the used point at a place; a new point is added where there is none. */
     public int number(Vec3 p) {
         int found = find(p);
         if (found >= 0) {
@@ -71,7 +69,7 @@ public final class CutPoints {
         known.add(number);
     }
 
-    /** Counted from the scene's first point, so that it is a small number however far away the scene lies. */
+    /** Grid cell of a coordinate, counted from the scene's first point, so that it is small wherever the scene lies. */
     private long cell(double coordinate, int axis) {
         return (long) Math.floor((coordinate - old[axis]) / (CELL * same));
     }
@@ -80,9 +78,7 @@ public final class CutPoints {
         return Hash.mix(Hash.mix(x, y), z);
     }
 
-    /**
-     * Of the points that are one with a place that with the lowest x, and of equal ones the first used; -1 for none.
-     */
+    /** The number of the point at a place; of several the one with the lowest x, then the first used; -1 for none. */
     private int find(Vec3 p) {
         int found = -1;
         for (long x = cell(p.x() - same, 0); x <= cell(p.x() + same, 0); x++) {
@@ -95,7 +91,7 @@ public final class CutPoints {
         return found < 0 ? -1 : known.get(found);
     }
 
-    /** The better of a place in the list and those in a cell. */
+    /** Index in {@link #known} of the best point at a place: the best so far ({@code so}, or -1) or one of a cell. */
     private int better(int so, int cell, Vec3 p) {
         int best = so;
         for (int i = cell < 0 ? -1 : last[cell]; i >= 0; i = before.get(i)) {

@@ -6,23 +6,23 @@ import java.util.stream.IntStream;
 import radiosity.scene.Vec3;
 import radiosity.util.BoxTree;
 
-/** Edges that fit together only in pieces: where a corner of one face stands on an edge of another. */
+/** Divides edges that match only in pieces, where a corner of one face stands on an edge of another face. */
 public final class EdgePieces {
 
-    /** A point this near to an edge stands on it, of the scene's size: what coordinates in floats can tell. */
+    /** A point nearer to an edge than this stands on it, in scene sizes: about the precision of float coordinates. */
     private static final double ON_EDGE = 1e-7;
-    /** Loose edges that are looked at; where there are more, they stay loose. */
+    /** Most edges that are divided; where there are more, none is. */
     private static final int MOST = 4000;
 
     private final Faces faces;
     private final double near;
     private final int[] points;
-    /** Of the points. */
+    /** Tree over the points. */
     private final BoxTree tree;
 
     /**
-     * @param points that may stand on edges; not modified
-     * @param edges  how many will be looked at
+     * @param points points that may stand on edges; not modified
+     * @param edges  number of edges that will be divided
      */
     public EdgePieces(Faces faces, int[] points, int edges) {
         this.faces = faces;
@@ -36,7 +36,7 @@ public final class EdgePieces {
         return (long) Math.min(p, q) << 32 | Math.max(p, q);
     }
 
-    /** The ends of an edge, and what stands on it between them, in order. */
+    /** The points of an edge in order: its first end, the points that stand on it, and its second end. */
     public int[] stops(int p, int q) {
         IntStream.Builder found = IntStream.builder();
         tree.near(coordinates(p), coordinates(q), 2 * near, found::add);
@@ -65,7 +65,7 @@ public final class EdgePieces {
         return at > near && at < length - near && off2 <= near * near;
     }
 
-    /** How far along an edge a point lies, scene units. */
+    /** Position of a point along an edge, scene units from its first end. */
     private double along(int p, int q, int x) {
         return dot(p, q, x) / Math.sqrt(dot(p, q, q));
     }

@@ -6,33 +6,31 @@ import radiosity.scene.Vec3;
 import radiosity.util.ArraySize;
 import radiosity.util.PointNumbers;
 
-/**
- * Faces in arrays, as they are added one by one: the sides of a scene's triangles, or the pieces of those that are cut.
- */
+/** Arrays of faces that are added one by one: the radiating sides of a scene's triangles, or pieces of cut ones. */
 final class FaceList {
 
     private final SceneBox box;
-    /** Corners of faces, those of the scene and those that cutting made. */
+    /** Corners of faces: points of the scene and points that cutting made. */
     final CutPoints points;
     int count;
-    /** Triangles that were too small to radiate. */
+    /** Number of triangles that were too small to radiate. */
     int dropped;
-    /** 1 per face, as all of these: 2 * original triangle, + 1 for the back. */
+    /** 1 per face: 2 * original triangle, + 1 for the back. */
     final int[] side;
     /** 9 per face: three corners, counter-clockwise seen from the side that radiates. */
     final float[] corner;
     /** 3 per face, length 1. */
     final float[] normal;
-    /** 1 per face, of the scene's squared size. */
+    /** 1 per face, in squared scene sizes. */
     final double[] area;
-    /** Their sum. */
+    /** Area of all faces, in squared scene sizes. */
     double wholeArea;
     /** 3 per face: number of the point at each corner; equal coordinates have equal numbers. */
     final int[] point;
     /** 1 per face: whether it is a piece of a triangle that was cut. */
     final boolean[] piece;
 
-    /** @param most faces that there is to be room for */
+    /** @param most largest number of faces */
     private FaceList(SceneBox box, CutPoints points, int most) {
         this.box = box;
         this.points = points;
@@ -58,7 +56,7 @@ final class FaceList {
         return list;
     }
 
-    /** The same faces with the pieces of those that are cut. */
+    /** The same faces, with pieces in the place of those that are cut. */
     FaceList withPieces(FacePieces cut) {
         FaceList list = new FaceList(box, cut.points(), count + cut.count());
         list.dropped = dropped;

@@ -6,20 +6,20 @@ import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 
 /**
- * The means of what a picture, and colours at corners, make of a face and of the nodes below it, down to the size of
- * pixels and to small differences of colour.
+ * The mean reflectance or exitance of a face and of the nodes below it, as an image and colours at corners make it,
+ * down to the size of pixels and to small differences of colour.
  *
- * <p>The mean under a node is that of its four children, so what is summed over elements is the same on every mesh. A
- * node that is smaller than the smallest here has what the one around it has.
+ * <p>The mean of a node is the mean of its four children, so a sum over elements is the same on every mesh. A node that
+ * is smaller than the smallest stored one has the value of the stored node around it.
  */
 final class FaceMap {
 
-    /** Levels below the face: 4096 parts. */
+    /** Most levels below the face: 4096 nodes on the deepest. */
     private static final int DEEPEST = 6;
-    /** A part that covers fewer pixels is not divided. */
+    /** A node that covers fewer pixels is not divided. */
     private static final double PIXELS = 4;
 
-    /** A part between whose corners colours differ by less is not divided. */
+    /** A node is not divided where the colours at its corners differ by less. */
     private static final double STEP = 1.0 / 64;
 
     private final int depth;
@@ -27,17 +27,17 @@ final class FaceMap {
     private final float[] mean;
 
     /**
-     * What is to be seen of a face.
+     * The values on a triangle from which means are taken.
      *
-     * @param raster     a picture
-     * @param everywhere what holds without one
-     * @param u          of the face's corners, in the face's order; not modified
-     * @param v          of the face's corners, upwards; not modified
-     * @param colours    factors for red, green and blue, 3 of each: of the face's corners; not modified
+     * @param raster     the image, if there is one
+     * @param everywhere the value where there is no image
+     * @param u          texture coordinate at each corner; not modified
+     * @param v          texture coordinate at each corner, upwards; not modified
+     * @param colours    factors for red, green and blue: 3 arrays with a value per corner; not modified
      */
     record Look(Optional<Raster> raster, Rgb everywhere, double[] u, double[] v, double[][] colours) {
 
-        /** The part of it that a child of its face has. */
+        /** The part that child k of the triangle has. */
         Look child(int k) {
             double[][] parts = new double[3][];
             Arrays.setAll(parts, c -> Subdivision.values(colours[c], 1, k));
@@ -53,7 +53,7 @@ final class FaceMap {
             return (of[0] + of[1] + of[2]) / 3;
         }
 
-        /** Into how many levels of parts its face is to be divided. */
+        /** Number of levels to which the triangle is to be divided. */
         int levels() {
             int levels = 0;
             double pixels = raster.map(picture -> picture.pixels(u, v)).orElse(0.0);
@@ -98,7 +98,7 @@ final class FaceMap {
         }
     }
 
-    /** Under a node. */
+    /** The mean of a node; of its nearest stored ancestor where it is deeper. */
     double at(long path, int colour) {
         int level = Math.min(depth, NodePath.level(path));
         int number = (int) (path >>> 2 * (NodePath.level(path) - level)) & (1 << 2 * level) - 1;

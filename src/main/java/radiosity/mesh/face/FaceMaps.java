@@ -10,16 +10,16 @@ import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** What varies one quantity, exitance or reflectance, on all faces where it is not the same everywhere. */
+/** The {@link FaceMap} of one quantity, exitance or reflectance, for every face on which the quantity varies. */
 final class FaceMaps {
 
-    /** 1 per face, or null; null where no face has any. */
+    /** 1 per face, null where the quantity is constant; the whole array null where it is constant on all faces. */
     private final FaceMap[] maps;
 
     /**
-     * @param kind       the quantity's picture
-     * @param everywhere the quantity where a surface has no picture
-     * @param coloured   whether the scene's colours at vertices are factors of the quantity
+     * @param kind       the image of the quantity
+     * @param everywhere the quantity where a surface has no image
+     * @param coloured   whether the scene's vertex colours are factors of the quantity
      */
     FaceMaps(Faces faces, Function<Surface.Maps, Optional<Raster>> kind, Function<Surface, Rgb> everywhere,
              boolean coloured) {
@@ -48,7 +48,7 @@ final class FaceMaps {
         }
     }
 
-    /** At a face's corners what its original triangle's corners have. */
+    /** The values at a face's corners, interpolated from the corners of its original triangle. */
     private static double[] atCorners(Faces faces, int face, IntToDoubleFunction original) {
         double[] of = new double[3];
         for (int k = 0; k < 3; k++) {
@@ -60,7 +60,7 @@ final class FaceMaps {
         return of;
     }
 
-    /** Weights of its original triangle's corners at corner k of a face. */
+    /** Barycentric weights of the original triangle's corners at corner k of a face. */
     private static double[] weights(Faces faces, int face, int k) {
         double[] weights = new double[3];
         if (!faces.isPiece(face)) {
@@ -79,12 +79,12 @@ final class FaceMaps {
         return maps != null && maps[face] != null;
     }
 
-    /** In the mean over a face; the surface's where nothing varies it. */
+    /** The mean over a face; the surface's value where the quantity is constant. */
     double mean(int face, int colour, Rgb everywhere) {
         return at(face, NodePath.FACE, colour, everywhere.channel(colour));
     }
 
-    /** In the mean over a node. */
+    /** The mean over a node; {@code everywhere} where the quantity is constant on the face. */
     double at(int face, long path, int colour, double everywhere) {
         return maps == null || maps[face] == null ? everywhere : maps[face].at(path, colour);
     }

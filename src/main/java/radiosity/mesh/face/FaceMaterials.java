@@ -5,12 +5,12 @@ import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.util.ArraySize;
 
-/** What faces emit and reflect, in the mean over each and over the nodes below it. */
+/** Exitance and reflectance of faces: the mean over each face and over the nodes below it. */
 final class FaceMaterials {
 
     private final int colours;
     private final int channels;
-    /** channels per face. */
+    /** channels per face: mean exitance, W/m²; and mean reflectance. */
     private final double[] exitance;
     private final double[] reflectance;
     private final FaceMaps exitanceMaps;

@@ -5,11 +5,11 @@ import java.util.Map;
 import radiosity.util.LongIndex;
 
 /**
- * What cutting makes of some faces.
+ * The pieces into which faces are cut.
  *
- * @param points  the corners of the pieces
- * @param byFace  for each face that is cut, the three points of each of its pieces
- * @param edges   edges of pieces that stay borders of coplanar regions, as {@link EdgePieces#key} names them
+ * @param points the corners of the pieces
+ * @param byFace for each face that is cut, the three points of each of its pieces
+ * @param edges  edges of pieces that stay borders of coplanar regions, see {@link EdgePieces#key}
  */
 public record FacePieces(CutPoints points, Map<Integer, List<int[]>> byFace, LongIndex edges) {
 

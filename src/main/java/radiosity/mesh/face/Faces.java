@@ -8,18 +8,19 @@ import radiosity.scene.Vec3;
 import radiosity.util.LongIndex;
 
 /**
- * The sides of original triangles that radiate, brought to size 1 around the origin: the roots of the patch tree.
+ * The radiating sides of the original triangles, brought to size 1 around the origin: the roots of the patch tree.
  *
- * <p>A two-sided triangle has two faces, any other has one. Triangles smaller than {@value #LEAST_AREA} of the scene's
- * squared size have none. Faces of one surface that meet along an edge in one plane are a <i>part</i>.
+ * <p>A two-sided triangle has two faces, any other triangle one. Triangles smaller than {@value #LEAST_AREA} squared
+ * scene sizes have none. Faces of one surface that meet along edges in one plane form a <i>part</i>, or coplanar
+ * region.
  */
 public final class Faces {
 
-    /** Of the scene's squared size. */
+    /** Least area of a face, in squared scene sizes. */
     public static final double LEAST_AREA = 1e-12;
     /** Importance of irradiance on a black face. */
     public static final double LEAST_IMPORTANCE = 0.05;
-    /** What normals of faces in one plane differ by at most. */
+    /** Largest difference between components of the normals of faces in one plane. */
     private static final float SAME_PLANE = 1e-5f;
 
     private final Scene scene;
@@ -27,7 +28,7 @@ public final class Faces {
     private final Channels kinds;
     private final int channels;
     private final FaceList list;
-    /** These six are the list's, for whoever reads one of them often. */
+    /** These six are fields of {@link #list}, repeated here for code that reads one of them often. */
     private final int count;
     final int[] side;
     public final float[] corner;
@@ -36,18 +37,18 @@ public final class Faces {
     public final int[] point;
     /** 1 per face: the lowest face of its part. */
     public final int[] part;
-    /** 3 per face: which corners are one, as faces of a part lie all round between them: the lowest such corner. */
+    /** 3 per face: the lowest of the corners (3 * face + k) that faces of the part connect around one vertex. */
     public final int[] fan;
-    /** 1 per face: bit k where the edge opposite corner k is the part's border. */
+    /** 1 per face: bit k is set where the edge opposite corner k is on the border of the part. */
     public final byte[] border;
     private final FaceMaterials materials;
 
-    /** All light of a scene as one. */
+    /** Faces with the light of all lamps in the same channels. */
     public Faces(Scene scene) {
         this(scene, false);
     }
 
-    /** @param layered whether the light of each lamp is kept apart: in channels of its own */
+    /** @param layered whether the light of each lamp is kept in channels of its own */
     public Faces(Scene scene, boolean layered) {
         this(scene, SceneBox.of(scene), new Channels(scene, layered));
     }
@@ -56,7 +57,7 @@ public final class Faces {
         this(scene, box, kinds, FaceList.of(scene, box), new LongIndex(0));
     }
 
-    /** @param cut as {@link CoplanarRegions#join} has it */
+    /** @param cut edges that are borders of parts in any case, see {@link CoplanarRegions#join} */
     private Faces(Scene scene, SceneBox box, Channels kinds, FaceList list, LongIndex cut) {
         this.scene = scene;
         this.box = box;
@@ -81,17 +82,16 @@ public final class Faces {
         return new Faces(scene, box, kinds, list.withPieces(pieces), pieces.edges());
     }
 
-    /** A place in the scene, brought to size 1 around the origin. */
+    /** A point of the scene, brought to size 1 around the origin. */
     public Vec3 unit(Vec3 p) {
         return box.unit(p);
     }
 
-    /** Number of faces. */
     public int count() {
         return count;
     }
 
-    /** Triangles that were too small to radiate. */
+    /** Number of triangles that were too small to radiate. */
     public int dropped() {
         return list.dropped;
     }
@@ -100,12 +100,12 @@ public final class Faces {
         return scene;
     }
 
-    /** Largest extent of the scene's box, scene units. */
+    /** Largest extent of the box around all triangles, scene units. */
     public double size() {
         return box.size();
     }
 
-    /** {@link #colours} times {@link #layers}, layer by layer. */
+    /** Number of channels of the light: {@link #colours} times {@link #layers}, layer by layer. */
     public int channels() {
         return channels;
     }
@@ -115,23 +115,23 @@ public final class Faces {
         return kinds.colours;
     }
 
-    /** As many as there are lamps where their light is kept apart, else 1. */
+    /** Number of lamps where the light of each is kept apart, else 1. */
     public int layers() {
         return kinds.layers();
     }
 
-    /** What has a layer of its own; empty where all light is kept as one. */
+    /** The lamps that have a layer each; empty where the light of all lamps is kept together. */
     public List<Lamp> lamps() {
         return kinds.lamps;
     }
 
-    /** What a light's {@link radiosity.scene.Light#power()} is in a channel. */
+    /** A light's {@link radiosity.scene.Light#power()} in a channel; 0 in the layers of other lamps. */
     public double power(int light, int channel) {
         return kinds.isOf(false, light, channel) ? scene.lights().get(light).power().channel(channel % kinds.colours)
                 : 0;
     }
 
-    /** 3 per original triangle: normal of its visible side, 0 where both are visible. */
+    /** 3 per original triangle: normal of its visible side; 0 where both sides are visible. */
     public float[] fronts() {
         float[] fronts = new float[3 * scene.triangles()];
         for (int f = 0; f < count; f++) {
@@ -152,12 +152,12 @@ public final class Faces {
         return side[face];
     }
 
-    /** Area, of the scene's squared size. */
+    /** Area of a face, in squared scene sizes. */
     public double area(int face) {
         return area[face];
     }
 
-    /** Area of all faces, of the scene's squared size. */
+    /** Area of all faces, in squared scene sizes. */
     public double area() {
         return list.wholeArea;
     }
@@ -168,8 +168,8 @@ public final class Faces {
     }
 
     /**
-     * The face whose plane stands for a face's: the lowest of its part, so that a vertex which faces share lies in the
-     * same plane whichever of them it was made for; the face itself where it is bent away from that.
+     * The face whose plane is used for a face's vertices: the lowest of its part, so that a vertex lies in the same
+     * plane for all faces that share it; the face itself where its normal differs too much from the lowest face's.
      */
     public int plane(int face) {
         int root = part[face];
@@ -180,7 +180,7 @@ public final class Faces {
         return off < SAME_PLANE ? root : face;
     }
 
-    /** Component a of corner k of a face. */
+    /** Component a of corner k of a face, in the scene brought to size 1. */
     public float corner(int face, int k, int a) {
         return corner[9 * face + 3 * k + a];
     }
@@ -195,60 +195,58 @@ public final class Faces {
         return list.points.at(point[3 * face + k]);
     }
 
-    /** Where a corner with this number lies, scene units. */
+    /** Position of the point with a number, scene units; see {@link #point}. */
     public Vec3 place(int number) {
         return list.points.at(number);
     }
 
-    /** A face's normal as exactly as its corners give it. */
+    /** A face's unit normal in double precision, from its corners. */
     public Vec3 exactNormal(int face) {
         Vec3 a = sceneCorner(face, 0);
         return sceneCorner(face, 1).minus(a).cross(sceneCorner(face, 2).minus(a)).unit();
     }
 
-    /** Lets some faces emit nothing, as their light would reach nobody. To be called before anything is shot. */
+    /** Sets the exitance of hidden faces to 0, as their light would reach no face. Must be called before any shot. */
     public void darken(IntPredicate hidden) {
         materials.darken(hidden);
     }
 
-    /**
-     * Whether a face is a piece of a triangle that was cut: nothing stands on it or comes through, but at its border.
-     */
+    /** Whether a face is a piece of a cut triangle: other triangles stand on or pass through only a piece's border. */
     public boolean isPiece(int face) {
         return list.piece[face];
     }
 
-    /** E in W/m², in the mean over a face. */
+    /** Exitance E, mean over a face, W/m². */
     public double exitance(int face, int channel) {
         return materials.exitance(face, channel);
     }
 
-    /** rho in [0, 1), in the mean over a face. */
+    /** Reflectance rho, mean over a face, in [0, 1). */
     public double reflectance(int face, int channel) {
         return materials.reflectance(face, channel);
     }
 
-    /** Whether a picture says what is where on a face. */
+    /** Whether exitance or reflectance vary on a face. */
     public boolean isMapped(int face) {
         return materials.isMapped(face);
     }
 
-    /** E in W/m², in the mean over a node. */
+    /** Exitance E, mean over a node, W/m². */
     public double exitance(int face, long path, int channel) {
         return materials.exitance(face, path, channel);
     }
 
-    /** rho in [0, 1), in the mean over a node. */
+    /** Reflectance rho, mean over a node, in [0, 1). */
     public double reflectance(int face, long path, int channel) {
         return materials.reflectance(face, path, channel);
     }
 
-    /** How much irradiance on a face matters: its reflectance; a little where it is black, for it is a result too. */
+    /** Weight of irradiance on a face: the reflectance, but not below a minimum, as irradiance is a result, too. */
     public double importance(int face, int channel) {
         return Math.max(LEAST_IMPORTANCE, materials.reflectance(face, channel));
     }
 
-    /** Height over the longest edge, of the scene's size. */
+    /** Height of a face over its longest edge, in scene sizes. */
     public double height(int face) {
         double longest = 0;
         for (int k = 0; k < 3; k++) {
@@ -262,7 +260,7 @@ public final class Faces {
         return 2 * area[face] / Math.sqrt(longest);
     }
 
-    /** All original triangles, small ones too, as corners for {@code RadiosityBounds}: 9 per triangle. */
+    /** The corners of all original triangles, including small ones, for {@code RadiosityBounds}: 9 per triangle. */
     public float[] occluders() {
         float[] corners = new float[9 * scene.triangles()];
         for (int t = 0; t < scene.triangles(); t++) {

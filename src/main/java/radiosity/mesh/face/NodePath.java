@@ -1,9 +1,9 @@
 package radiosity.mesh.face;
 
 /**
- * Where a node lies below its face: a 1, then two bits per level for the child taken. The face itself is 1.
+ * The path of a node below its face, as a number: a 1, then two bits per level for the child taken; 1 for the face.
  *
- * <p>Child 0, 1, 2 keeps that corner of its parent; child 3 is the middle one, its corner k opposite the parent's.
+ * <p>Children 0, 1, 2 keep the corner with their number; child 3 is the middle one, its corner k opposite the parent's.
  */
 public final class NodePath {
 
@@ -23,13 +23,13 @@ public final class NodePath {
         return (63 - Long.numberOfLeadingZeros(path)) / 2;
     }
 
-    /** The child taken at a level, 1 being the first below the face. */
+    /** The child taken at a level; level 1 is the first below the face. */
     public static int step(long path, int level) {
         return (int) (path >>> 2 * (level(path) - level)) & 3;
     }
 
     /**
-     * Weights of the face's corners at a node's corners, in units of 2^-30.
+     * Finds the weights of the face's corners at a node's corners, in units of 2^-30.
      *
      * @param weights modified: 9, corner by corner
      */

@@ -6,10 +6,10 @@ import radiosity.scene.Vec3;
 import radiosity.util.Aabb;
 
 /**
- * How a scene is brought to size 1 around the origin.
+ * The transformation that brings a scene to size 1 around the origin.
  *
- * @param centre middle of the box of all triangles, scene units
- * @param size   its largest extent, scene units; 1 where it has none
+ * @param centre centre of the box around all triangles, scene units
+ * @param size   largest extent of the box, scene units; 1 where it has none
  */
 record SceneBox(Vec3 centre, double size) {
 

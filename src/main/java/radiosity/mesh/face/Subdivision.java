@@ -1,12 +1,12 @@
 package radiosity.mesh.face;
 
-/** A triangle in four: its corners, and what stands at them. */
+/** Division of a triangle in four: corners of the children, and values at these corners. */
 public final class Subdivision {
 
     private Subdivision() { }
 
     /**
-     * From a triangle to one of its four children.
+     * Replaces a triangle by one of its four children.
      *
      * @param at x, y, z of three corners; modified
      */
@@ -15,10 +15,10 @@ public final class Subdivision {
     }
 
     /**
-     * The corners of one of the four children of a triangle.
+     * Finds the corners of one of the four children of a triangle.
      *
      * @param from x, y, z of three corners, 9 from {@code i}; not modified unless it is {@code to}
-     * @param to   modified: the same of the child, 9 from {@code j}
+     * @param to   modified: x, y, z of the child's corners, 9 from {@code j}
      */
     public static void child(float[] from, int i, int child, float[] to, int j) {
         for (int a = 0; a < 3; a++) {
@@ -35,10 +35,10 @@ public final class Subdivision {
     }
 
     /**
-     * What stands at the corners of a child, linear between those of its parent.
+     * Interpolates values at the corners of a triangle at the corners of one of its children.
      *
      * @param values n values per corner; not modified
-     * @return the same of the child
+     * @return n values per corner of the child
      */
     public static double[] values(double[] values, int n, int child) {
         double[] of = new double[3 * n];

@@ -5,7 +5,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.BoxTree;
 
-/** The triangles of a scene in boxes along three axes, to find those that reach into a box and through a plane. */
+/** Boxes around a scene's triangles along three axes: finds triangles that reach into a box and through a plane. */
 public final class TriangleBoxes {
 
     private static final Vec3 X = new Vec3(1, 0, 0);
@@ -18,7 +18,7 @@ public final class TriangleBoxes {
     /** 1 per box: its triangle, ascending. */
     private final int[] triangles;
     private final BoxTree tree;
-    /** Boxes that were looked at, for tests. */
+    /** Number of boxes that were tested; read by tests. */
     private long looks;
 
     private TriangleBoxes(Scene scene, int[] triangles, Vec3 origin, Vec3... axes) {
@@ -39,13 +39,13 @@ public final class TriangleBoxes {
         tree = new BoxTree(boxes);
     }
 
-    /** All, in boxes along the axes of the scene. */
+    /** Boxes of all triangles, along the axes of the scene. */
     public static TriangleBoxes upright(Scene scene) {
         return new TriangleBoxes(scene, IntStream.range(0, scene.triangles()).toArray(), Vec3.ZERO, X, Y, Z);
     }
 
     /**
-     * Some, in boxes of which one axis is a direction of length 1: triangles at right angles to it lie in flat ones.
+     * Boxes of some triangles, with one axis along a unit vector: triangles at right angles to it have flat boxes.
      *
      * @param triangles ascending; not modified, kept
      */
@@ -60,21 +60,21 @@ public final class TriangleBoxes {
     }
 
     /**
-     * The triangles that may reach into a box, with a few that do not.
+     * The triangles that may reach into a box; a few of them do not.
      *
      * @param box  low x, y, z, high x, y, z, scene units, 6 from {@code at}; not modified
-     * @param near how far from the box is as good as in it, scene units
-     * @return their numbers, ascending
+     * @param near distance from the box that still counts as inside, scene units
+     * @return numbers of the triangles, ascending
      */
     public int[] reaching(double[] box, int at, double near) {
         return found(around(box, at, near));
     }
 
     /**
-     * Of the triangles that may reach into a box those that may have a corner above a plane and another on it or below.
+     * The triangles that may reach into a box and may have a corner above a plane and another on or below the plane.
      *
-     * @param on    a point of the plane
-     * @param above direction of length 1
+     * @param on    a point of the plane, scene units
+     * @param above unit normal of the plane
      */
     public int[] reaching(double[] box, int at, double near, Vec3 on, Vec3 above) {
         BoxTree.Region around = around(box, at, near);
@@ -92,7 +92,7 @@ public final class TriangleBoxes {
         return found.build().sorted().toArray();
     }
 
-    /** The box along this object's axes around a box along the scene's. */
+    /** The region around a box along the scene's axes, as a box along this object's axes. */
     private BoxTree.Region around(double[] box, int at, double near) {
         Vec3 low = new Vec3(box[at], box[at + 1], box[at + 2]);
         Vec3 half = new Vec3(box[at + 3], box[at + 4], box[at + 5]).minus(low).times(0.5);
