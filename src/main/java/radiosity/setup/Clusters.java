@@ -21,23 +21,23 @@ import radiosity.protocol.Shot;
 import radiosity.util.ParallelFor;
 
 /**
- * Patches that shoot together where clusters do, each cut into blocks that may have several owners. A cluster is large,
- * as every receiving point looks at every one; a block is small, so that owners can be given equal work.
+ * Clusters of patches that shoot together, each cut into blocks that may have different owners. Clusters are large, as
+ * every receiving point looks at every cluster; blocks are small, so that all owners can be given equal work.
  */
 public final class Clusters {
 
     public final List<Block> clusters;
     final List<Block> blocks = new ArrayList<>();
-    /** Number of a block by its first subtree. */
+    /** Number of a block, by face and path of its first subtree. */
     private final Map<Shot.Place, Integer> number = new HashMap<>();
-    /** 1 per cluster and one more: its first block. */
+    /** 1 per cluster and one more: number of the cluster's first block; the last entry is the number of blocks. */
     private final int[] first;
-    /** Subtrees of clusters of which blocks have parts only. */
+    /** Subtrees of clusters that are divided among several blocks. */
     private final Set<Shot.Place> cut = new HashSet<>();
 
     /**
-     * @param wanted about how many clusters
-     * @param fine   about how many blocks
+     * @param wanted approximate number of clusters
+     * @param fine   approximate number of blocks
      */
     Clusters(Patcher patcher, int wanted, int fine) {
         clusters = Partitioner.blocks(patcher, wanted);
@@ -64,7 +64,7 @@ public final class Clusters {
         return places;
     }
 
-    /** Tops of some blocks by the subtree of a cluster of which they are parts. */
+    /** Top nodes of some blocks by the divided subtree of a cluster to which they belong. */
     public Map<Shot.Place, List<Integer>> parts(RadiosityNodes nodes) {
         Map<Shot.Place, List<Integer>> parts = new HashMap<>();
         for (int top : nodes.tops()) {
@@ -79,8 +79,8 @@ public final class Clusters {
     }
 
     /**
-     * @param shots one of each block, in any order
-     * @return one of each cluster, most flux first
+     * @param shots one per block, in any order
+     * @return one per cluster, the joined shots of its blocks, most flux first
      */
     public List<Shot> join(List<Shot> shots, ParallelFor parallel) {
         Shot[] ofBlock = new Shot[blocks.size()];

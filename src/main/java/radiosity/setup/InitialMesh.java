@@ -28,52 +28,51 @@ import radiosity.settings.Schedule;
 import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
-/** World set-up (section 4.2 of the paper): what follows from scene and settings alone, the same on every host. */
+/** World set-up (section 4.2 of the paper): data that follow from scene and settings alone, the same on every host. */
 public final class InitialMesh {
 
-    /** Patches of a scene for which no patch area is given: for the paper's schedule, its others, and prediction. */
+    /** Patches where no patch area is given: for schedule PAPER, for those of small scenes, and for a coarse mesh. */
     private static final int PATCHES = 6000;
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
-    /** Number of the way in which calculations are saved: those of another one are refused. */
+    /** Version of the saved state of calculations: a state with another version is refused. */
     private static final int STATE = 4;
-    /** Where a fingerprint is split into scene and options. */
+    /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
-    /** What is shared out: where borders cost time, and where every point is computed once. */
+    /** Approximate number of blocks without prediction, and with it, where borders between blocks cost little. */
     private static final int BLOCKS = 256;
     private static final int FINE_BLOCKS = 1024;
-    /** What shoots together. */
+    /** Approximate number of clusters of patches that shoot together. */
     private static final int CLUSTERS = 128;
-    /** Reflectance above which the rounding of floats would show. */
+    /** Reflectance above which the rounding of shots to floats would show in the result. */
     private static final double WHITE = 0.98;
-    /** Sample points per shooter where no number is given, likewise. */
+    /** Sample points per shooter where no number is given: by the schedules of the paper, and with prediction. */
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
 
-    /** As it was read. */
+    /** The scene as it was read. */
     public final Scene original;
-    /** With its long quadrangles cut. */
+    /** The original scene; with prediction, its long quadrangles are cut. */
     public final Scene scene;
     public final RadiositySettings settings;
     public final Faces faces;
-    /** Closed rooms. */
     public final ClosedRooms rooms;
     public final Patcher patcher;
     public final Clusters clusters;
-    /** What is shared out. */
+    /** The blocks that are dealt to owners. */
     public final List<Block> blocks;
-    /** A mesh that goes no deeper than is needed to foresee what light will become. */
+    /** The mesh on which future light is predicted; its patches are about as many as the prediction needs. */
     public final Patcher coarse;
-    /** Whose light stands for whose in that. */
+    /** The faces of the coarse mesh that represent others in the prediction. */
     public final RepresentativeFaces representatives;
     /** Flux that surfaces emit, one per channel, W. */
     public final double[] emitted;
 
-    /** How a radiosity to be shot is sent. */
+    /** How radiosities to be shot are rounded for sending. */
     public final Rounding rounding;
 
     private RadiosityBounds bounds;
-    /** Null until it is asked which faces are inside of solids. */
+    /** Made by the first test whether a face lies inside a solid; null before. */
     private InteriorTest interior;
 
     public InitialMesh(Scene scene, RadiositySettings settings) {
@@ -103,12 +102,12 @@ public final class InitialMesh {
         }
     }
 
-    /** Area from which quadrangles may be cut, square scene units. */
+    /** Area above which the triangles of long quadrangles are cut, square scene units. */
     private double quadrangleArea() {
         return settings.patchArea() > 0 ? settings.patchArea() : original.area() / COARSE_PATCHES;
     }
 
-    /** 1 per triangle of the scene with cut quadrangles: which triangle of the original scene it is a piece of. */
+    /** 1 per triangle of {@link #scene}: the triangle of the original scene that it is, or is a piece of. */
     public int[] origins() {
         return QuadSplitter.origins(original, predicts() ? quadrangleArea() : Double.POSITIVE_INFINITY);
     }
@@ -125,7 +124,7 @@ public final class InitialMesh {
         return interior.isBuried(middle, 0, face);
     }
 
-    /** What stands between two points; made when it is first asked for, as a master without elements never does. */
+    /** Tree of the triangles that cast shadows, made at the first call: a master without elements needs none. */
     public synchronized RadiosityBounds bounds() {
         if (bounds == null) {
             bounds = new RadiosityBounds(faces.occluders());
@@ -137,37 +136,37 @@ public final class InitialMesh {
         return predicts() ? COARSE_PATCHES : settings.schedule().isForSmallScenes() ? FEW_PATCHES : PATCHES;
     }
 
-    /** Whether the coarse mesh is the mesh itself, and the coarse system the only one. */
+    /** Whether the coarse mesh is the mesh itself, so that the solution of the coarse system is the result. */
     public boolean solvesAtOnce() {
         return settings.schedule() == Schedule.MATRIX;
     }
 
-    /** Whether the patches of a cluster shoot together; a projection would take long for a whole cluster. */
+    /** Whether the patches of a cluster shoot together; only with rays, as projecting a cluster would take long. */
     public boolean shootsClusters() {
         return predicts() && settings.factors() == FormFactors.RAYCAST;
     }
 
     /**
-     * Whether at a point that several hosts have only one gathers, for all: where no elements are divided between
-     * rounds.
+     * Whether at a vertex that several hosts share only one host gathers, for all of them: not where a threshold
+     * divides elements between rounds.
      */
     public boolean gathersOnce() {
         return (predicts() || settings.schedule() == Schedule.PAPER) && Double.isInfinite(settings.meshing());
     }
 
-    /** Flux of sources without geometry that arrives, whatever the mesh, one per channel, W. */
+    /** Flux that arrives from sources without geometry but sun and sky, one per channel, W; the same for every mesh. */
     public double[] lightFlux() {
         return new LightSources(faces, bounds()).flux();
     }
 
-    /** Whether all flux that is shot must be received. */
+    /** Whether all flux that is shot must be received: with prediction, in one closed room without covered faces. */
     public boolean conserves() {
         return predicts() && rooms.isPlain();
     }
 
     /**
-     * Whether it is known how much flux can be received at most. It is not where the sun or a sky shines into a scene
-     * that light escapes from: as much of theirs arrives as the mesh finds, and a finer one finds another amount.
+     * With prediction: whether an upper limit of the flux that can be received is known. None is known where the sun or
+     * a sky shines into a scene from which light escapes: how much of their light arrives depends on the mesh.
      */
     public boolean boundsReceived() {
         return conserves() || predicts() && scene.lights().stream().noneMatch(light -> light.kind().isOutside());
@@ -177,13 +176,13 @@ public final class InitialMesh {
         return settings.schedule() == Schedule.PREDICT;
     }
 
-    /** Entries of the coarse system's rows that come of one shot, about. */
+    /** Approximate number of entries that one shot adds to the rows of the coarse system. */
     public int entriesPerShot() {
         double all = (double) coarse.patches() * coarse.patches();
         return (int) (all / (solvesAtOnce() ? coarse.patches() : clusters.clusters.size()));
     }
 
-    /** Sample points per shooting node, or cells, see {@link FormFactors}. */
+    /** Sample points per shooter, or cells along an edge of a projection, see {@link FormFactors}. */
     public int rays() {
         return settings.rays() > 0 ? settings.rays()
                 : FormFactorCalculators.defaultRays(settings.factors(), predicts() ? FEW_RAYS : RAYS);
@@ -194,7 +193,7 @@ public final class InitialMesh {
         return patcher.patchArea() * faces.size() * faces.size();
     }
 
-    /** About as much flux as there is, W: what sums of flux are counted in. */
+    /** Approximate flux in the scene, W: the scale of exact sums of flux. */
     public double fluxScale() {
         double sum = 0;
         for (double e : emitted) {
@@ -207,7 +206,7 @@ public final class InitialMesh {
         return sum;
     }
 
-    /** What two calculations must have in common for one to go on from the other. */
+    /** All that two calculations must have in common for one to continue the other: scene, blocks and settings. */
     public String fingerprint() {
         return String.format(Locale.ROOT, "scene %016x in %d blocks, state %d, -pa %s -nr %d -mt %s --schedule %s",
                 digest(), blocks.size(), STATE, text(patchArea()), rays(), text(settings.meshing()),
@@ -218,31 +217,31 @@ public final class InitialMesh {
                 + (predicts() ? accuracyText() : "");
     }
 
-    /** In per cent, and as the two numbers that follow from that. */
+    /** The accuracy in per cent, and the tolerance and mesh error that follow from it. */
     private String accuracyText() {
         return String.format(Locale.ROOT, " --accuracy %.6g%% (first tolerance %s, first mesh error %s)",
                 100 * Accuracy.of(settings.tolerance()), tolerance(), meshError());
     }
 
-    /** With prediction: relative error of radiosity that is asked for. */
+    /** With prediction: the relative error of the radiosity that is aimed at. */
     public double accuracy() {
         return Accuracy.of(tolerance());
     }
 
-    /** With prediction: irradiance that one ray may carry, relative to the mean. */
+    /** With prediction: largest irradiance that one ray may carry, relative to the mean radiosity. */
     public double tolerance() {
         return settings.tolerance() > 0 ? settings.tolerance() : Accuracy.tolerance(Accuracy.DEFAULT);
     }
 
-    /** With prediction: error of interpolation that one element may add to the whole. */
+    /** With prediction: interpolation error that one element may add to the whole, relative to the mean radiosity. */
     public double meshError() {
         return settings.meshError() > 0 ? settings.meshError() : Accuracy.meshError(Accuracy.DEFAULT);
     }
 
     /**
-     * Checks that a calculation with another mesh's fingerprint can go on with this one.
+     * Checks that a calculation with a saved fingerprint can continue on this mesh.
      *
-     * @throws SceneFormatException that names the differences
+     * @throws SceneFormatException where the fingerprints differ; the message names the differences
      */
     public void checkFingerprint(String saved) throws SceneFormatException {
         List<String> own = List.of(fingerprint().split(PARTS));
@@ -258,12 +257,12 @@ public final class InitialMesh {
         return parts.isEmpty() ? "none" : parts;
     }
 
-    /** The shortest digits for a number; those of Double.toString differ between JDK 17 and JDK 19. */
+    /** The shortest digits for a number; the digits of Double.toString differ between JDK 17 and JDK 19. */
     private static String text(double number) {
         return NumberOutput.toString(number, true);
     }
 
-    /** By its light, not by its name, which hosts do not receive. */
+    /** Mixes a light into a digest, without its name, which hosts do not receive. */
     private static long digest(long before, Light light) {
         long digest = Hash.mix(before, light.kind().ordinal());
         Vec3 power = new Vec3(light.power().r(), light.power().g(), light.power().b());
