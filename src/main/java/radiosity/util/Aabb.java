@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.scene.Vec3;
 
-/** The smallest box around points. A box around no point is empty at the origin. */
+/** The smallest axis-aligned box around some points. The box around no points is empty, at the origin. */
 public record Aabb(Vec3 low, Vec3 high) {
 
     /** @param points x, y, z, 3 per point; not modified */
@@ -26,7 +26,7 @@ public record Aabb(Vec3 low, Vec3 high) {
         return new Vec3(Math.max(p.x(), q.x()), Math.max(p.y(), q.y()), Math.max(p.z(), q.z()));
     }
 
-    /** The box around this one and another. */
+    /** The smallest box around two boxes. */
     public Aabb with(Aabb other) {
         return new Aabb(lower(low, other.low), higher(high, other.high));
     }

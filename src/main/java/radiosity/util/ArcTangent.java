@@ -2,7 +2,7 @@ package radiosity.util;
 
 /**
  * The angle of a point (x, y), y >= 0, by + - * / only: the same bits on every machine, at a third of the cost of
- * {@code StrictMath.atan2}. Error below 1e-15.
+ * {@code StrictMath.atan2}. The error is below 1e-15.
  */
 public final class ArcTangent {
 
@@ -18,12 +18,12 @@ public final class ArcTangent {
     private static final double A8 = 4.97687799461593236017e-02;
     private static final double A9 = -3.65315727442169155270e-02;
     private static final double A10 = 1.62858201153657823623e-02;
-    /** tan(pi/8): up to here the polynomial holds. */
+    /** tan(pi/8): largest argument for which the polynomial is used. */
     private static final double REACH = 0.41421356237309503;
 
     private ArcTangent() { }
 
-    /** The angle in [0, pi] divided by y; 1/x where y is 0 and x above. */
+    /** The angle in [0, pi] divided by y, which is at least 0; where y is 0, 1/x for x above 0 and NaN for x = 0. */
     public static double overSine(double y, double x) {
         if (y <= x * REACH) {
             double t = y / x;

@@ -2,7 +2,7 @@ package radiosity.util;
 
 import java.util.Locale;
 
-/** Lengths of arrays as products of counts, checked where the counts are known. */
+/** Computes lengths of arrays as products of counts, and refuses lengths that no array can have. */
 public final class ArraySize {
 
     /** Largest length of an array that every JVM can make. */
@@ -11,11 +11,11 @@ public final class ArraySize {
     private ArraySize() { }
 
     /**
-     * A product of counts as the length of an array.
+     * The length of an array as a product of counts.
      *
-     * @param what    the array's content, for the message
+     * @param what    content of the array, for the message
      * @param factors at least 0 each
-     * @throws TooLargeException where the product is larger than an array can be
+     * @throws TooLargeException where the product is larger than {@link #MOST}
      */
     public static int of(String what, long... factors) {
         double product = 1;
@@ -30,13 +30,13 @@ public final class ArraySize {
     }
 
     /**
-     * How many items an array is given room for when it grows: as many as wanted, or all that an array can hold.
+     * Number of items for which a growing array is given room: the wanted number, or as many as an array can hold.
      *
-     * @param what   the array's content, for the message
-     * @param needed number of items that there must be room for
-     * @param wanted number of items that there is better room for
-     * @param each   numbers per item, at least 1
-     * @throws TooLargeException where an array cannot hold the items that are needed
+     * @param what   content of the array, for the message
+     * @param needed number of items for which there must be room
+     * @param wanted number of items for which there should be room
+     * @param each   array entries per item, at least 1
+     * @throws TooLargeException where an array cannot hold the needed items
      */
     public static int room(String what, long needed, long wanted, int each) {
         of(what, needed, each);

@@ -4,9 +4,9 @@ import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 
 /**
- * Boxes sorted into a balanced binary tree: which of them come near a segment or reach into a region.
+ * A balanced binary tree over boxes, which finds the boxes that come near a segment or reach into a region.
  *
- * <p>In double, because what it finds decides which values are written. The same boxes give the same tree.
+ * <p>In double, because the boxes found affect values of the solution. The same boxes give the same tree.
  */
 public final class BoxTree {
 
@@ -17,14 +17,14 @@ public final class BoxTree {
     private final int[] order;
     /** 6 per node, as {@link #boxes}; the children of node i are 2i + 1 and 2i + 2. */
     private final double[] bounds;
-    /** 1 per node: the lowest number of a box below it. */
+    /** 1 per node: the lowest number of a box below the node. */
     private final int[] lowest;
 
-    /** Where boxes are searched for. */
+    /** The region in which boxes are searched for. */
     public interface Region {
 
         /**
-         * Whether a box may reach into the region; a box that holds one which does reaches into it too.
+         * Whether a box may reach into the region. Must be true for every box that holds such a box.
          *
          * @param boxes low x, y, z and high x, y, z, 6 from {@code at}; not modified
          */
@@ -113,7 +113,7 @@ public final class BoxTree {
         return boxes[6 * box + axis] + boxes[6 * box + 3 + axis];
     }
 
-    /** Quickselect: afterwards nothing before {@code k} lies beyond anything from {@code k} on. */
+    /** Quickselect: afterwards no box centre before index {@code k} lies beyond a centre at {@code k} or later. */
     private void select(int from, int to, int k, int axis) {
         int left = from;
         int right = to;
@@ -146,12 +146,12 @@ public final class BoxTree {
     }
 
     /**
-     * Names every box that a segment comes near, and now and then one that it just misses.
+     * Finds every box that a segment comes near, and sometimes a box that it just misses.
      *
-     * @param a     first end, 3 coordinates
-     * @param b     other end; may equal a
-     * @param near  distance along each axis
-     * @param found is given the boxes' numbers, in no order that means anything
+     * @param a     first end, 3 coordinates; not modified
+     * @param b     other end, 3 coordinates; not modified; may equal a
+     * @param near  largest distance along each axis
+     * @param found receives the numbers of the boxes, in no particular order
      */
     public void near(double[] a, double[] b, double near, IntConsumer found) {
         if (order.length > 0) {
@@ -182,11 +182,10 @@ public final class BoxTree {
     }
 
     /**
-     * The lowest number of a box that a point comes near, or -1. However many boxes are near, few of them are looked
-     * at.
+     * The lowest number of a box that a point comes near, or -1. Tests few boxes, however many are near.
      *
      * @param p    3 coordinates; not modified
-     * @param near distance along each axis
+     * @param near largest distance along each axis
      */
     public int lowest(double[] p, double near) {
         double[] segment = {p[0], p[1], p[2], 0, 0, 0};
@@ -195,7 +194,7 @@ public final class BoxTree {
         return found == Integer.MAX_VALUE ? -1 : found;
     }
 
-    /** @return the lowest number below a node that is near and lower than {@code best}, or {@code best} */
+    /** @return the lowest number of a near box below a node if that is lower than {@code best}, else {@code best} */
     private int lowest(int node, int from, int to, double[] segment, double near, int best) {
         if (lowest[node] >= best || apart(bounds, 6 * node, segment, near)) {
             return best;
@@ -223,7 +222,7 @@ public final class BoxTree {
     /**
      * Whether one of the boxes that meet a region is wanted.
      *
-     * @param wanted is given the boxes' numbers, in no order that means anything, until it wants one
+     * @param wanted receives the numbers of the boxes, in no particular order, until it returns true
      */
     public boolean any(Region region, IntPredicate wanted) {
         return order.length > 0 && any(0, 0, order.length, region, wanted);
@@ -245,7 +244,7 @@ public final class BoxTree {
         return false;
     }
 
-    /** The six axes of a segment and a box: C. Ericson, Real-Time Collision Detection, 2005, 5.3.3. */
+    /** Separating-axis test with six axes: C. Ericson, Real-Time Collision Detection, 2005, 5.3.3. */
     private static boolean apart(double[] box, int k, double[] segment, double near) {
         double ex = 0.5 * (box[k + 3] - box[k]) + near;
         double ey = 0.5 * (box[k + 4] - box[k + 1]) + near;

@@ -2,18 +2,18 @@ package radiosity.util;
 
 import java.util.stream.IntStream;
 
-/** Which of some numbered things are connected: a disjoint-set forest whose roots are the lowest of each set. */
+/** Connected sets of numbered items: a disjoint-set forest in which the root of each set is its lowest item. */
 public final class DisjointSets {
 
     private final int[] parent;
 
-    /** @param count number of things, each of which is a set of its own at first */
+    /** @param count number of items, each of which is at first a set of its own */
     public DisjointSets(int count) {
         parent = IntStream.range(0, count).toArray();
     }
 
     /**
-     * Vertices connected by elements.
+     * Sets of vertices that are connected by elements.
      *
      * @param corners vertices, 3 per element; not modified, not kept
      */
@@ -25,14 +25,14 @@ public final class DisjointSets {
         }
     }
 
-    /** Makes one of the sets of two things. */
+    /** Joins the sets of two items. */
     public void join(int a, int b) {
         int p = of(a);
         int q = of(b);
         parent[Math.max(p, q)] = Math.min(p, q);
     }
 
-    /** The lowest thing that is in the same set. */
+    /** The lowest item in the set of an item. */
     public int of(int thing) {
         int t = thing;
         while (parent[t] != t) {

@@ -1,20 +1,20 @@
 package radiosity.util;
 
 /**
- * A sum that does not depend on the order of its terms: fixed point, good to 2^-70 of a given scale.
+ * A sum that does not depend on the order of its terms: a fixed-point number with a unit of 2^-70 of a given scale.
  *
- * <p>Each term is cut into two whole numbers; sums of whole numbers are exact.
+ * <p>Each term is rounded to the unit and cut into two whole numbers, whose sums are exact.
  */
 public final class ExactSum {
 
     private static final double LOW = 0x1p35;
 
-    /** 2^-70 of the scale's power of two. */
+    /** 2^-70 of the power of two at or below the scale. */
     private final double unit;
     private long high;
     private long low;
 
-    /** @param scale about as large as the sum can become, by a factor of 2^14 at most; at least 0 */
+    /** @param scale expected size of the sum, at least 0; the sum may become up to 2^14 times as large */
     public ExactSum(double scale) {
         unit = scale > 0 ? Math.scalb(1.0, Math.max(-1000, Math.getExponent(scale) - 70)) : 1;
     }
@@ -26,7 +26,7 @@ public final class ExactSum {
         low += (long) Math.rint(q - h * LOW);
     }
 
-    /** @param other of the same scale */
+    /** @param other a sum with the same scale; not modified */
     public void add(ExactSum other) {
         high += other.high;
         low += other.low;
@@ -44,6 +44,7 @@ public final class ExactSum {
         return low;
     }
 
+    /** Sets the two whole numbers of this sum, as {@link #high} and {@link #low} return them. */
     public ExactSum with(long h, long l) {
         high = h;
         low = l;

@@ -1,6 +1,6 @@
 package radiosity.util;
 
-/** Keys that depend on what a thing is, never on who owns it or when it was made. */
+/** Hash keys that depend on the content of an object alone, never on its owner or on the time at which it was made. */
 public final class Hash {
 
     private Hash() { }

@@ -2,7 +2,7 @@ package radiosity.util;
 
 import java.util.Arrays;
 
-/** Numbers 0, 1, 2 ... for distinct keys, in the order of their first appearance. Open addressing, no boxing. */
+/** A map from long keys to numbers of at least 0 that the caller chooses: open addressing, no boxing. */
 public final class LongIndex {
 
     private long[] keys;
@@ -39,7 +39,7 @@ public final class LongIndex {
         return numbers[slot];
     }
 
-    /** Gives a key another number, or its first one. */
+    /** Sets the number of a key, which may be new. */
     public void put(long key, int number) {
         if (findOrAdd(key, number) != number) {
             numbers[slot(key)] = number;

@@ -1,6 +1,6 @@
 package radiosity.util;
 
-/** A calculation came to something that is no number, or is too large to be written. */
+/** Thrown where a computed value is infinite or NaN. */
 public final class NoNumberException extends ArithmeticException {
 
     private static final long serialVersionUID = 1;
@@ -9,7 +9,7 @@ public final class NoNumberException extends ArithmeticException {
         super(message);
     }
 
-    /** Lets numbers pass. */
+    /** @throws NoNumberException where one of the values is infinite or NaN */
     public static void unlessNumbers(String what, double... values) {
         for (double value : values) {
             if (!Double.isFinite(value)) {

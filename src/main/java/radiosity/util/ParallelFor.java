@@ -10,23 +10,23 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.IntConsumer;
 
-/** Threads that share out numbered pieces of work; which does which has no influence on the result. */
+/** A parallel loop: threads share numbered pieces of work. Which thread does which piece must not affect the result. */
 public final class ParallelFor {
 
-    /** Threads that have nothing to do, which end after a minute of it: to start one takes longer than many a step. */
+    /** Idle threads, shared by all loops, which end after a minute: starting one takes longer than many a loop. */
     private static final ExecutorService IDLE = Executors.newCachedThreadPool(work -> {
         Thread thread = new Thread(work, "radiosity");
         thread.setDaemon(true);
         return thread;
     });
 
-    /** The least number of pieces for each thread. */
+    /** The least number of runs of pieces per thread. */
     private static final int RUNS = 16;
 
     private final int threads;
 
     /**
-     * @param threads at least 1; more than there are processors are not used
+     * @param threads at least 1; no more threads are used than there are processors
      * @throws IllegalArgumentException where the number is below 1
      */
     public ParallelFor(int threads) {
@@ -36,7 +36,7 @@ public final class ParallelFor {
         this.threads = Math.min(threads, Math.max(1, Runtime.getRuntime().availableProcessors()));
     }
 
-    /** Does the pieces 0 to count - 1 and returns when all are done; what a piece throws is thrown on. */
+    /** Does the pieces 0 to count - 1 and returns when all are done; rethrows the first exception of a piece. */
     public void run(int count, IntConsumer piece) {
         if (threads == 1 || count <= 1) {
             for (int i = 0; i < count; i++) {
@@ -71,20 +71,18 @@ public final class ParallelFor {
         }
     }
 
-    /**
-     * Does the pieces in runs of at most this number of neighbours; of fewer where threads would soon be idle.
-     */
+    /** Does the pieces in runs of at most {@code most} neighbours; shorter runs where threads would soon be idle. */
     public void run(int count, int most, Run run) {
         int size = threads == 1 ? most : Math.max(1, Math.min(most, count / (threads * RUNS)));
         run((count + size - 1) / size, i -> run.of(i * size, Math.min(count, (i + 1) * size)));
     }
 
-    /** Does the pieces from one up to another one, which is left out. */
+    /** Does the pieces {@code from} to {@code to - 1}. */
     public interface Run {
         void of(int from, int to);
     }
 
-    /** An interrupt is kept for the caller: a piece of work is not left half done. */
+    /** Waits for a task. An interrupt is kept for the caller, as no piece of work may be left half done. */
     private static void await(Future<?> work) {
         boolean interrupted = false;
         for (boolean done = false; !done;) {

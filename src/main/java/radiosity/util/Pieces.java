@@ -7,7 +7,7 @@ import java.io.SequenceInputStream;
 import java.util.Collections;
 import java.util.List;
 
-/** More bytes than one array may hold, in several arrays. */
+/** A byte sequence that may be longer than an array, as a list of arrays. */
 public final class Pieces {
 
     private Pieces() { }
@@ -18,9 +18,9 @@ public final class Pieces {
     }
 
     /**
-     * All bytes from the first on; {@code available} says how many are left, or {@link Integer#MAX_VALUE}.
+     * A stream over all bytes; {@code available} returns the number of bytes left, at most {@link Integer#MAX_VALUE}.
      *
-     * @param pieces not copied, not to be modified while they are read
+     * @param pieces not copied; must not be modified while the stream is in use
      */
     public static InputStream open(List<byte[]> pieces) {
         return new SequenceInputStream(Collections.enumeration(

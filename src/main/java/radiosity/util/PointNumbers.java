@@ -6,7 +6,7 @@ public final class PointNumbers {
     private PointNumbers() { }
 
     /**
-     * @param points 3 coordinates per point, not modified
+     * @param points x, y, z, 3 per point; not modified
      * @return 1 per point: the lowest index of a point with the same coordinates
      */
     public static int[] of(double[] points) {
@@ -25,7 +25,7 @@ public final class PointNumbers {
         return number;
     }
 
-    /** -0 counts as 0. */
+    /** The bits of a coordinate; -0 counts as 0. */
     private static long bits(double x) {
         return Double.doubleToLongBits(x + 0.0);
     }

@@ -1,6 +1,6 @@
 package radiosity.util;
 
-/** Something that has more numbers than an array can hold; the message says in one line what, and how many. */
+/** Thrown where an array cannot hold the numbers that are needed; the message says their content and count. */
 public final class TooLargeException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
