@@ -10,23 +10,25 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.protocol.BlockWork;
 
 /**
- * What the blocks of a partition hold and take. Measured, as what a receiving point takes depends on where it lies: a
- * guess by the number of elements is wrong by half.
+ * Elements, receiving points and processor time of each block of a partition. The time is measured because the cost of
+ * a point depends on where the point lies: an estimate from the number of elements is wrong by half. Any number of
+ * threads may call {@link #add}, one thread at a time the other methods.
  */
 public final class BlockCosts {
 
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final RadiosityNodes nodes;
-    /** Top nodes per block. */
+    /** 1 array per block: its top nodes. */
     private final int[][] tops;
     private final int[] elements;
     private final int[] points;
     private final int[] gathered;
-    /** 1 per block: processor time since it was reported, ns. */
+    /** 1 per block: processor time spent at receiving points since the last report, ns. */
     private final AtomicLongArray time;
-    /** 1 per vertex: a block that has it. */
+    /** 1 per vertex: the last block that has the vertex, or -1. */
     private int[] blockOf = new int[0];
+    /** Number of nodes at the last count; -1 before the first one. */
     private int known = -1;
 
     BlockCosts(RadiosityNodes nodes, List<Block> blocks) {
@@ -38,12 +40,12 @@ public final class BlockCosts {
         time = new AtomicLongArray(tops.length);
     }
 
-    /** Processor time of this thread, ns; 0 where the machine does not say. */
+    /** Processor time of the calling thread, ns; 0 where the JVM cannot measure it. */
     public static long now() {
         return THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime() : 0;
     }
 
-    /** Before points gather. */
+    /** Counts vertices that are about to gather, each for one of the blocks that share the vertex. */
     void begin(int[] vertices) {
         recount();
         for (int v : vertices) {
@@ -51,7 +53,7 @@ public final class BlockCosts {
         }
     }
 
-    /** Some points have gathered: neighbours, which take about the same. Any thread. */
+    /** Adds the processor time of gathering at neighbouring vertices to their blocks, in equal parts per vertex. */
     void add(int[] vertices, long nanoseconds) {
         for (int i = 0, next; i < vertices.length; i = next) {
             int block = blockOf[vertices[i]];
@@ -96,9 +98,11 @@ public final class BlockCosts {
     }
 
     /**
-     * One per block, since the last report.
+     * Reports the work of each block since the last report, and begins a new period.
      *
-     * @param all processor time, s: what was not spent at points is shared out by elements
+     * @param all processor time of the partition since the last report, s; the part of it that was not spent at
+     *            receiving points is shared out by number of elements
+     * @return one per block, in the order of the blocks
      */
     public BlockWork[] report(double all) {
         recount();

@@ -12,10 +12,10 @@ import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
-/** How things stand with a partition's shooters: sums over their elements, and who has most to shoot. */
+/** The shooters of a partition: sums of light over their elements, and the shooters with the most unshot flux. */
 final class Candidates {
 
-    /** Shooters that a thread looks at at a time. */
+    /** Largest number of shooters that a thread measures at a time. */
     private static final int RUN = 64;
 
     private final InitialMesh mesh;
@@ -26,12 +26,12 @@ final class Candidates {
     private final ParallelFor parallel;
     /** 1 per shooter: sum of |U| A over its elements and the channels, W. */
     private final double[] flux;
-    /** Over all shooters; null where something has changed since. */
+    /** Sums over all shooters, without candidates; null where light or elements have changed since. */
     private Answer sums;
-    /** 1 per shooter, as far as they were asked for. */
+    /** 1 per shooter: its unshot light, or null where no question has asked for the shooter yet. */
     private Shot[] shots;
 
-    /** @param shooters nodes that shoot together */
+    /** @param shooters 1 array per shooter: the top nodes that shoot together; not modified */
     Candidates(InitialMesh mesh, RadiosityNodes nodes, int[][] shooters, ParallelFor parallel) {
         this.mesh = mesh;
         faces = mesh.faces;
@@ -42,7 +42,7 @@ final class Candidates {
         flux = new double[shooters.length];
     }
 
-    /** What an order wants to know. */
+    /** Answers a question: sums over all shooters, and those candidates that have the flux asked for. */
     Answer answer(Order.Kind kind, Order.Question.Candidates asked) {
         if (sums == null) {
             sums = measure();
@@ -65,7 +65,7 @@ final class Candidates {
         }
     }
 
-    /** Something has shot or gathered, or was divided. */
+    /** Forgets all sums and shots; to be called when an element has shot, gathered or been divided. */
     void changed() {
         sums = null;
         shots = null;
@@ -82,7 +82,7 @@ final class Candidates {
         return all;
     }
 
-    /** The sums over some shooters. */
+    /** The sums over the shooters {@code from} to {@code to - 1}; sets their {@link #flux}. */
     private Answer measure(int from, int to) {
         Answer sums = new Answer(faces, mesh.fluxScale());
         for (int p = from; p < to; p++) {
@@ -94,7 +94,7 @@ final class Candidates {
         return sums;
     }
 
-    /** Adds what lies below a node to the sums; returns its |U| A over the channels, W. */
+    /** Adds the elements below a node to the sums; returns their |U| A summed over the channels, W. */
     private double measure(int node, Answer sums) {
         double total = 0;
         if (!nodes.isElement(node)) {
@@ -110,7 +110,7 @@ final class Candidates {
         return total;
     }
 
-    /** The same of one layer of an element. */
+    /** Adds one layer of an element to the sums; returns its |U| A summed over the layer's channels, W. */
     private double measure(int node, int layer, Answer sums) {
         double total = 0;
         double area = nodes.area(node) * squaredSize;
@@ -134,7 +134,10 @@ final class Candidates {
         return total;
     }
 
-    /** Of those with so much flux at least, W. */
+    /**
+     * Up to {@code most} shooters of at least {@code least} W, largest flux first. Shooters without flux count only
+     * where all have to shoot: clusters, and predicted light in closed rooms.
+     */
     private int[] largest(int most, double least) {
         boolean all = mesh.shootsClusters() || mesh.predicts() && mesh.rooms.count() > 0;
         PriorityQueue<Integer> best = new PriorityQueue<>((p, q) -> -order(p, q));

@@ -17,8 +17,8 @@ import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
 /**
- * Makes rows of a {@link CoarseSystem}, a part at a time: vertices are dealt to blocks, and those made that fall to
- * some of them.
+ * Makes the rows of a {@link CoarseSystem} for which a partition is responsible, one group of shooters at a time. The
+ * vertices of the coarse mesh are dealt evenly to all blocks; a partition makes the rows dealt to its own blocks.
  */
 final class CoarseReceivers {
 
@@ -26,7 +26,7 @@ final class CoarseReceivers {
     private final Gatherer receivers;
     private final ParallelFor parallel;
     private final RadiosityNodes nodes;
-    /** Vertices whose rows are made here: of those that stand for themselves. */
+    /** Vertices of the coarse mesh whose rows are made here. A face with another representative needs no rows. */
     private final int[] asked;
 
     CoarseReceivers(InitialMesh mesh, List<Block> blocks, Gatherer receivers, ParallelFor parallel) {
@@ -42,7 +42,7 @@ final class CoarseReceivers {
         receivers.bury(nodes, asked);
     }
 
-    /** @return number of rows, then each as {@link CoarseRows#take} reads it */
+    /** @return number of rows, then each row as {@link CoarseRows#take} reads it */
     byte[] rows(Order order) {
         ShooterHierarchy[] all = receivers.shooters(order);
         FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]

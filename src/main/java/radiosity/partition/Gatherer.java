@@ -17,10 +17,10 @@ import radiosity.setup.InitialMesh;
 import radiosity.util.Hash;
 import radiosity.util.ParallelFor;
 
-/** How the vertices of a mesh receive what an order lets shoot. */
+/** Gathers light at the vertices of a mesh: adds to their irradiance the light that an order's shooters send there. */
 public final class Gatherer {
 
-    /** Vertices that a thread takes at a time. */
+    /** Largest number of neighbouring vertices that a thread takes at a time. */
     static final int RUN = 64;
 
     private final InitialMesh mesh;
@@ -35,12 +35,12 @@ public final class Gatherer {
         burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
     }
 
-    /** Marks which vertices lie inside a solid, from the first on that has not been looked at. */
+    /** Marks the vertices from {@code first} on that lie inside a solid as buried. */
     void bury(RadiosityNodes nodes, int first) {
         parallel.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
     }
 
-    /** Marks which of some vertices lie inside a solid. */
+    /** Marks those of the given vertices that lie inside a solid as buried; the array is not modified. */
     public void bury(RadiosityNodes nodes, int[] vertices) {
         parallel.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
     }
@@ -61,14 +61,18 @@ public final class Gatherer {
         return made;
     }
 
-    /** One per {@link Patcher#slack}. */
+    /** One calculator per value of {@link Patcher#slack}: each further one lets a ray carry twice as much. */
     FormFactorCalculator[] calculators(Order order) {
         FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
         Arrays.setAll(made, slack -> calculator(order.rules(), order.rules().tolerance() * (1 << slack)));
         return made;
     }
 
-    /** What some vertices receive of an order is added to their irradiance: all of it, with the ambient light. */
+    /**
+     * Adds to the irradiance of some vertices all the light of an order: its shots and its ambient light.
+     *
+     * @param turn 0, or another number whenever the rays are to take other directions
+     */
     public void gather(Order order, RadiosityNodes nodes, int[] vertices, int turn) {
         ShooterHierarchy[] shooters = shooters(order);
         FormFactorCalculator[] calculators = calculators(order);
@@ -86,7 +90,10 @@ public final class Gatherer {
                 : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), tolerance);
     }
 
-    /** Even light of closed rooms, at the beginning of a round, and what was lost of the light before. */
+    /**
+     * Adds to the irradiance of some vertices the uniform light of closed rooms, and gives back the part of their
+     * earlier irradiance that rays had lost. Does nothing where the round has begun: each round does it once.
+     */
     void receiveAmbient(Order order, RadiosityNodes nodes, int[] vertices) {
         UniformRadiosity ambient = ambient(order);
         double[] back = order.rules().givenBack();
@@ -104,9 +111,10 @@ public final class Gatherer {
     }
 
     /**
-     * What some neighbouring vertices receive of one shooter is added to their irradiance.
+     * Adds to the irradiance of some neighbouring vertices the light of one shooter; buried vertices receive nothing.
      *
-     * @param turn 0, or a number that is another whenever rays are to go other ways
+     * @param calculator one per {@link Patcher#slack}
+     * @param turn       0, or another number whenever the rays are to take other directions
      */
     void gather(FormFactorCalculator[] calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int[] run,
             int turn) {
@@ -122,7 +130,7 @@ public final class Gatherer {
         }
     }
 
-    /** What one vertex receives of one shooter. */
+    /** Reports to {@code sum} the light that one vertex receives of one shooter; {@code turn} as for many vertices. */
     public void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v, int turn,
             GatherSink sum) {
         float[] x = nodes.receivers();

@@ -13,27 +13,28 @@ import radiosity.util.ArraySize;
 import radiosity.util.Hash;
 
 /**
- * The vertices that a host shares with other hosts: one of them gathers there, and the others receive the irradiance as
- * a ghost value before they look at their elements.
+ * The vertices that a host shares with other hosts: at each vertex one host gathers, and the other hosts receive the
+ * irradiance as a ghost value before they use their elements.
  *
- * <p>A host that receives no ghost values gathers at these vertices itself, so nothing but time depends on them.
+ * <p>A host that receives no ghost values gathers at these vertices itself, so only the time depends on ghost values.
+ * For an agreement every host {@linkplain #name names} the vertices on its border, and the master gives each a role.
  */
 public final class GhostVertices {
 
-    /** What a host has to do with a vertex that it has named. */
+    /** What a host does at a vertex that it has named. */
     public enum Role {
-        /** No other host has it. */
+        /** The host gathers for itself: no other host has the vertex. */
         ALONE,
-        /** The host gathers there for others. */
+        /** The host gathers for itself and for other hosts. */
         GIVES,
-        /** Another host gathers there. */
+        /** The host receives ghost values: another host gathers. */
         TAKES
     }
 
     private final RadiosityNodes nodes;
-    /** The vertices that were named last. */
+    /** The vertices named for the next agreement; empty once it is made. */
     private int[] named = {};
-    /** Number of the agreement between hosts; 0 where there is none. */
+    /** Number of the agreement between hosts; 0 where hosts have not agreed. */
     private int agreement;
     private int[] given = {};
     private int[] taken = {};
@@ -62,7 +63,7 @@ public final class GhostVertices {
         return keys.array();
     }
 
-    /** Equal for vertices with the same position, plane and creating split: there all hosts would gather the same. */
+    /** Key equal on all hosts for vertices that gather the same: with the same position, plane and creating split. */
     public static long key(RadiosityNodes nodes, int v) {
         long key = Hash.mix(nodes.vertexKey(v), nodes.made(v));
         key = Hash.mix(key, nodes.vertexPlane(v));
@@ -103,7 +104,7 @@ public final class GhostVertices {
         return ends.stream().toArray();
     }
 
-    /** @param roles number of the agreement, then one byte per vertex that was named: number of its {@link Role} */
+    /** @param roles number of the agreement, then one byte per named vertex: ordinal of this host's {@link Role} */
     public void agree(DataInputStream roles) throws IOException {
         agreement = roles.readInt();
         byte[] role = Wire.exactly(roles, named.length);
@@ -118,7 +119,7 @@ public final class GhostVertices {
         return IntStream.range(0, role.length).filter(i -> role[i] == wanted.ordinal()).map(i -> named[i]).toArray();
     }
 
-    /** Whether this host gathers at some vertices for others, or they for it. */
+    /** Whether this host gathers at some vertices for other hosts, or other hosts gather for this one. */
     boolean isShared() {
         return given.length + taken.length > 0;
     }
@@ -128,22 +129,22 @@ public final class GhostVertices {
         return taken.length > 0;
     }
 
-    /** Of some vertices those at which this host gathers for others. */
+    /** Those of the given vertices at which this host gathers for other hosts too. */
     int[] given(int[] vertices) {
         return filter(vertices, isGiven::get);
     }
 
-    /** Of some vertices those that only this host needs. */
+    /** Those of the given vertices that this host shares with no other host. */
     int[] alone(int[] vertices) {
         return filter(vertices, v -> !isGiven.get(v) && !isTaken.get(v));
     }
 
-    /** Of some vertices those at which other hosts do not gather. */
+    /** Those of the given vertices at which this host gathers, for itself or for others. */
     int[] own(int[] vertices) {
         return filter(vertices, v -> !isTaken.get(v));
     }
 
-    /** Of some vertices those at which other hosts gather. */
+    /** Those of the given vertices at which another host gathers. */
     int[] taken(int[] vertices) {
         return filter(vertices, isTaken::get);
     }
@@ -156,7 +157,7 @@ public final class GhostVertices {
         return Double.BYTES * nodes.channels();
     }
 
-    /** The ghost values for other hosts: number of the agreement, then the irradiance per vertex that is given. */
+    /** Ghost values for other hosts: number of the agreement, then per given vertex one double per channel, W/m². */
     public byte[] give() {
         ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of ghost values",
                 Integer.BYTES + (long) bytesPerVertex() * given.length)).putInt(agreement);
@@ -172,8 +173,9 @@ public final class GhostVertices {
     /**
      * Takes ghost values from other hosts.
      *
-     * @param values number of the agreement, then the irradiance per vertex that is taken
-     * @return whether they belong to this agreement; else nothing is changed
+     * @param values number of the agreement, then per taken vertex its irradiance, one double per channel, W/m²
+     * @return whether the values belong to the present agreement; if not, no irradiance is changed
+     * @throws IOException where there are fewer values than taken vertices
      */
     boolean take(DataInputStream values) throws IOException {
         if (values.readInt() != agreement) {

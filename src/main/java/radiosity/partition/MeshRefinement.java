@@ -7,27 +7,32 @@ import radiosity.settings.Accuracy;
 import radiosity.util.ParallelFor;
 
 /**
- * Where the mesh is too coarse for the light on it: where the middle of an edge has not what lies between its ends.
+ * Divides elements where the light at the middle of an edge is not the mean of the light at the edge's ends: linear
+ * interpolation errs there.
  *
- * <p>The middles of a parent's edges are vertices of its children. By how much they differ from the mean of the edge's
- * ends is the error that the parent would have had; a child that touches such a middle is divided. Decided from the
- * element's own surroundings only.
+ * <p>The middles of a parent's edges are vertices of its children. The difference between the irradiance at a middle
+ * and the mean of the edge's ends is the error that the parent would have as an element; where that error is too large,
+ * the children that have the middle as a corner are divided. The decision reads only vertices of the element and of its
+ * ancestors, so it does not depend on how blocks are dealt.
+ *
+ * <p>All errors are differences of radiosity (irradiance times {@linkplain Faces#importance importance}) relative to
+ * the mean radiosity (see {@link Weights}), the largest over the channels.
  */
 public final class MeshRefinement {
 
-    /** Nodes that a thread looks at at a time. */
+    /** Largest number of nodes that a thread examines at a time. */
     private static final int RUN = 256;
-    /** Of which it is not decided yet which of its children are divided. */
+    /** Stands for the children of an element: a node is an element when decisions begin, and may be divided later. */
     private static final byte UNKNOWN = -1;
-    /** Part of all area below which an element is left: corners that are floats could not be told apart. */
+    /** Share of the total area below which no element is divided: its corners, as floats, might coincide. */
     private static final double LEAST_AREA = 1e-10;
     /**
-     * Flux that interpolation on a bright element may add, relative to all that is reflected and to the error that it
-     * may add: where light curves one way, many elements have too much of it, and what reflects most of a lamp's light
-     * hands that on to everything.
+     * Largest error times share of area on a bright element, in units of {@link #meshError}. Where the light curves the
+     * same way on many elements their errors add up, and a surface that reflects most of a lamp's light passes the sum
+     * on to the whole room.
      */
     private static final double FLUX = 0.005;
-    /** Error that four elements may have as one for not to be divided again soon, of that at which it is divided. */
+    /** Elements may be merged if the error of the merged element is below this part of the refinement threshold. */
     private static final double COARSE = 0.25;
 
     private final RadiosityNodes nodes;
@@ -38,8 +43,8 @@ public final class MeshRefinement {
 
     /**
      * @param weights   1 / mean radiosity, m²/W
-     * @param meshError error times square root of area that an element may have, relative to the mean, or to what
-     *                  is there where that is bright, and to the whole area
+     * @param meshError largest error times square root of the share of area that an element may have; an error on a
+     *                  bright element is divided by the brightness of the element
      */
     public MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
         this.nodes = nodes;
@@ -50,10 +55,10 @@ public final class MeshRefinement {
     }
 
     /**
-     * Most is decided by all threads before anything is divided; of what is divided now the parts are looked at
-     * afterwards: their parents' middles are known.
+     * Divides all elements that need it. All threads decide about the children of inner nodes before any element is
+     * divided; the children of an element divided here are decided afterwards, and may be divided in the same call.
      *
-     * @param round what the new vertices are shared by
+     * @param round number of the round: new vertices are shared among splits of the same number
      */
     void splitAll(int round, ParallelFor parallel) {
         byte[] wanted = new byte[nodes.nodes()];
@@ -76,8 +81,8 @@ public final class MeshRefinement {
     }
 
     /**
-     * Whether a node has four elements where one would do, in a scene whose light has changed since, and that one would
-     * not be divided again for what is beside it.
+     * Whether the four children of a node may be merged, in a scene whose light has changed: all four are elements made
+     * by refinement, and the merged element would neither err by much nor be divided for an error of its parent.
      */
     public boolean isTooFine(int node) {
         for (int k = 0; k < 4; k++) {
@@ -103,7 +108,7 @@ public final class MeshRefinement {
         return count;
     }
 
-    /** Which children of a node are to be divided, as bits. */
+    /** Which children of an inner node are to be divided: bit k stands for child k. */
     private byte wanted(int parent) {
         double[] error = ofMiddles(parent);
         double before = fromAbove(parent);
@@ -124,7 +129,7 @@ public final class MeshRefinement {
         }
     }
 
-    /** Of a node's three edges. */
+    /** Errors at the middles of an inner node's three edges; number k is opposite corner k. */
     private double[] ofMiddles(int node) {
         double[] error = new double[3];
         for (int k = 0; k < 3; k++) {
@@ -133,15 +138,15 @@ public final class MeshRefinement {
         return error;
     }
 
-    /** The largest error at a middle that child k has as a corner. */
+    /** The largest of three errors at those middles that child k has as corners. */
     private static double touching(double[] error, int k) {
         double all = Math.max(error[0], Math.max(error[1], error[2]));
         return k == 3 ? all : Math.max(error[(k + 1) % 3], error[(k + 2) % 3]);
     }
 
     /**
-     * What a node's own middles should differ by after what its parent's did: a quarter where light is smooth. At the
-     * edge of a shadow they may happen not to differ at all.
+     * Error of a node expected from its parent's error: a quarter of it, as where light is smooth. At the edge of a
+     * shadow the node's own middles may by chance show no error at all.
      */
     private double fromAbove(int node) {
         int parent = nodes.parent(node);
@@ -149,9 +154,9 @@ public final class MeshRefinement {
     }
 
     /**
-     * Where corners and middles are all dark, they may all be covered: the middle of a window sill is where the bar
-     * stands. Then as much may be missed between them as on a face that nothing has divided, a quarter of it for each
-     * division since.
+     * Error that an inner node may have although its corners and middles are dark, as all of these may be covered: a
+     * bar stands at the middle of a window sill. The error is {@link #missed} divided by 4 for each division from the
+     * top node down to the children of this node; 0 where a corner or middle has a third of the mean radiosity or more.
      */
     private double unseen(int node) {
         double brightest = 0;
@@ -175,7 +180,7 @@ public final class MeshRefinement {
                 || brightness > 1 && error * share > FLUX * meshError);
     }
 
-    /** Difference of radiosity between the middle of an edge and the mean of its ends, relative to the scene's mean. */
+    /** Error at the middle of the edge opposite corner k; {@link #ofVisible} where a vertex of the edge is buried. */
     private double ofMiddle(int parent, int middle, int k) {
         int p = nodes.corner(parent, (k + 1) % 3);
         int q = nodes.corner(parent, (k + 2) % 3);
@@ -190,8 +195,8 @@ public final class MeshRefinement {
     }
 
     /**
-     * What lies partly under something takes its light from the corners that do not: half the difference between those,
-     * and half of what is there where only one is left to tell.
+     * Difference of irradiance at the middle of an edge of a node that is partly covered by a solid, W/m²: half the
+     * range over the node's corners and middles that are not buried; half the irradiance where only one is not buried.
      */
     private double ofVisible(int parent, int c) {
         double low = Double.POSITIVE_INFINITY;
@@ -209,15 +214,15 @@ public final class MeshRefinement {
     }
 
     /**
-     * An original triangle has no parent: nothing is known of what lies between its corners, even if these are dark. At
-     * most all of what is there is missed, and errors of what is bright are relative to that part of it.
+     * Whether a top node that is an element is to be divided. A top node has no parent, so nothing is known of the
+     * light between its corners, even if these are dark: its error may be all of its light.
      */
     private boolean wantsUnseen(int top) {
         double share = nodes.area(top) / area;
         return share > LEAST_AREA && missed(top) * Math.sqrt(share) > meshError;
     }
 
-    /** Error where all light of a node is missed, as far as its surface reflects it. */
+    /** Largest error of a node if all of its light is missed: errors of a bright node are relative to its own light. */
     private double missed(int node) {
         double importance = 0;
         for (int c = 0; c < nodes.channels(); c++) {
@@ -226,7 +231,7 @@ public final class MeshRefinement {
         return Accuracy.BRIGHT * importance;
     }
 
-    /** What receives at its middle only counts a quarter of its light as error, as nothing is known of its corners. */
+    /** Error of an element that receives at its middle only: a quarter of its light, as its corners are not known. */
     private double ofPoint(int node) {
         double largest = 0;
         for (int c = 0; c < nodes.channels(); c++) {
@@ -235,7 +240,7 @@ public final class MeshRefinement {
         return largest;
     }
 
-    /** How many times as bright as is {@linkplain Accuracy#BRIGHT bright} it is; at least 1. */
+    /** Mean radiosity of an element, relative to a {@linkplain Accuracy#BRIGHT bright} radiosity; at least 1. */
     private double brightness(int node) {
         int face = nodes.face(node);
         double largest = 1;
@@ -250,7 +255,7 @@ public final class MeshRefinement {
         return largest;
     }
 
-    /** Relative to the mean radiosity. */
+    /** Radiosity, relative to the mean radiosity, of a node with this irradiance in W/m². */
     private double weigh(int node, int c, double irradiance) {
         return irradiance * faces.importance(nodes.face(node), c) * weights.at(nodes.face(node), c);
     }

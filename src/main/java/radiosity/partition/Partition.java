@@ -6,29 +6,31 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 
 /**
- * One part of a world (section 4.5.4 of the paper): some blocks of elements, and what is done to them in every round.
+ * One part of a world (section 4.5.4 of the paper): some blocks of elements, and the operations of a round on them.
  *
- * <p>A world in this process calls it; a host calls it for a master on another machine.
+ * <p>A world in the same process calls a partition, or a worker calls it for a master on another machine; one thread at
+ * a time.
  */
 public interface Partition {
 
     /**
-     * One round, or a part of one.
+     * Carries out a round, or a part of one.
      *
-     * @param order what to do, with all that is shot
-     * @return how things stand then; nothing where the order is not {@linkplain Order#isAnswered answered}
+     * @param order the order, with the radiosity of all its shots
+     * @return sums and candidates after the order; an empty answer where the order is not
+     *         {@linkplain Order#isAnswered answered}
      */
     Answer answer(Order order);
 
-    /** Carries out an order of any kind: gives an {@link Answer} as bytes, or what else the order asks for. */
+    /** Carries out an order of any kind; returns an {@link Answer} as bytes, or the data that the order asks for. */
     byte[] round(Order order);
 
-    /** What each shooter has ever shot. */
+    /** Per shooter: the radiosity that its elements have shot in all rounds. */
     List<Shot> totals();
 
-    /** Everything about a block: its trees, what their vertices have received, what their elements have shot. */
+    /** The state of an owned block: trees, irradiance of their vertices, radiosity that their elements have shot. */
     byte[] block(int id);
 
-    /** Puts a block that this partition owns back to what {@link #block} had given. */
+    /** Replaces the state of an owned block by one that {@link #block} returned. */
     void restore(int id, byte[] state);
 }

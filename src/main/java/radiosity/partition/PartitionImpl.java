@@ -25,8 +25,8 @@ import radiosity.util.ParallelFor;
 /**
  * A partition in this process (section 4.5.5 of the paper).
  *
- * <p>Its threads share out runs of neighbouring vertices, then patches. A vertex reads only itself, the shots and the
- * original triangles, so neither threads nor the dealing of blocks have a part in the result.
+ * <p>Its threads share out runs of neighbouring vertices, then shooters. Gathering at a vertex reads only the vertex,
+ * the shots and the original triangles, so the result depends neither on the threads nor on how blocks are dealt.
  */
 public final class PartitionImpl implements Partition {
 
@@ -40,21 +40,22 @@ public final class PartitionImpl implements Partition {
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
     private final BlockCosts costs;
-    /** Nodes that shoot together: single patches in the paper's schedule, else a block's part of a cluster. */
+    /** 1 array per shooter, of its top nodes: all of a block where clusters shoot, else a single patch. */
     private final int[][] shooters;
+    /** Top nodes of the blocks, by the subtree of a cluster that contains them. */
     private final Map<Shot.Place, List<Integer>> parts;
     private final Candidates candidates;
     private final GhostVertices ghosts;
-    /** Where to gather at {@link Order.Kind#REST}; null where nothing is left. */
+    /** Work to be finished by {@link Order.Kind#REST}; null where there is none. */
     private Work rest;
-    /** Those of the coarse mesh while their rows are made; else null. */
+    /** Receivers of the coarse mesh while their rows are made; else null. */
     private CoarseReceivers coarse;
 
     public PartitionImpl(InitialMesh mesh, List<Block> mine, int threads) {
         this(mesh, mine, threads, false);
     }
 
-    /** @param restored whether the states of all blocks will be given to {@link #restore}, so none has to be found */
+    /** @param restored whether {@link #restore} will set all blocks, so no buried vertices or first light are needed */
     public PartitionImpl(InitialMesh mesh, List<Block> mine, int threads, boolean restored) {
         this.mesh = mesh;
         this.mine = mine;
@@ -111,7 +112,7 @@ public final class PartitionImpl implements Partition {
                 : new Answer(faces, mesh.fluxScale());
     }
 
-    /** Mark what has shot, gather, subdivide. */
+    /** Marks the shots as shot, gathers, and subdivides at the end of the round. */
     private void shoot(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
         gather(order);
@@ -120,7 +121,7 @@ public final class PartitionImpl implements Partition {
         }
     }
 
-    /** The vertices that this partition shares with others. */
+    /** The vertices that this partition shares with other hosts. */
     public GhostVertices ghosts() {
         return ghosts;
     }
@@ -128,22 +129,23 @@ public final class PartitionImpl implements Partition {
     /**
      * Takes ghost values from other hosts.
      *
-     * @return whether they belong to what hosts have agreed on; else nothing is changed
+     * @return whether the values belong to the present agreement of the hosts; if not, no irradiance is changed
+     * @throws IOException where there are fewer values than vertices at which other hosts gather
      */
     public boolean takeGhosts(DataInputStream values) throws IOException {
         candidates.changed();
         return ghosts.take(values);
     }
 
-    /** Gathers by an order where other hosts should have: their ghost values have not come. */
+    /** Gathers an order's light at the vertices at which other hosts gather, as their ghost values have not arrived. */
     public void gatherAtGhosts(Order order) {
         candidates.changed();
         gather(work(order), ghosts.taken(points(order)));
     }
 
     /**
-     * Where is gathered, here or by others: by {@link Order.Kind#GATHER} at the points that the round before made, by
-     * {@link Order.Kind#MEND} at those that have received less than nothing, as far as they have not been mended yet.
+     * The vertices at which an order gathers, ghosts included: for {@link Order.Kind#GATHER} those that the round
+     * before made, for {@link Order.Kind#MEND} those with negative irradiance, else all.
      */
     private int[] points(Order order) {
         return switch (order.kind()) {
@@ -161,7 +163,7 @@ public final class PartitionImpl implements Partition {
         return least < 0;
     }
 
-    /** Subdivide where it pays. */
+    /** Divides elements where interpolation errs; new vertices have only the light of sources without geometry. */
     private void split(Order order) {
         int known = nodes.vertices();
         new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError())
@@ -179,7 +181,7 @@ public final class PartitionImpl implements Partition {
         }
     }
 
-    /** What has no geometry shoots first. */
+    /** Adds the light of sources without geometry, such as the sun, to the irradiance of some vertices. */
     private void light(int[] vertices) {
         if (!lights.isEmpty()) {
             parallel.run(vertices.length, i -> {
@@ -205,14 +207,17 @@ public final class PartitionImpl implements Partition {
         return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
     }
 
-    /** What gathering by an order needs; made once where it is done in two parts. */
+    /** An order with its shooters and calculators, made once for both parts of a gathering. */
     private record Work(Order order, ShooterHierarchy[] shooters, FormFactorCalculator[] calculators) { }
 
     private Work work(Order order) {
         return new Work(order, receivers.shooters(order), receivers.calculators(order));
     }
 
-    /** Gathers where no other host does; first only where others need it, if the order asks for ghost values. */
+    /**
+     * Gathers at all vertices at which no other host gathers. If the order asks for ghost values, gathers only at the
+     * vertices that other hosts need too, and leaves the rest to {@link Order.Kind#REST}.
+     */
     private void gather(Order order) {
         Work work = work(order);
         if (order.givesGhosts() && ghosts.isShared()) {
@@ -230,7 +235,7 @@ public final class PartitionImpl implements Partition {
         }
     }
 
-    /** Neighbouring receiving points take turns at one shooter: their rays run alike. */
+    /** Gathers shooter by shooter at runs of neighbouring points: rays from neighbours to one shooter run alike. */
     private void gather(Work work, int[] points) {
         int[] vertices = IntStream.of(points).filter(v -> !nodes.isBuried(v)).toArray();
         boolean isMended = work.order.kind() == Order.Kind.MEND;
@@ -257,7 +262,7 @@ public final class PartitionImpl implements Partition {
         }
     }
 
-    /** Vertices have received nothing but the light of what has no geometry. */
+    /** Resets the irradiance of some vertices to the light of sources without geometry. */
     private void discard(int[] vertices) {
         for (int v : vertices) {
             Arrays.fill(nodes.light().irradiance(), channels * v, channels * (v + 1), 0);
@@ -265,7 +270,7 @@ public final class PartitionImpl implements Partition {
         light(vertices);
     }
 
-    /** What was shot in all may be less than nothing in some corner, as shots take back light. */
+    /** Raises negative irradiances to 0: all shots of a corner may add up to less than 0, as shots take light back. */
     private void raise(int[] vertices) {
         for (int v : vertices) {
             for (int i = channels * v; i < channels * (v + 1); i++) {
@@ -274,7 +279,7 @@ public final class PartitionImpl implements Partition {
         }
     }
 
-    /** Rows of the coarse system for the vertices that this partition's blocks have in it, or parts of them. */
+    /** Rows of the coarse system for the order's shots, at the coarse vertices dealt to this partition's blocks. */
     private byte[] rows(Order order) {
         CoarseReceivers asked = coarse == null ? new CoarseReceivers(mesh, mine, receivers, parallel) : coarse;
         coarse = order.more() ? asked : null;
