@@ -2,7 +2,7 @@ package radiosity.formfactor;
 
 import radiosity.util.Hash;
 
-/** Rays into clusters of triangles. */
+/** Estimates by one ray the light that a point receives from a cluster of triangles. */
 final class ClusterRays {
 
     private final ShadowTest sight;
@@ -12,10 +12,11 @@ final class ClusterRays {
     }
 
     /**
-     * One ray into a cluster of triangles: a few of them are drawn in proportion to what they shoot, and of these one
-     * in proportion to how it stands.
+     * Casts one ray into a cluster. Sample points on {@code draws} triangles are drawn in proportion to the flux that
+     * the triangles shoot; one of the points is chosen in proportion to cos cos / r^2, and the ray goes to that point.
      *
-     * @param chance with which it was chosen to be cast, in (0, 1]
+     * @param rotation begins the sequences of sample points and lots: a hash of receiving point and cluster
+     * @param chance   probability with which this ray was chosen to be cast, in (0, 1]
      */
     void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, int draws,
                                double chance, ShooterHierarchy s, int cluster, GatherSink gathering) {
@@ -74,7 +75,7 @@ final class ClusterRays {
         gathering.close(1 / (draws * Math.PI) / chance);
     }
 
-    /** The triangle at a place in [0, 1) of a cluster, where each takes as much room as it shoots. */
+    /** The triangle at a place in [0, 1) of a cluster, in which each triangle has a part in proportion to its flux. */
     private static int pick(ShooterHierarchy s, int cluster, double place) {
         double x = place;
         int node = cluster;

@@ -3,13 +3,13 @@ package radiosity.formfactor;
 import radiosity.util.ArcTangent;
 
 /**
- * The exact form factor from a point to a polygon, nothing in between: the part of the polygon's light that a small
- * surface at the point receives, of what it would receive if the polygon filled its sky.
+ * The exact form factor from a point to an unoccluded polygon: the irradiance at the point divided by the irradiance
+ * that the point would have if the polygon filled its whole hemisphere.
  *
  * <p>Source: J. H. Lambert, Photometria, 1760; as a contour sum D. R. Baum, H. E. Rushmeier, J. M. Winget, Improving
  * radiosity solutions through the use of analytically determined form-factors, 1989: F = 1/(2 pi) sum over edges of
- * the angle that the edge subtends times the cosine between the receiver's normal and the edge's plane's. Below the
- * receiver's horizon the polygon is cut off.
+ * the angle that the edge subtends times the cosine between the receiver's normal and the normal of the plane through
+ * point and edge. The part of the polygon below the receiver's horizon is cut off.
  */
 public final class ContourFactor {
 
@@ -18,11 +18,12 @@ public final class ContourFactor {
     private ContourFactor() { }
 
     /**
-     * @param px      receiving point, and so on
-     * @param nx      its normal, length 1, and so on
-     * @param polygon x, y, z per corner, counter-clockwise seen from its visible side; plane and convex or not; not
-     *                modified
-     * @return in [0, 1]; 0 for a point behind the polygon
+     * The form factor to a plane polygon, convex or not.
+     *
+     * @param px      coordinates of the receiving point: px, py, pz
+     * @param nx      normal of the receiving point, length 1: nx, ny, nz
+     * @param polygon x, y, z per corner, counter-clockwise as seen from its visible side; not modified
+     * @return form factor in [0, 1]; 0 for a point behind the polygon
      */
     public static double factor(double px, double py, double pz, double nx, double ny, double nz, double[] polygon) {
         int n = polygon.length / 3;
@@ -61,7 +62,7 @@ public final class ContourFactor {
         to[3 * i + 2] = z;
     }
 
-    /** Angle between a and b times the cosine between n and a x b. */
+    /** Angle between a and b times the cosine between n and a x b; 0 where the point lies on the edge. */
     private static double edge(double nx, double ny, double nz,
                                double ax, double ay, double az, double bx, double by, double bz) {
         double cx = ay * bz - az * by;
@@ -77,9 +78,9 @@ public final class ContourFactor {
     }
 
     /**
-     * The same for a triangle.
+     * The form factor to a triangle.
      *
-     * @param corner x, y, z of three corners, 9 from {@code i}; not modified
+     * @param corner x, y, z of three corners, 9 numbers from {@code i}; not modified
      */
     static double triangle(double px, double py, double pz, double nx, double ny, double nz, float[] corner, int i) {
         double ax = corner[i] - px;
@@ -107,7 +108,7 @@ public final class ContourFactor {
         return Math.max(0, -sum * HALF_OVER_PI);
     }
 
-    /** Turns the triangle until its corner a is alone on its side of the horizon. */
+    /** Contour sum of a triangle across the horizon: rotates its corners until a is alone on a side of the horizon. */
     private static double cut(double nx, double ny, double nz, double ax, double ay, double az,
                               double bx, double by, double bz, double cx, double cy, double cz,
                               double ua, double ub, double uc) {
@@ -121,6 +122,7 @@ public final class ContourFactor {
                 : lone(nx, ny, nz, cx, cy, cz, ax, ay, az, bx, by, bz, uc, ua, ub);
     }
 
+    /** Contour sum of the part above the horizon, where corner a is alone on its side, above or below. */
     private static double lone(double nx, double ny, double nz, double ax, double ay, double az,
                                double bx, double by, double bz, double cx, double cy, double cz,
                                double ua, double ub, double uc) {

@@ -1,21 +1,20 @@
 package radiosity.formfactor;
 
 /**
- * A way to find what reaches a receiving point from a shooter (section 2.3 and 4.5.10 of the paper).
+ * Computes the light that a receiving point receives from a shooter (section 2.3 and 4.5.10 of the paper).
  *
- * <p>Implementations depend on their arguments only, so that a receiving point gets the same light from the same shot
- * whoever computes it.
+ * <p>The result depends only on the arguments, so that a receiving point gets the same light from the same shot on
+ * every host and thread.
  */
 public interface FormFactorCalculator {
 
     /**
-     * Finds what a point receives from a shooter: the integral over it of form factor times visibility times radiosity
-     * (equation 3), as a sum over sample points.
+     * Integrates form factor times visibility times radiosity over a shooter (equation 3), as a sum over sample points.
      *
-     * @param px         receiving point, of the scene brought to size 1, and so on
-     * @param nx         its normal, length 1, and so on
-     * @param key        what the receiving point is, whoever owns it
-     * @param gathering  receives every sample point that is visible
+     * @param px        coordinates of the receiving point in the scene brought to size 1: px, py, pz
+     * @param nx        normal of the receiving point, length 1: nx, ny, nz
+     * @param key       key of the receiving point, the same on every host; sample points follow from it
+     * @param gathering receives every visible sample point, node by node
      */
     void gather(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
                 GatherSink gathering);

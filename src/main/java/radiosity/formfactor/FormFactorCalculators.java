@@ -3,17 +3,17 @@ package radiosity.formfactor;
 import radiosity.settings.FormFactors;
 import radiosity.visibility.RadiosityBounds;
 
-/** Makes the calculator that belongs to each name in {@link FormFactors}. */
+/** Makes the calculator for each kind of form factors in {@link FormFactors}. */
 public final class FormFactorCalculators {
 
     private FormFactorCalculators() { }
 
     /**
-     * Makes a calculator for one thread.
+     * Makes a calculator, which any number of threads may use.
      *
      * @param bounds    the triangles that cast shadows
-     * @param rays      number of sample points per shooter, or of cells along an edge of a projection; at least 1
-     * @param tolerance how much irradiance one ray may carry, see {@link RayCaster}; the other calculators ignore it
+     * @param rays      number of sample points per node, or of cells along an edge of a projection; at least 1
+     * @param tolerance largest weighted irradiance of one ray, see {@link RayCaster}; the other calculators ignore it
      */
     public static FormFactorCalculator make(FormFactors kind, RadiosityBounds bounds, int rays, double tolerance) {
         return switch (kind) {
@@ -24,7 +24,7 @@ public final class FormFactorCalculators {
         };
     }
 
-    /** Number of rays or cells where the user gives none; projections get as many cells as cost about as much. */
+    /** Number of rays, or of cells of a projection, where the user gives none. */
     public static int defaultRays(FormFactors kind, int raysOfRayCaster) {
         return switch (kind) {
             case RAYCAST, PLAIN -> raysOfRayCaster;

@@ -1,25 +1,26 @@
 package radiosity.formfactor;
 
-/** Takes what a receiving point sees of shooters: of one node after another. */
+/** Receives the visible sample points of a receiving point's shooters, node by node; for use by one thread. */
 public interface GatherSink {
 
     /**
-     * A sample point that is visible.
+     * Adds a visible sample point.
      *
-     * @param leaf element of the shooter's tree under it
-     * @param a    weight of the element's corner 0, and so on
+     * @param leaf element of the shooter's tree that contains the point
+     * @param a    weights of the radiosities at the element's corners 0, 1 and 2: a, b, c
      */
     void add(ShooterHierarchy shooter, int leaf, double a, double b, double c);
 
-    /** All sample points of a node are done: what was added since the last one counts so much. */
+    /** Ends a node: multiplies the weights of all sample points added since the last call by {@code scale}. */
     void close(double scale);
 
-    /** Adds irradiance, in W/m². */
+    /** Sums up irradiance, in W/m². */
     final class Irradiance implements GatherSink {
 
+        /** One per channel: weighted radiosities of the present node, before scaling. */
         private final double[] sum;
         private final int channels;
-        /** Modified: irradiance of the present receiving point, one per channel, W/m². */
+        /** One per channel: irradiance, W/m², to which every node is added; callers may set it. */
         public final double[] value;
 
         public Irradiance(int channels) {

@@ -6,20 +6,21 @@ import radiosity.visibility.RadiosityBounds;
  * Form factors by projection onto half a cube around the receiving point (section 2.3.1 of the paper; M. Cohen,
  * D. Greenberg, The hemi-cube, 1985).
  *
- * <p>Each cell of its five faces has a delta form factor, du dv / (pi r^4) times the height on the side faces.
+ * <p>A cell of size du dv at distance r has the delta form factor du dv / (pi r^4) on the top face, and du dv times the
+ * cell's height above the base / (pi r^4) on the four side faces.
  */
 final class Hemicube extends Projection {
 
-    /** Along an edge of the top face. */
+    /** Cells along an edge of the top face where the user gives no number. */
     static final int DEFAULT_CELLS = 64;
-    /** What is nearer than this to a face's horizon is cut off; of the scene's size. */
+    /** Depth before a cube face, in units of the scene's size, below which a patch is cut off before projection. */
     private static final double NEAR = 1e-9;
-    /** Axes of the five faces: which component runs along u, along v, and outwards, and the sign of that one. */
+    /** Axes of the five faces: the components that run along u, along v and outwards, and the sign of the third. */
     private static final int[][] FACES = {{0, 1, 2, 1}, {1, 2, 0, 1}, {1, 2, 0, -1}, {0, 2, 1, 1}, {0, 2, 1, -1}};
 
     private final int cells;
 
-    /** @param cells along an edge of the top face, rounded up to an even number */
+    /** @param cells number of cells along an edge of the top face, rounded up to an even number */
     Hemicube(RadiosityBounds bounds, int cells) {
         super(bounds);
         this.cells = cells + cells % 2;
@@ -56,7 +57,7 @@ final class Hemicube extends Projection {
         return (int) Math.min(cells - 1, (u + 1) / 2 * cells + 0.5);
     }
 
-    /** Least and most u, least and most v of a triangle's part before a face; an empty range where there is none. */
+    /** Least and most u, least and most v of a triangle's part before a face; an empty range where no part is. */
     private static double[] range(double[] corner, int[] face) {
         double[] range = {Double.POSITIVE_INFINITY, -2, Double.POSITIVE_INFINITY, -2};
         for (int k = 0; k < 3; k++) {

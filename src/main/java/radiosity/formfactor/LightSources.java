@@ -12,23 +12,24 @@ import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * Sources without geometry. They shoot before any patch: a vertex has their light from the moment it is made.
+ * The direct light of sources without geometry. Their light is added to a vertex when the vertex is made, before any
+ * patch shoots. Any number of threads may use one object.
  *
- * <p>Sources of the formulas: J. H. Lambert, Photometria, 1760 (inverse square, cosine).
+ * <p>Source of the inverse square law and the cosine law: J. H. Lambert, Photometria, 1760.
  */
 public final class LightSources {
 
-    /** Sample points of an area light for its visible share, by a plastic-number sequence as in the ray caster. */
+    /** Sample points by which the visible share of an area light is estimated. */
     private static final int SAMPLES = 32;
-    /** Distance, in sizes of a part of a luminaire, from which on the part is a point. */
+    /** Ratio of distance to size from which on a part of a luminaire is treated as a point. */
     private static final double SMALL = 12;
-    /** A luminaire may stand in the plane of a ceiling, which does not hide it: part of the distance. */
+    /** Part of its length by which a ray to a luminaire ends early: a ceiling in the lamp's plane is no obstacle. */
     private static final double MOUNTED = 1e-4;
-    /** Most points of a luminaire along an edge. */
+    /** Largest number of points along an edge of a luminaire. */
     private static final int MOST_POINTS = 16;
-    /** Points at which the flux of lights is measured, about. */
+    /** Approximate number of points at which the flux of lights is measured, on all faces together. */
     private static final int FLUX_POINTS = 1 << 16;
-    /** How far away a distant light is, of the scene's size. */
+    /** Length of rays towards the sun and skies, in units of the scene's size: the rays end outside the scene. */
     private static final double FAR = 4;
 
     private final Faces faces;
@@ -46,15 +47,15 @@ public final class LightSources {
         return lights.isEmpty();
     }
 
-    /** Adds what a vertex receives from all lights to its irradiance. */
+    /** Adds the light of all sources to the irradiance of a vertex. */
     public void light(RadiosityNodes nodes, int v) {
         add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), nodes.light().irradiance(), nodes.channels() * v);
     }
 
     /**
-     * Adds what a point receives from all lights.
+     * Adds the irradiance that a point on a face receives from all sources.
      *
-     * @param place x, y, z of the scene brought to size 1, 3 from {@code at}
+     * @param place x, y, z in the scene brought to size 1, 3 numbers from {@code at}; not modified
      * @param to    modified: irradiance, one per channel from {@code first}, W/m²
      */
     public void add(float[] place, int at, int face, double[] to, int first) {
@@ -63,21 +64,22 @@ public final class LightSources {
     }
 
     /**
-     * The same at any point.
+     * Adds the irradiance that any point receives from all sources.
      *
-     * @param x of the scene brought to size 1
-     * @param n unit direction of the side that receives
+     * @param x  the point, in the scene brought to size 1
+     * @param n  normal of the receiving side, length 1
+     * @param to modified: irradiance, one per channel from {@code first}, W/m²
      */
     public void add(Vec3 x, Vec3 n, double[] to, int first) {
         add(x, n, to, first, kind -> true);
     }
 
-    /** The same without what skies send. */
+    /** Adds the irradiance that a point receives from all sources but skies; {@code to} has one per channel, W/m². */
     public void addAllButSkies(Vec3 x, Vec3 n, double[] to) {
         add(x, n, to, 0, kind -> !kind.isSky());
     }
 
-    /** What skies would send if all around were as bright as in a direction: one per channel, W/m². */
+    /** Irradiance of a level place under skies everywhere as bright as in unit direction d: one per channel, W/m². */
     public double[] sky(Vec3 d) {
         double[] sum = new double[faces.channels()];
         for (int i = 0; i < lights.size(); i++) {
@@ -103,8 +105,8 @@ public final class LightSources {
     }
 
     /**
-     * Flux that arrives of all lights but the sun and skies, at points spread over all faces: whatever the mesh, one per
-     * channel, W.
+     * Flux of all sources but the sun and skies that arrives on all faces, one per channel, W. The flux is measured at
+     * points spread evenly over the faces, so it does not depend on the mesh.
      */
     public double[] flux() {
         double[] flux = new double[faces.channels()];
@@ -135,7 +137,7 @@ public final class LightSources {
         return new Vec3(faces.corner(face, k, 0), faces.corner(face, k, 1), faces.corner(face, k, 2));
     }
 
-    /** Irradiance at x where the light's power is 1. */
+    /** Irradiance at x with normal n, relative to the light's power. */
     private double irradiance(Light light, Vec3 x, Vec3 n) {
         return switch (light.kind()) {
             case DISTANT -> distant(light, x, n);
@@ -167,8 +169,8 @@ public final class LightSources {
     }
 
     /**
-     * A luminaire is a point where it is far away for its size, and else as many points as are, each of which shines as
-     * all of it does (the rule of five times the size; here {@link #SMALL} times).
+     * A luminaire is divided into parts so small that each is far away for its size, and shines as a point with the
+     * luminaire's distribution (the five-times rule of photometry; here {@link #SMALL} times).
      */
     private double luminaire(Light light, Luminaire lamp, Vec3 x, Vec3 n) {
         Vec3 down = light.direction().unit();
@@ -195,11 +197,12 @@ public final class LightSources {
         return sum * range * range / (along * beside * lamp.intensity().max());
     }
 
+    /** Number of points along an edge of this length. */
     private static int points(double size, double distance) {
         return (int) Math.max(1, Math.min(MOST_POINTS, Math.ceil(SMALL * size / distance)));
     }
 
-    /** 1 within the cone, falling over its soft edge to 0. */
+    /** Relative intensity of a spot: 1 inside the cone, falling to 0 across the cone's soft edge. */
     private static double beam(Light light, double cos) {
         double angle = StrictMath.acos(Math.max(-1, Math.min(1, cos)));
         double inside = light.cone() - angle;
@@ -225,7 +228,7 @@ public final class LightSources {
         return factor == 0 ? 0 : factor * share(light, x, n, at, u, v);
     }
 
-    /** Visible share, weighted by the kernel. */
+    /** Visible share of an area light with half edges u and v, weighted by cos cos / r^2; in [0, 1]. */
     private double share(Light light, Vec3 x, Vec3 n, Vec3 at, Vec3 u, Vec3 v) {
         double seen = 0;
         double all = 0;

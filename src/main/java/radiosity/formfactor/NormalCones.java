@@ -1,14 +1,15 @@
 package radiosity.formfactor;
 
 /**
- * Cones that hold all normals below each node of a {@link ShooterHierarchy}: by them is known what faces away (L.
- * Shirman, S. Abi-Ezzi, The cone of normals technique for fast processing of curved patches, 1993).
+ * Cones of normals, one per node of a {@link ShooterHierarchy}. A cone contains all normals below its node, so it tells
+ * whether the whole node faces away from a point (L. Shirman, S. Abi-Ezzi, The cone of normals technique for fast
+ * processing of curved patches, 1993).
  */
 final class NormalCones {
 
-    /** 3 per node: direction of length 1; 0 where there is none. */
+    /** 3 per node: axis of the cone, length 1; all 0 where the axes of both children cancel. */
     private final float[] axis;
-    /** 2 per node: cosine and sine of the angle between the axis and the farthest normal, 0 to 180 degrees. */
+    /** 2 per node: cosine and sine of the cone's half angle, 0 to 180 degrees. */
     private final float[] angle;
 
     NormalCones(int nodes) {
@@ -16,13 +17,13 @@ final class NormalCones {
         angle = new float[2 * nodes];
     }
 
-    /** @param normal of all that lies below a node, 3 from {@code at}; not modified */
+    /** @param normal normal of all triangles below the node, 3 numbers from {@code at}; not modified */
     void set(int node, float[] normal, int at) {
         System.arraycopy(normal, at, axis, 3 * node, 3);
         angle[2 * node] = 1;
     }
 
-    /** The cone around those of two nodes. */
+    /** Sets the cone of a node to one that contains the cones of nodes a and b. */
     void enclose(int node, int a, int b) {
         double x = (double) axis[3 * a] + axis[3 * b];
         double y = (double) axis[3 * a + 1] + axis[3 * b + 1];
@@ -42,7 +43,7 @@ final class NormalCones {
         angle[2 * node + 1] = (float) Math.sqrt(1 - cos * cos);
     }
 
-    /** Cosine of the angle within which an axis has the cone of another node. */
+    /** Cosine of the half angle at which a cone around the axis of {@code node} contains the cone of {@code of}. */
     private double widened(int node, int of) {
         double dot = (double) axis[3 * node] * axis[3 * of] + (double) axis[3 * node + 1] * axis[3 * of + 1]
                 + (double) axis[3 * node + 2] * axis[3 * of + 2];
@@ -54,13 +55,13 @@ final class NormalCones {
     }
 
     /**
-     * The largest cosine at which what lies below a node may stand to a point.
+     * Upper bound of the cosine between a normal below a node and the direction to a point outside the node's sphere.
      *
-     * @param ex, ey, ez from the point to the middle of the node's sphere
-     * @param d         length of that
-     * @param sin       of the angle between the sphere's middle and its rim, seen from the point, below 1
-     * @param cos       of the same angle
-     * @return 0 or less where all of it faces away
+     * @param ex, ey, ez vector from the point to the middle of the node's sphere
+     * @param d         length of the vector
+     * @param sin       sine of the angle between the sphere's middle and its rim as seen from the point, below 1
+     * @param cos       cosine of the same angle
+     * @return 0 or less where the whole node faces away from the point
      */
     float most(int node, float ex, float ey, float ez, float d, float sin, float cos) {
         float towards = -(axis[3 * node] * ex + axis[3 * node + 1] * ey + axis[3 * node + 2] * ez) / d;
@@ -75,11 +76,12 @@ final class NormalCones {
         return c >= cos ? 1 : c * cos + s * sin;
     }
 
-    /** The largest cosine to a sphere, from that to its middle and the angle between its middle and its rim. */
+    /** Largest cosine between a normal and directions into a sphere, from the cosine to the sphere's middle. */
     static float most(float middle, float sin, float cos) {
         return middle >= cos ? 1 : middle * cos + aside(middle) * sin;
     }
 
+    /** The sine that belongs to a cosine. */
     private static float aside(float cosine) {
         return (float) Math.sqrt(Math.max(0, 1 - cosine * cosine));
     }

@@ -4,19 +4,19 @@ import radiosity.visibility.RadiosityBounds;
 
 /**
  * Form factors by Nusselt's projection (section 2.3.3 of the paper; W. Nusselt, Graphische Bestimmung des
- * Winkelverhältnisses bei der Wärmestrahlung, 1928): onto half a sphere around the receiving point, then down to its
- * base, of which a patch covers as large a share as its form factor.
+ * Winkelverhältnisses bei der Wärmestrahlung, 1928): a patch is projected onto the hemisphere around the receiving
+ * point, then down to the hemisphere's base. The share of the base that the patch covers is its form factor.
  *
- * <p>The base is divided into equal squares.
+ * <p>The cells are equal squares of the base.
  */
 final class Nusselt extends Projection {
 
-    /** Across the base. */
+    /** Cells across the base where the user gives no number. */
     static final int DEFAULT_CELLS = 72;
 
     private final int cells;
 
-    /** @param cells across the base */
+    /** @param cells number of cells across the base */
     Nusselt(RadiosityBounds bounds, int cells) {
         super(bounds);
         this.cells = cells;
@@ -46,13 +46,13 @@ final class Nusselt extends Projection {
         return (int) Math.min(cells - 1, (1 + most(cap[axis], cap[3])) / 2 * cells + 0.5);
     }
 
-    /** Largest coordinate within a cap of the sphere: of its middle, and the cosine of its radius. */
+    /** Largest coordinate along an axis within a cap: from the cap's middle and the cosine of its angular radius. */
     private static double most(double middle, double cos) {
         return !(cos > 0) || middle >= cos ? 1
                 : middle * cos + Math.sqrt(Math.max(0, 1 - middle * middle)) * Math.sqrt(Math.max(0, 1 - cos * cos));
     }
 
-    /** A cap of the sphere in which a triangle is seen: its middle, 3, and the cosine of its radius. */
+    /** A cap of the sphere around a triangle's projection: 3 for the middle, then the cosine of the angular radius. */
     private static double[] cap(double[] corner) {
         double[] unit = new double[9];
         double[] cap = new double[4];

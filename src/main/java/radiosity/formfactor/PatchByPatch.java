@@ -2,7 +2,7 @@ package radiosity.formfactor;
 
 import radiosity.visibility.RadiosityBounds;
 
-/** A calculator that takes a shooter's patches one by one, without clusters, and looks at each as a whole. */
+/** A calculator that treats every patch of a shooter as a whole: it neither clusters nor divides patches. */
 abstract class PatchByPatch implements FormFactorCalculator {
 
     private final ShadowTest sight;
@@ -12,11 +12,11 @@ abstract class PatchByPatch implements FormFactorCalculator {
     }
 
     /**
-     * A receiving point and who shoots at it.
+     * A receiving point, its shooter and the sink for its light.
      *
-     * @param px  where it is, of the scene brought to size 1, and so on
-     * @param nx  its normal, length 1, and so on
-     * @param key what it is
+     * @param px  coordinates in the scene brought to size 1: px, py, pz
+     * @param nx  normal, length 1: nx, ny, nz
+     * @param key key of the receiving point, the same on every host
      */
     record Receiver(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
                     GatherSink gathering) {
@@ -59,13 +59,13 @@ abstract class PatchByPatch implements FormFactorCalculator {
     }
 
     /**
-     * Tells the gathering what is visible of a patch that faces the receiver and rises above its horizon.
+     * Adds to the sink the visible sample points of a patch that faces the receiver and rises above its horizon.
      *
-     * @return how much all of that counts
+     * @return scale of all these sample points, see {@link GatherSink#close}
      */
     abstract double patch(Receiver to, int node);
 
-    /** A place on a patch, by its weights at the corners: if it is visible, it counts so much. */
+    /** Adds to the sink the point of a patch with corner weights a, b, c, if the receiver sees it. */
     final void look(Receiver to, int node, float a, float b, float c, double weight) {
         ShooterHierarchy s = to.shooter;
         float[] corner = s.corner;

@@ -4,17 +4,17 @@ import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * The paper's own ray casting (section 2.3.2): rays to random points of the shooting patch, each worth the integrand
- * of equation 3 there.
+ * The paper's own ray casting (section 2.3.2): a form factor is estimated by the integrand of equation 3 at random
+ * points of the shooting patch.
  *
- * <p>The integrand has no bound where surfaces meet: a factor of more than 1 is taken for 1. {@link RayCaster} is the
- * better of the two at the same number of rays.
+ * <p>The integrand has no bound where surfaces meet: a form factor above 1 is scaled down to 1. {@link RayCaster} is
+ * more exact with the same number of rays.
  */
 final class PlainRays extends PatchByPatch {
 
     private final int rays;
 
-    /** @param rays per patch, at least 1 */
+    /** @param rays number of rays per patch, at least 1 */
     PlainRays(RadiosityBounds bounds, int rays) {
         super(bounds);
         this.rays = rays;
@@ -37,7 +37,9 @@ final class PlainRays extends PatchByPatch {
     }
 
     /**
-     * Equation 3: cos cos / (pi r^2) times the ray's part of the patch's area; returned whether it is visible or not.
+     * Casts a ray to the point of a patch with corner weights a, b, c.
+     *
+     * @return cos cos / (pi r^2) times the ray's part of the patch's area (equation 3), also where the point is hidden
      */
     private double ray(Receiver to, int node, float a, float b, float c) {
         ShooterHierarchy s = to.shooter();

@@ -1,8 +1,8 @@
 package radiosity.formfactor;
 
 /**
- * The R2 sequence: places in the unit square, of which any first few are spread evenly (M. Roberts, The unreasonable
- * effectiveness of quasirandom sequences, 2018).
+ * The R2 sequence: a low-discrepancy sequence of points in the unit square (M. Roberts, The unreasonable effectiveness
+ * of quasirandom sequences, 2018).
  */
 public final class PointSequence {
 
@@ -11,12 +11,12 @@ public final class PointSequence {
 
     private PointSequence() { }
 
-    /** First coordinate of a place, from 0 to 1. */
+    /** First coordinate, in [0, 1), of the point with this number, which is 0 or more. */
     public static double u(double number) {
         return number * STEP_U % 1;
     }
 
-    /** The second one. */
+    /** Second coordinate, in [0, 1), of the point with this number, which is 0 or more. */
     public static double v(double number) {
         return number * STEP_V % 1;
     }

@@ -4,11 +4,11 @@ import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * A calculator that divides what a receiving point sees into cells once and for all; a patch's form factor is the sum
- * of those in which it is seen.
+ * A calculator that divides the hemisphere of a receiving point into cells, each with a delta form factor. A patch's
+ * form factor is the sum over the cells in which the patch is seen.
  *
- * <p>What is seen in a cell is what a ray through its middle meets: what an item buffer would hold there, found for the
- * cells only that the patch covers.
+ * <p>A patch is seen in a cell if a ray through the middle of the cell meets the patch first. An item buffer would give
+ * the same, but here only the cells that the patch covers are examined.
  */
 abstract class Projection extends PatchByPatch {
 
@@ -16,14 +16,14 @@ abstract class Projection extends PatchByPatch {
         super(bounds);
     }
 
-    /** A patch as the receiver sees it: x and y along the horizon, turned by the receiver's key, z up. */
+    /** A patch in the receiver's coordinates: x and y along the horizon, turned by an angle from its key, z up. */
     final class View {
 
         private final Receiver to;
         private final int node;
-        /** 9: corners. */
+        /** 9: x, y, z of the corners, relative to the receiver. */
         final double[] corner = new double[9];
-        /** 9: towards the inside of the edge opposite each corner, in planes through the eye. */
+        /** 9: normals of the planes through the receiver and the edge opposite each corner, towards the inside. */
         private final double[] inside = new double[9];
 
         private View(Receiver to, int node) {
@@ -51,7 +51,7 @@ abstract class Projection extends PatchByPatch {
             }
         }
 
-        /** If the patch is seen in this direction, the cell around it counts so much. */
+        /** Adds the cell in a direction with its delta form factor, if the patch is seen there. */
         void cell(double x, double y, double z, double weight) {
             double a = x * inside[0] + y * inside[1] + z * inside[2];
             double b = x * inside[3] + y * inside[4] + z * inside[5];
@@ -71,12 +71,12 @@ abstract class Projection extends PatchByPatch {
         return 1;
     }
 
-    /** Offers the view every cell that the patch may cover. */
+    /** Calls {@link View#cell} for every cell that the patch may cover. */
     abstract void cover(View view);
 
     /**
-     * Two axes along the horizon and the normal, 3 each. The first is turned by an angle that follows from the key, or
-     * neighbours' cells would err alike; points of a circle without sine: t = tan of half the angle.
+     * Two axes along the horizon and the normal, 3 numbers each. The axes are turned by an angle from the receiver's
+     * key, else neighbouring receivers would have similar errors. Sine and cosine come from t = tan of half the angle.
      */
     private static double[] axes(Receiver to) {
         double t = (Hash.mix(to.key(), 2) >>> 11) * 0x1p-53;

@@ -4,27 +4,27 @@ import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * Form factors by ray casting (section 2.3.2 and 4.5.11 of the paper): the exact factor to the shooter times the share
- * of it that is visible, by rays to sample points.
+ * Form factors by ray casting (section 2.3.2 and 4.5.11 of the paper): the exact form factor to an unoccluded triangle
+ * times the visible share of the triangle, which is estimated by rays to sample points.
  *
- * <p>A shooter whose light is too much for so few rays is entered: its four parts are treated one by one, down to its
- * elements.
+ * <p>A node of the shooter that carries more light than its rays may carry is entered: its parts are treated one by
+ * one, down to the elements.
  */
 public final class RayCaster implements FormFactorCalculator {
 
     /*
-     * Share: sum V K / sum K over the sample points, K = cos cos / r^2. The paper's kernel K A / pi alone loses up to
-     * 90 % near a surface; see docs/DECISIONS.md. Sample points are those of the R2 sequence, rotated by a hash of
-     * receiving point and shooting node: the same ray is cast whoever casts it.
+     * Visible share: sum V K / sum K over the sample points, K = cos cos / r^2. The paper's kernel K A / pi alone errs
+     * by up to 95 % near a surface; see docs/PAPER.md, deviation 2. Sample points are those of the R2 sequence, rotated
+     * by a hash of receiving point and shooting node, so every host and thread casts the same rays.
      */
-    /** By how much what is near counts for more: kernel and shadows change faster over it. */
+    /** Weight of (radius / distance)^2 in the light carried: kernel and shadows change faster over a near node. */
     private static final double NEAR = 16;
-    /** Squared size over squared distance from which 8, and from which 4 sample points are drawn per ray. */
+    /** (Radius / distance)^2 of a node above which 8, and above which 4 sample points are drawn per ray. */
     private static final double NEAR_8 = 0.05;
     private static final double NEAR_4 = 0.003;
-    /** Triangles drawn for one ray from a cluster that carries as much as a ray may; in proportion from others. */
+    /** Triangles drawn for one ray at a cluster that carries as much as a ray may; for less light in proportion. */
     private static final int CLUSTER_DRAWS = 8;
-    /** Rays at one element. */
+    /** Largest number of rays at one element, unless the caller sets another. */
     private static final int MOST_RAYS = 64;
     private final ClusterRays clusters;
     private final TriangleRays triangles;
@@ -35,29 +35,30 @@ public final class RayCaster implements FormFactorCalculator {
     private final boolean sparing;
 
     /**
-     * @param rays      sample points per shooting node, at least 1
-     * @param tolerance what those may carry together before the node is entered, or cast more rays at if it is an
-     *                  element: form factor times {@link ShooterHierarchy}'s strength; infinite: no node is entered
+     * @param rays      number of rays at a node, at least 1
+     * @param tolerance largest light that these rays may carry: form factor times weighted radiosity (see
+     *                  {@link ShooterHierarchy}), more from near nodes. A node that carries more is entered, an element
+     *                  gets more rays. Infinite, for shooters of a single patch: no node is entered
      */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance) {
         this(bounds, rays, tolerance, Math.max(rays, MOST_RAYS));
     }
 
-    /** @param mostRays no more are cast at one element, whatever it carries */
+    /** @param mostRays largest number of rays at one element, however much light it carries */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance, int mostRays) {
         this(new ShadowTest(bounds), rays, tolerance, mostRays, false);
     }
 
     /**
-     * A ray is cast at what carries less than an eighth of the tolerance at some receiving points only, chosen with a
-     * probability in proportion to what it carries, and stands for that of the others (Russian roulette: J. Arvo,
-     * D. Kirk, Particle transport and image synthesis, 1990).
+     * A ray caster that plays Russian roulette (J. Arvo, D. Kirk, Particle transport and image synthesis, 1990) with
+     * nodes that carry less than an eighth of the tolerance: rays are cast with a probability in proportion to the
+     * light that the node carries, and their light is divided by the probability.
      */
     public static RayCaster sparing(RadiosityBounds bounds, int rays, double tolerance) {
         return new RayCaster(new ShadowTest(bounds), rays, tolerance, Math.max(rays, MOST_RAYS), true);
     }
 
-    /** What visibility that changes makes of the light that is received. */
+    /** A ray caster that gathers the difference of light between two scenes: its visibilities are 1, 0 and -1. */
     public RayCaster(VisibilityChange change, int rays, double tolerance) {
         this(change, rays, tolerance, Math.max(rays, MOST_RAYS), false);
     }
@@ -128,8 +129,8 @@ public final class RayCaster implements FormFactorCalculator {
     }
 
     /**
-     * One ray stands for a cluster that carries no more than a ray may, by the largest cosines at which it and the
-     * receiver may stand to each other and the smallest distance.
+     * Casts one ray at a cluster that carries no more than the tolerance, as bounded by the largest possible cosines at
+     * cluster and receiver and the smallest distance; enters the cluster's two children otherwise.
      */
     private void cluster(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy s,
             int node,

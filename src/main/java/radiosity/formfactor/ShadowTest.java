@@ -2,12 +2,12 @@ package radiosity.formfactor;
 
 import radiosity.visibility.RadiosityBounds;
 
-/** What a receiving point sees of a shooter's sample points. */
+/** Visibility between a receiving point and sample points of a shooter. */
 class ShadowTest {
 
-    /** How far the ends of rays stand off their surfaces at most, of the scene's size. */
+    /** Largest distance of a ray's ends from their surfaces, in units of the scene's size. */
     private static final float LIFT = 4e-6f;
-    /** Nearer than this to a shooter's plane nothing is received from it; of the scene's size. */
+    /** Height above a shooter's plane, in units of the scene's size, up to which a point receives nothing from it. */
     static final float IN_PLANE = 2e-7f;
 
     private final RadiosityBounds bounds;
@@ -17,9 +17,9 @@ class ShadowTest {
     }
 
     /**
-     * 1 where nothing stands between a receiving point and a sample point, else 0. Both ends are lifted off their
-     * surfaces a little, but by no more than half of what they see of each other's side: a ray that runs almost in a
-     * surface would be stopped by that surface itself.
+     * {@link #share} of the ray from receiving point p with normal n to the sample point p + d with normal s. Both ends
+     * are lifted off their surfaces, else the surfaces themselves would stop the ray; each end by no more than half of
+     * the height at which the other end lies above this end's surface.
      */
     final int sees(float px, float py, float pz, float nx, float ny, float nz, float dx, float dy, float dz,
                    float sx, float sy, float sz) {
@@ -29,21 +29,21 @@ class ShadowTest {
                 px + dx + down * sx, py + dy + down * sy, pz + dz + down * sz);
     }
 
-    /** What a ray between two points counts for. */
+    /** Visibility of a ray from o to t: 1 where no triangle stands between the points, else 0. */
     int share(float ox, float oy, float oz, float tx, float ty, float tz) {
         return bounds.blocked(ox, oy, oz, tx, ty, tz) ? 0 : 1;
     }
 
     /**
-     * Whether rays from a point into a sphere may count.
+     * Whether {@link #share} may be other than 0 for rays from a point into a sphere.
      *
-     * @param sphere middle, and squared radius, 4 from {@code at}
+     * @param sphere middle and squared radius, 4 numbers from {@code at}; not modified
      */
     boolean matters(float px, float py, float pz, float[] sphere, int at) {
         return true;
     }
 
-    /** Finds the element under a sample point. */
+    /** Adds to the sink the element that contains a sample point of a node with corner weights wa, wb, wc, times k. */
     static void reach(ShooterHierarchy s, int node, float wa, float wb, float wc, double k, GatherSink gathering) {
         float a = wa;
         float b = wb;

@@ -13,10 +13,10 @@ import radiosity.mesh.face.Subdivision;
 import radiosity.util.Hash;
 
 /**
- * A patch that shoots, or a cluster of patches: the tree of elements below each, the radiosity of each element
- * (section 4.4 of the paper), and pairs of neighbours above them, ready for being gathered from.
+ * A shooter, prepared for gathering: the tree of elements of each of its patches with the radiosities to shoot (section
+ * 4.4 of the paper), and above several patches a binary tree of clusters of neighbours.
  *
- * <p>A node is a cluster with two children, a triangle with four, or an element. Read by any number of threads.
+ * <p>A node is a cluster with two children, a triangle with four, or an element. Any number of threads may read.
  * Clusters: B. Smits, J. Arvo, D. Greenberg, A clustering algorithm for radiosity in complex environments, 1994.
  */
 public final class ShooterHierarchy {
@@ -27,42 +27,42 @@ public final class ShooterHierarchy {
     private int nodes;
     /** 1 per node: its face, or -1 for a cluster. */
     final int[] face;
-    /** 1 per node, of triangles. */
+    /** 1 per node, for triangles: path below the face, see {@link NodePath}. */
     private final long[] path;
     /** 1 per node: first of its consecutive children, or -1. */
     final int[] child;
-    /** 3 per node, of triangles. */
+    /** 3 per node, for triangles: normal. */
     final float[] normal;
-    /** 9 per node: corners, of triangles. */
+    /** 9 per node, for triangles: corners in the scene brought to size 1. */
     final float[] corner;
-    /** 1 per node: what it is, whoever shoots it. */
+    /** 1 per node: key that is the same on every host. */
     final long[] key;
-    /** 1 per node: area, of the scene's squared size. */
+    /** 1 per node: area, in units of the scene's squared size. */
     final float[] area;
-    /** 4 per node: middle, and squared distance from there within which all of it lies. */
+    /** 4 per node: middle and squared radius of a sphere around the node. */
     final float[] extent;
-    /** 1 per node: mean over the node of the largest channel of weight times |radiosity|. */
+    /** 1 per node: mean by area, over the elements below the node, of the largest channel of weight x |radiosity|. */
     final double[] strength;
-    /** Of clusters. */
+    /** Cones of normals of clusters and of the top triangles below clusters. */
     final NormalCones cones;
-    /** 1 per node, of clusters: what of its flux, counted by strength, its first child shoots. */
+    /** 1 per node, for clusters: part of the flux (strength times area) that the first child shoots, in [0, 1]. */
     final double[] share;
-    /** 3 x channels per node: radiosity to shoot at the corners, of elements. W/m². */
+    /** 3 x channels per node, for elements: radiosity to shoot, corner by corner, W/m². */
     final double[] radiosity;
 
-    /** 1 per node: not 0 where its parts have been looked at. */
+    /** 1 per node: not 0 where corners and areas of the node's four parts have been computed. */
     private final byte[] open;
     private final Faces faces;
     private final List<PatchTree> trees;
     private final Weights weights;
     private final UniformRadiosity ambient;
 
-    /** @param weights what its radiosity counts for when it is decided where to look closer */
+    /** @param weights weights of radiosity in {@link RayCaster}'s decision where to enter nodes */
     public ShooterHierarchy(Faces faces, List<PatchTree> trees, Weights weights) {
         this(faces, trees, weights, new UniformRadiosity(null, faces.channels(), new double[0]));
     }
 
-    /** @param ambient what is taken off the radiosity: by how much surfaces differ from it is shot */
+    /** @param ambient uniform radiosity that is subtracted: surfaces shoot only their difference from it */
     public ShooterHierarchy(Faces faces, List<PatchTree> trees, Weights weights, UniformRadiosity ambient) {
         this.ambient = ambient;
         this.faces = faces;
@@ -90,7 +90,7 @@ public final class ShooterHierarchy {
         build(0, 0, trees.size());
     }
 
-    /** Halves a run of trees, which stand in geometric order, until one is left. */
+    /** Builds a node for the trees {@code from} to {@code to - 1}, in geometric order; each half becomes a child. */
     private void build(int node, int from, int to) {
         if (to - from == 1) {
             plant(node, trees.get(from));
@@ -107,7 +107,7 @@ public final class ShooterHierarchy {
         key[node] = Hash.mix(key[child[node]], key[child[node] + 1]);
     }
 
-    /** A sphere around two; strengths by area. */
+    /** Sets area, strength, share and sphere of a cluster from its children a and b. */
     private void enclose(int node, int a, int b) {
         area[node] = area[a] + area[b];
         double flux = strength[a] * area[a] + strength[b] * area[b];
@@ -129,7 +129,7 @@ public final class ShooterHierarchy {
         extent[4 * node + 3] = (float) (r * r * (1 + 1e-5));
     }
 
-    /** A tree's nodes stand as they do in it, its top elsewhere. */
+    /** Copies a tree: its top to node {@code top}, all other nodes in the order of the tree to the next free nodes. */
     private void plant(int top, PatchTree tree) {
         int before = nodes - 1;
         int count = tree.child().length;
@@ -153,7 +153,7 @@ public final class ShooterHierarchy {
         cones.set(top, normal, 3 * top);
     }
 
-    /** What the nodes of a tree shoot; the top's own place is not among theirs. */
+    /** Sets radiosity, path and strength of a tree's nodes: of {@code top}, and of node i at {@code before} + i. */
     private void setRadiosity(PatchTree tree, int top, int before) {
         int n = 3 * channels;
         System.arraycopy(tree.radiosity(), 0, radiosity, n * top, n);
@@ -193,9 +193,9 @@ public final class ShooterHierarchy {
         return most;
     }
 
-    /*---- Where the parts of triangles lie: found when somebody looks at them ----*/
+    /*---- Geometry of the parts of triangles: computed when first needed ----*/
 
-    /** To be called before anybody looks at the four parts of a triangle. Several threads find the same. */
+    /** To be called before the four parts of a triangle are read. Any thread may call: all compute the same numbers. */
     void open(int node) {
         if ((byte) OPEN.getAcquire(open, node) == 0) {
             divide(node);
@@ -212,7 +212,7 @@ public final class ShooterHierarchy {
         }
     }
 
-    /** What follows from a triangle's face, place and corners. */
+    /** Computes key, normal and sphere of a triangle from its face, path and corners. */
     private void survey(int node) {
         key[node] = Hash.mix(Hash.mix(4, face[node]), path[node]);
         for (int a = 0; a < 3; a++) {
@@ -236,7 +236,7 @@ public final class ShooterHierarchy {
         return face[node];
     }
 
-    /** A triangle's place below its face. */
+    /** Path of a triangle below its face, see {@link NodePath}. */
     public long path(int node) {
         return path[node];
     }

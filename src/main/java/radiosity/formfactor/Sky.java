@@ -5,33 +5,34 @@ import radiosity.scene.Light;
 import radiosity.scene.Vec3;
 
 /**
- * The light of a sky, through openings of any shape.
+ * The light of a sky that a point receives through openings of any shape.
  *
- * <p>Rays are uniform in the circle below a point's hemisphere (W. Nusselt, 1928), which is mapped to a square (P.
- * Shirley, K. Chiu, A low distortion map between disk and square, 1997): they go to the corners and the middles of
- * square cells. Where not all of a cell's see the sky, it is divided: an opening's edge is found to 1/768 of the
- * square's side. A smaller opening than a cell may be missed: one of 1 m from 24 m away.
+ * <p>The circle below the point's hemisphere (W. Nusselt, 1928) is mapped to a square (P. Shirley, K. Chiu, A low
+ * distortion map between disk and square, 1997), and rays go to the corners and middles of square cells. A cell is
+ * divided where some of its rays see the sky and others do not: the edge of an opening is found to 1/768 of the
+ * square's side. An opening smaller than a cell may be missed, such as one of 1 m from 24 m away.
  *
  * <p>Luminances: CIE S 011/E:2003, Spatial distribution of daylight - CIE standard general sky.
  */
 final class Sky {
 
+    /** Cells along a side of the square. */
     private static final int SIDE = 48;
-    /** Parts of a cell's side that are looked at at an edge. */
+    /** Parts along a side of a cell that is divided down to the smallest parts; a power of 2. */
     private static final int PARTS = 16;
-    /** Of the general sky of type 12. */
+    /** Parameters a to e of the CIE general sky of type 12: gradation (a, b) and scattering (c, d, e). */
     private static final double A = -1;
     private static final double B = -0.32;
     private static final double C = 10;
     private static final double D = -3;
     private static final double E = 0.45;
 
-    /** Of the corners of all cells, row by row: what they have of a point's two tangents and of its normal. */
+    /** 3 per corner of the cells, row by row: components of its direction along a point's two tangents and normal. */
     private static final double[] CORNERS = corners();
 
     private final Light light;
     private final Vec3 sun;
-    /** What makes the irradiance of a level place 1. */
+    /** Factor that makes the irradiance of a level place with a free sky 1. */
     private final double scale;
 
     Sky(Light light) {
@@ -48,7 +49,7 @@ final class Sky {
         return corners;
     }
 
-    /** @param row in the square, @param column both in parts of cells */
+    /** Direction of a point of the square: components along two tangents and the normal; row and column in parts. */
     private static double[] direction(int row, int column) {
         double a = 2.0 * row / (SIDE * PARTS) - 1;
         double b = 2.0 * column / (SIDE * PARTS) - 1;
@@ -59,21 +60,23 @@ final class Sky {
     }
 
     /**
-     * Irradiance where a level place in the open has 1.
+     * Irradiance of a point, relative to that of a level place with a free sky.
      *
-     * @param free whether nothing is in the way in a direction
+     * @param x    the point; not used, as only {@code free} depends on the point
+     * @param n    normal of the point, length 1
+     * @param free whether no triangle stands in the way in a direction from the point
      */
     double irradiance(Vec3 x, Vec3 n, Predicate<Vec3> free) {
         return scale * new Place(n, free).all();
     }
 
-    /** Luminance in a unit direction, where a mean of 1 over the circle gives a level place an irradiance of 1. */
+    /** Luminance in a direction of length 1; a sky of luminance 1 everywhere gives a level place an irradiance of 1. */
     double towards(Vec3 d) {
         double height = d.dot(light.up());
         return height <= 0 ? 0 : scale * luminance(d, height);
     }
 
-    /** Relative to the others. */
+    /** Luminance in direction d, in an arbitrary unit; height is the sine of the elevation, above 0. */
     private double luminance(Vec3 d, double height) {
         return switch (light.kind()) {
             case SKY_OVERCAST -> 1 + 2 * height;
@@ -87,14 +90,14 @@ final class Sky {
         };
     }
 
-    /** A point, and what it sees. */
+    /** A point with its normal and the directions in which it sees the sky. */
     private final class Place {
 
         private final Vec3 n;
         private final Vec3 u;
         private final Vec3 v;
         private final Predicate<Vec3> free;
-        /** Of the sky's up, along the three. */
+        /** Components of the sky's zenith along u, v and n. */
         private final double[] up;
 
         Place(Vec3 n, Predicate<Vec3> free) {
@@ -105,7 +108,7 @@ final class Sky {
             up = new double[] {u.dot(light.up()), v.dot(light.up()), n.dot(light.up())};
         }
 
-        /** Mean luminance over the circle. */
+        /** Mean over the circle of the luminance that the point sees. */
         double all() {
             int corners = SIDE + 1;
             double[] seen = new double[corners * corners];
@@ -123,7 +126,7 @@ final class Sky {
             return sum / (SIDE * SIDE);
         }
 
-        /** Mean luminance over a cell: its first corner, its size in parts, the luminance in its corners. */
+        /** Mean luminance over a cell with first corner at row and column; a to d are the luminances at its corners. */
         private double cell(int row, int column, int size, double a, double b, double c, double d) {
             double mean = (a + b + c + d) / 4;
             boolean isAlike = mean == 0 || a > 0 && b > 0 && c > 0 && d > 0;
@@ -149,7 +152,7 @@ final class Sky {
             return at(direction(row, column), 0);
         }
 
-        /** Luminance in a direction given by three numbers of {@link #CORNERS}. */
+        /** Luminance that the point sees in a direction: 3 components from {@code from}, as in {@link #CORNERS}. */
         private double at(double[] local, int from) {
             double height = local[from] * up[0] + local[from + 1] * up[1] + local[from + 2] * up[2];
             if (height <= 0) {

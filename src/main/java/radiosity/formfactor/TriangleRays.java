@@ -1,9 +1,9 @@
 package radiosity.formfactor;
 
-/** Rays at triangles. */
+/** Estimates by rays the light that a point receives from a triangle. */
 final class TriangleRays {
 
-    /** Sample points below the receiver's horizon are drawn again, so often per ray. */
+    /** Largest number of sample points drawn per ray, as points below the receiver's horizon are drawn again. */
     private static final int DRAWS = 64;
 
     private final ShadowTest sight;
@@ -13,9 +13,13 @@ final class TriangleRays {
     }
 
     /**
-     * Each ray goes to one of a few sample points, chosen with probability K: what is near counts for more, and counts
-     * so without a ray to each point (J. Talbot, D. Cline, P. Egbert, Importance resampling for global illumination,
+     * Casts rays at a triangle. Each ray goes to one of {@code choices} sample points, chosen with a probability in
+     * proportion to K = cos cos / r^2 (J. Talbot, D. Cline, P. Egbert, Importance resampling for global illumination,
      * 2005).
+     *
+     * @param rotation begins the sequences of sample points and lots: a hash of receiving point and node
+     * @param factor   form factor of the whole, unoccluded triangle
+     * @param wanted   number of rays
      */
     void sample(float px, float py, float pz, float nx, float ny, float nz, long rotation, double factor,
                         int wanted, int choices, ShooterHierarchy s, int node, GatherSink gathering) {

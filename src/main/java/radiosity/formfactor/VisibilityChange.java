@@ -5,9 +5,9 @@ import radiosity.util.Aabb;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * How visibility differs between two scenes that have most triangles in common: 1 for a ray that is free only in the
- * later one, -1 for a ray that is free only in the earlier one. The same ray is looked at in both, so what nothing has
- * come between or gone from cancels exactly.
+ * Difference of visibility between two scenes that have most triangles in common: 1 for a ray that is free only in the
+ * later scene, -1 for a ray that is free only in the earlier scene, else 0. The same ray is cast in both scenes, so the
+ * light along rays that no change touches cancels exactly.
  */
 public final class VisibilityChange extends ShadowTest {
 
@@ -15,15 +15,15 @@ public final class VisibilityChange extends ShadowTest {
     private final RadiosityBounds now;
     private final RadiosityBounds gone;
     private final RadiosityBounds come;
-    /** 4 per object that has come or gone: middle, and radius of a sphere around it. */
+    /** 4 per object that has come or gone: middle and radius of a sphere around the object. */
     private final float[] spheres;
 
     /**
      * @param before  all triangles of the earlier scene
      * @param now     all triangles of the later scene
-     * @param gone    those of the earlier scene only
-     * @param come    those of the later scene only
-     * @param objects boxes around all that have come or gone, of the scene brought to size 1
+     * @param gone    the triangles of the earlier scene that the later scene lacks
+     * @param come    the triangles of the later scene that the earlier scene lacks
+     * @param objects boxes around all objects that have come or gone, in the scene brought to size 1
      */
     public VisibilityChange(RadiosityBounds before, RadiosityBounds now, RadiosityBounds gone, RadiosityBounds come,
             List<Aabb> objects) {
@@ -51,8 +51,8 @@ public final class VisibilityChange extends ShadowTest {
     }
 
     /**
-     * Where one of the spheres meets the hull of the point and the sphere: at a part t of the way the hull is as wide
-     * as t times the sphere.
+     * Whether a sphere around a changed object meets the convex hull of the point and the shooter's sphere. At a part t
+     * of the way from the point to the shooter's middle, the hull contains a sphere of t times the shooter's radius.
      */
     @Override
     boolean matters(float px, float py, float pz, float[] sphere, int at) {
