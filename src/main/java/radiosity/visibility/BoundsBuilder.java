@@ -3,13 +3,14 @@ package radiosity.visibility;
 import java.util.Arrays;
 
 /**
- * Sorts boxes into a binary tree by the binned surface area heuristic.
+ * Builds a binary tree over boxes from the top down by the binned surface area heuristic (I. Wald, On fast construction
+ * of SAH-based bounding volume hierarchies, 2007).
  *
- * <p>Sees boxes only, never a triangle. The same boxes give the same tree, bit for bit. Source: I. Wald, On fast
- * construction of SAH-based bounding volume hierarchies, 2007.
+ * <p>The builder reads only boxes, never a triangle. The same boxes give the same tree, bit for bit.
  */
 final class BoundsBuilder {
 
+    /** Largest number of boxes in a leaf. */
     static final int MAX_LEAF = 4;
     private static final int BINS = 32;
     /** Cost of visiting a node relative to that of testing one triangle. */
@@ -20,15 +21,15 @@ final class BoundsBuilder {
     final BoundsTree tree;
     private final int[] order;
 
-    /** Of the bins that hold boxes; what stands in the others does not matter. */
+    /** 3 per bin: lowest and highest corner of the boxes in the bin; undefined where the bin is empty. */
     private final float[] binLow = new float[3 * BINS];
     private final float[] binHigh = new float[3 * BINS];
     private final int[] binCount = new int[BINS];
     private final float[] rightArea = new float[BINS];
 
     /**
-     * @param low  3 per box, not modified
-     * @param high 3 per box, not modified
+     * @param low  3 per box: lowest corner; not modified
+     * @param high 3 per box: highest corner; not modified
      */
     BoundsBuilder(float[] low, float[] high) {
         this.low = low;
@@ -45,8 +46,8 @@ final class BoundsBuilder {
     }
 
     /**
-     * Depth first with a stack of our own, of nodes whose second child is to come: a tree may be as deep as it has
-     * boxes.
+     * Builds the tree depth first. The stack of nodes whose second child is still to be built is an array, as the tree
+     * may be as deep as there are boxes.
      */
     private void build(int n) {
         int[] open = new int[n + 1];
@@ -86,8 +87,8 @@ final class BoundsBuilder {
     }
 
     /**
-     * Parts the run in two and returns the left one's length, or 0 where a leaf is cheaper. Bins without boxes are
-     * left out of the sums: most nodes have few boxes.
+     * Parts the run of c boxes from f in two and returns the length of the left part, or 0 where a leaf is cheaper. The
+     * sums leave out empty bins, as most nodes have few boxes.
      */
     private int split(int node, int f, int c) {
         int bestAxis = -1;

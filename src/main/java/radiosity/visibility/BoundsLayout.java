@@ -1,44 +1,46 @@
 package radiosity.visibility;
 
 /**
- * Lays a binary tree of boxes and its triangles out in one array, in the order in which rays read it.
+ * Lays out a binary tree of boxes and its triangles in one array, in the order in which rays read them.
  *
- * <p>Boxes that are not worth their test are left out, so a node may have any number of children, and triangles beside
- * them. Of children the one most likely to block comes first.
+ * <p>Boxes whose test costs more than it saves are left out, so a node may have any number of children, and triangles
+ * beside the children. The child most likely to block a ray comes first.
  */
 final class BoundsLayout {
 
     /*
-     * A node has 8 numbers: centre and half extent of its box, then as bits NEXT, the place where to go on when the
-     * box is missed or done with, and BLOCK, what is in the box. In a block come triangles, then all children's nodes
-     * one after another, so that a ray that looks at one has the others at hand. A block is written as 4 * place +
-     * number of triangles, negative where children follow them; places are multiples of 4.
+     * A node has 8 numbers: centre and half extent of its box, then as bits NEXT, the place where a ray goes on after
+     * it has missed the box or tested its content, and BLOCK, the content of the box. A block holds triangles, then the
+     * nodes of all children one after another, so that siblings share cache lines. BLOCK is 4 * place + number of
+     * triangles, with the sign bit set where children follow the triangles; places are multiples of 4.
      *
-     * A box is tested once per visit of the node around it, and saves the test of its content where it is missed. By
-     * areas, which are as probabilities that a ray meets a box (J. Goldsmith, J. Salmon, Automatic creation of object
-     * hierarchies for ray tracing, 1987), that pays if area(around) < (area(around) - area(box)) * tests(content).
+     * A box is tested once per visit of the node around it, and saves the test of its content where a ray misses it.
+     * The probability that a ray meets a box is in proportion to the box's area (J. Goldsmith, J. Salmon, Automatic
+     * creation of object hierarchies for ray tracing, 1987), so a box pays if
+     * area(around) < (area(around) - area(box)) * tests(content).
      * Order of children: J. Nah, D. Manocha, SATO: surface area traversal order for shadow ray tracing, 2014.
      */
     static final int NODE = 8;
     static final int NEXT = 6;
     static final int BLOCK = 7;
-    /** Where the root is, and where nothing is. */
+    /** Place of the root, and the place that ends a traversal. */
     static final int ROOT = NODE;
     static final int END = 0;
+    /** Largest number of triangles in a block: the number has 4 bits. */
     private static final int MOST_TRIANGLES = 15;
 
-    /** Time to test a triangle relative to a box. */
+    /** Time to test a triangle relative to the time to test a box. */
     private static final float TRIANGLE_COST = 1.4f;
-    /** So that no place makes a NaN. */
+    /** Largest length of the array: the bits of a larger BLOCK could be a NaN, which the JVM need not preserve. */
     private static final int MOST_PLACES = 0x7F800000 >>> 2;
 
     private final BoundsTree tree;
     private final float[] corners;
-    /** 1 per node of the tree: surface of its box. */
+    /** 1 per node of the tree: an eighth of the surface of its box. */
     private final float[] area;
-    /** 1 per node of the tree: surface of its triangles over that of its box. */
+    /** 1 per node of the tree: surface of its triangles relative to the surface of its box, times a constant. */
     private final float[] density;
-    /** 1 per node of the tree: its box is left out. */
+    /** 1 per node of the tree: whether its box is left out. */
     private final boolean[] open;
 
     /** The nodes and triangles. */
@@ -46,9 +48,10 @@ final class BoundsLayout {
     private int end;
 
     /**
-     * @param tree    of the triangles' boxes, of one or more
+     * @param tree    tree over the boxes of the triangles
      * @param corners 9 per triangle; not modified
-     * @param sparing whether boxes that are not worth it are left out
+     * @param sparing whether boxes whose test costs more than it saves are left out
+     * @throws IllegalArgumentException where the nodes and triangles do not fit into an array
      */
     BoundsLayout(BoundsTree tree, float[] corners, boolean sparing) {
         this.tree = tree;
@@ -69,16 +72,17 @@ final class BoundsLayout {
         }
     }
 
-    /** Where a block's triangles begin. */
+    /** Place at which a block's triangles begin. */
     static int first(int block) {
         return (block & Integer.MAX_VALUE) >>> 2 & -4;
     }
 
-    /** Where a block's triangles end, and its children begin. */
+    /** Place at which a block's triangles end and its children begin. */
     static int last(int block) {
         return first(block) + PackedTriangle.SIZE * (block & MOST_TRIANGLES);
     }
 
+    /** Computes area and density of all nodes, from the leaves to the root. */
     private void measure() {
         for (int i = tree.nodes - 1; i >= 0; i--) {
             float x = tree.box[6 * i + 3];
@@ -95,7 +99,7 @@ final class BoundsLayout {
         }
     }
 
-    /** Finds the boxes to leave out, from the leaves to the root; returns the number of the others. */
+    /** Decides which boxes to leave out, from the leaves to the root; returns the number of boxes that stay. */
     private int weigh() {
         float[] tests = new float[tree.nodes];
         int[] loose = new int[tree.nodes];
@@ -116,7 +120,7 @@ final class BoundsLayout {
         return tree.nodes - left;
     }
 
-    /** Depth first, with a stack of our own of nodes whose blocks are to come. */
+    /** Writes all nodes and blocks depth first; the stack of nodes whose blocks are to come is an array. */
     private void layOut(int boxes) {
         int[] from = new int[boxes + 1];
         int[] to = new int[boxes + 1];
@@ -146,7 +150,13 @@ final class BoundsLayout {
         }
     }
 
-    /** Places the triangles that are in a node's box and in no other; finds the boxes there. */
+    /**
+     * Writes the triangles of a node's block.
+     *
+     * @param walk     scratch, 1 per node of the tree
+     * @param children modified: the nodes of the boxes directly inside the node's box
+     * @return number of these boxes
+     */
     private int enter(int node, int[] walk, int[] children) {
         int inside = 0;
         int depth = 0;
@@ -178,7 +188,7 @@ final class BoundsLayout {
         end += NODE;
     }
 
-    /** By insertion: there are few of them. */
+    /** Sorts n nodes by falling density. By insertion, as there are few. */
     private void sort(int[] children, int n) {
         for (int i = 1; i < n; i++) {
             int child = children[i];

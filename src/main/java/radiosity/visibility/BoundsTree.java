@@ -1,21 +1,21 @@
 package radiosity.visibility;
 
-/** A binary tree of boxes, depth first: an inner node's first child follows it. */
+/** A binary tree of boxes in arrays, depth first: the first child of node i is node i + 1. */
 final class BoundsTree {
 
-    /** The numbers of what is sorted, so that every node holds a run of them. */
+    /** The numbers of the sorted items, ordered so that the items of every node are a run. */
     final int[] order;
-    /** 6 per node: centre and half extent. */
+    /** 6 per node: centre and half extent of its box. */
     final float[] box;
     /** 1 per node: its second child, or -1 for a leaf. */
     final int[] second;
-    /** 1 per node: where its run in {@link #order} begins. */
+    /** 1 per node: place in {@link #order} at which its run begins. */
     final int[] first;
     /** 1 per node: length of its run. */
     final int[] count;
     int nodes;
 
-    /** Without nodes. */
+    /** A tree without nodes, with room for all nodes over this number of items. */
     BoundsTree(int sorted) {
         int most = Math.max(1, 2 * sorted);
         order = new int[sorted];
@@ -25,7 +25,7 @@ final class BoundsTree {
         count = new int[most];
     }
 
-    /** A node that has no children yet. */
+    /** Adds a leaf, whose box is not set yet; returns its number. */
     int add(int from, int length) {
         first[nodes] = from;
         count[nodes] = length;
@@ -33,7 +33,7 @@ final class BoundsTree {
         return nodes++;
     }
 
-    /** Gives a node the box between two corners: 3 numbers of each, from a place on. */
+    /** Sets a node's box to the box between two corners: 3 numbers from l and 3 from h; these are not modified. */
     void bound(int node, float[] low, int l, float[] high, int h) {
         for (int a = 0; a < 3; a++) {
             float lo = low[l + a];
@@ -44,7 +44,7 @@ final class BoundsTree {
         }
     }
 
-    /** Adds a node of another tree and all below it, whose run is to begin at a place; they end at a node. */
+    /** Appends the nodes {@code from} to {@code to - 1} of another tree, a subtree; its run begins at {@code place}. */
     void append(BoundsTree other, int from, int to, int place) {
         int begin = other.first[from];
         System.arraycopy(other.order, begin, order, place, other.count[from]);

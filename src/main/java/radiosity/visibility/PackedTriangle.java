@@ -1,8 +1,8 @@
 package radiosity.visibility;
 
 /**
- * A triangle as rays test it: three planes in floats, which answer all but close calls, and its corners in double,
- * which answer those.
+ * Ray-triangle tests: a fast test by three planes in floats, which decides all but close calls, and an exact test by
+ * the triangle's corners in double for close calls.
  *
  * <p>Distance from the triangle's plane, and the weights of corners 1 and 2, are linear in space: D. Baldwin, M. Weber,
  * Fast ray-triangle intersections by coordinate transformation, 2016. Close calls: T. Moeller, B. Trumbore, Fast,
@@ -12,27 +12,28 @@ package radiosity.visibility;
 final class PackedTriangle {
 
     /**
-     * Numbers per triangle: distance from the plane, weight of corner 1, weight of corner 2, each a x + b y + c z + d;
-     * by how much a weight changes at most over a distance of 1; as bits, the triangle's number; two unused.
+     * Numbers per triangle: distance from the plane, weight of corner 1, weight of corner 2, each as the coefficients
+     * of a x + b y + c z + d; largest change of a weight over a distance of 1; as bits, the triangle's number; two
+     * unused.
      */
     static final int SIZE = 16;
     private static final int STEEPNESS = 12;
     private static final int NUMBER = 13;
-    /** How far a triangle reaches beyond its edges, of its own size. */
+    /** Weight of a corner, below 0, down to which a point beyond an edge still counts as on the triangle. */
     static final float EDGE = 1e-5f;
-    /** Nearer to a plane than this a point lies on it, of the scene's size. */
+    /** Distance from a plane, in units of the scene's size, up to which a point lies on the plane. */
     private static final double OFF_PLANE = 2e-7;
 
     private PackedTriangle() {
     }
 
-    /** A triangle's surface, both sides together halved: |a x b| of its edges a and b. */
+    /** Twice the area of a triangle, |a x b| of its edges a and b; its 9 coordinates begin at k. */
     static float area(float[] corners, int k) {
         double[] n = cross(edge(corners, k, 3), edge(corners, k, 6));
         return (float) length(n);
     }
 
-    /** Writes a triangle; one without area stays zeros, which every ray finds to be a close call. */
+    /** Writes a triangle. The planes of a triangle without area are zeros, which make every ray a close call. */
     static void put(float[] corners, int k, float[] data, int at) {
         double[] a = edge(corners, k, 3);
         double[] b = edge(corners, k, 6);
@@ -47,6 +48,7 @@ final class PackedTriangle {
         }
     }
 
+    /** Writes the plane with gradient g / scale that is 0 at the triangle's corner 0. */
     private static void putPlane(double[] g, double scale, float[] corners, int k, float[] data, int at) {
         double d = 0;
         for (int a = 0; a < 3; a++) {
@@ -56,19 +58,19 @@ final class PackedTriangle {
         data[at + 3] = (float) d;
     }
 
-    /** Its place in the corners, over 9. */
+    /** Number of the triangle written at a place. */
     static int number(float[] data, int at) {
         return Float.floatToRawIntBits(data[at + NUMBER]);
     }
 
     /**
-     * Whether a segment meets a triangle in its inside, its ends clear of the plane.
+     * Whether a segment meets the inside of a triangle, and both ends are clear of the triangle's plane.
      *
-     * @param mx    its middle, and so on
-     * @param hx    from its middle to one end, no longer than the scene, and so on
-     * @param slack how far rounding may shift a point of the segment, at least
-     * @param clear how far an end must be from the plane
-     * @return -1 no, 1 yes, 0 a close call
+     * @param mx    middle of the segment: mx, my, mz
+     * @param hx    vector from the middle to one end, no longer than the scene: hx, hy, hz
+     * @param slack upper bound of the distance by which rounding shifts a point of the segment
+     * @param clear least distance of an end from the plane for a sure hit
+     * @return 1 a sure hit, -1 a sure miss, 0 a close call
      */
     static int meets(float[] p, int k, float mx, float my, float mz, float hx, float hy, float hz, float slack,
                      float clear) {
@@ -97,11 +99,11 @@ final class PackedTriangle {
     }
 
     /**
-     * Where a line meets a triangle, in double.
+     * Whether a line meets a triangle, computed in double.
      *
-     * @param origin    of the line; not modified
-     * @param direction of the line; not modified
-     * @param hit       modified where it does: distance in units of the direction, weights of corners 1 and 2
+     * @param origin    a point of the line; not modified
+     * @param direction direction of the line; not modified
+     * @param hit       modified where the line does: distance in units of the direction, weights of corners 1 and 2
      */
     static boolean cuts(float[] corners, int k, double[] origin, double[] direction, double[] hit) {
         double[] a = edge(corners, k, 3);
@@ -121,15 +123,16 @@ final class PackedTriangle {
         return true;
     }
 
-    /** Whether a ray meets a triangle, if it does, from where its corners run counter-clockwise. */
+    /** Whether a ray that meets a triangle comes from the side on which the corners run counter-clockwise. */
     static boolean faces(float[] corners, int k, double[] direction) {
         return dot(cross(edge(corners, k, 3), edge(corners, k, 6)), direction) < 0;
     }
 
     /**
-     * Whether a triangle's plane truly lies between the ends of a segment: both must be off it by more than float
-     * coordinates are. Otherwise a point near a wall would not see that wall, where the ray's end lies on it but for
-     * rounding, nor what is seen from a long triangle at a small angle.
+     * Whether a triangle's plane lies between the ends of a segment, and both ends are farther from the plane than
+     * float coordinates are inexact. Without the second condition a wall would hide itself from points near it, as the
+     * ray's end lies on the wall but for rounding; and a long triangle would hide what is seen from it at a small
+     * angle.
      */
     static boolean parts(float[] corners, int k, double[] origin, double[] direction) {
         double[] n = cross(edge(corners, k, 3), edge(corners, k, 6));

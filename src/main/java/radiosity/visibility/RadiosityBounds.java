@@ -3,7 +3,8 @@ package radiosity.visibility;
 import radiosity.scene.Vec3;
 
 /**
- * Bounding volumes over triangles, in arrays: whether anything stands between two points (section 2.4.1 and 4.5.9).
+ * A bounding volume hierarchy over triangles, in arrays (section 2.4.1 and 4.5.9 of the paper). Answers whether a
+ * triangle stands between two points, and which triangle a ray meets first; any number of threads may ask.
  *
  * <p>Triangles block from both sides. Coordinates are those of a scene brought to size 1 around the origin; all
  * tolerances are relative to that size.
@@ -11,41 +12,41 @@ import radiosity.scene.Vec3;
 public final class RadiosityBounds {
 
     /*
-     * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless it leaves one of its
-     * three slabs before it enters another (T. Kay, J. Kajiya, Ray tracing complex scenes, 1986). Where rays go
-     * anywhere, no processor predicts which of them meet a box: so the last entry and the first exit are found without
-     * branches, as whole numbers. As whole numbers the bits of floats from 0 on are in order, and those of other floats
-     * are below them.
+     * A traversal is one loop without a stack, see BoundsLayout. A segment meets a box unless it leaves one of the
+     * box's three slabs before it enters another (T. Kay, J. Kajiya, Ray tracing complex scenes, 1986). A processor
+     * cannot predict which incoherent rays meet a box, so the last entry and the first exit are found without branches:
+     * by comparing the bits of floats as integers, which have the order of the floats from 0 on, while the bits of
+     * negative floats are below 0.
      *
-     * The box test stands in the loop of `blocked`, which thereby has more bytecode than the JVM puts into a caller. It
-     * did so if it happened to compile the caller first, for as long as the process lived: what the loop needs was then
-     * kept in memory instead of registers, and all rays took 1.3 to 1.5 times as long. CompiledRaysTest holds it.
+     * The box test is written out in the loop of `blocked`, which makes the method too large for the JVM to inline. If
+     * the JVM inlined the method into a caller, the values of the loop would be in memory instead of registers, and all
+     * rays would take 1.3 to 1.5 times as long. CompiledRaysTest checks that.
      */
 
-    /** How much of a segment is left out at each end: of the scene's size, and of its own length. */
+    /** Parts of a segment left out at each end: in units of the scene's size, and of the segment's length. */
     static final float END_ABSOLUTE = 4e-6f;
     static final float END_RELATIVE = 1e-5f;
-    /** Boxes are this much larger than what they hold, of the scene's size. */
+    /** Margin of a box around its content, in units of the scene's size. */
     private static final float PAD = 2e-6f;
-    /** How far rounding may shift a point, of the largest coordinates that take part. */
+    /** Upper bound of the shift of a point by rounding, relative to the sum of coordinates in the computation. */
     private static final float ROUNDING = 3e-7f;
-    /** Along an axis a segment is taken to go at least so far, so that no quotient is an infinity or NaN. */
+    /** Least component of a direction, by absolute value: no quotient is an infinity or NaN. */
     private static final float LEAST = 1e-18f;
     private static final int ONE = bits(1);
 
-    /** A front counts before a back that is nearer by this factor. */
+    /** A front is preferred to a back that is nearer by up to this factor. */
     private static final double SAME_PLACE = 1 + 1e-6;
 
     private final float[] corners;
     private final float[] data;
     private final int root;
 
-    /** @param corners x, y, z of three corners, 9 per triangle; not to be modified any more */
+    /** @param corners x, y, z of three corners, 9 per triangle; kept, so the caller must not modify the array */
     public RadiosityBounds(float[] corners) {
         this(corners, true);
     }
 
-    /** @param sparing false: with every box of the tree, to measure what is saved by leaving some out */
+    /** @param sparing whether boxes that do not pay are left out; false only to measure the time that this saves */
     public RadiosityBounds(float[] corners, boolean sparing) {
         this.corners = corners;
         int n = corners.length / 9;
@@ -61,7 +62,7 @@ public final class RadiosityBounds {
         root = n == 0 ? BoundsLayout.END : BoundsLayout.ROOT;
     }
 
-    /** Memory of boxes and triangles. */
+    /** Memory of boxes and packed triangles, bytes. */
     public long bytes() {
         return (long) Float.BYTES * data.length;
     }
@@ -71,13 +72,13 @@ public final class RadiosityBounds {
         return corners.length / 9;
     }
 
-    /** Whether any triangle stands between two points, whose coordinates are rounded to floats first. */
+    /** Whether a triangle stands between two points, whose coordinates are rounded to floats first. */
     public boolean blocked(Vec3 from, Vec3 to) {
         return blocked((float) from.x(), (float) from.y(), (float) from.z(), (float) to.x(), (float) to.y(),
                 (float) to.z());
     }
 
-    /** Whether any triangle stands between two points; what touches an end does not count. */
+    /** Whether a triangle stands between the points o and t; a triangle that touches an end does not count. */
     public boolean blocked(float ox, float oy, float oz, float tx, float ty, float tz) {
         float hx = 0.5f * (tx - ox);
         float hy = 0.5f * (ty - oy);
@@ -120,7 +121,7 @@ public final class RadiosityBounds {
         return false;
     }
 
-    /** Whether a triangle that is a close call stands between two points. */
+    /** Whether the triangle at a place stands between two points, computed in double. */
     private boolean isBetween(int at, float ox, float oy, float oz, float tx, float ty, float tz) {
         double[] origin = {ox, oy, oz};
         double[] direction = {(double) tx - ox, (double) ty - oy, (double) tz - oz};
@@ -142,9 +143,9 @@ public final class RadiosityBounds {
     /**
      * Whether no part of a segment is in a node's box.
      *
-     * @param ox  its origin, and so on
-     * @param ix  1 over its direction, and so on
-     * @param end bits of where it ends, in units of the direction
+     * @param ox  origin of the segment: ox, oy, oz
+     * @param ix  1 over the components of its direction: ix, iy, iz
+     * @param end bits of the float at which the segment ends, in units of the direction
      */
     private static boolean missed(float[] d, int at, float ox, float oy, float oz, float ix, float iy, float iz,
                                   int end) {
@@ -163,7 +164,7 @@ public final class RadiosityBounds {
         return Float.floatToRawIntBits(x);
     }
 
-    /** The nearest triangle along a ray, whose numbers are rounded to floats first. */
+    /** The nearest triangle along a ray, whose origin and direction are rounded to floats first. */
     public int nearest(Vec3 origin, Vec3 direction, double far, float[] hit) {
         return nearest((float) origin.x(), (float) origin.y(), (float) origin.z(), (float) direction.x(),
                 (float) direction.y(), (float) direction.z(), (float) far, hit);
@@ -172,10 +173,10 @@ public final class RadiosityBounds {
     /**
      * The nearest triangle along a ray.
      *
-     * @param ox  origin, and so on
-     * @param dx  direction, of any length but 0, and so on
+     * @param ox  origin: ox, oy, oz
+     * @param dx  direction, of any length but 0: dx, dy, dz
      * @param far only hits nearer than far * |d| count
-     * @param hit modified where something is hit: distance in units of |d|, and the weights of corners 1 and 2
+     * @param hit modified where a triangle is hit: distance in units of |d|, and the weights of corners 1 and 2
      * @return the number of the triangle, or -1
      */
     public int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, float[] hit) {
@@ -183,18 +184,19 @@ public final class RadiosityBounds {
     }
 
     /**
-     * The nearest triangle that a ray meets from its front, from where its corners run counter-clockwise; between a
-     * front and a back in one place the front.
+     * The nearest triangle that a ray meets from its front, the side on which its corners run counter-clockwise. Where
+     * a front and a back lie in the same place, the ray meets the front.
      *
-     * @param backs  whether backs are met, too; otherwise the ray passes through them
-     * @param hit    modified as by the others
+     * @param backs whether the ray meets backs, too; otherwise it passes through backs
+     * @param hit   modified where a triangle is hit: distance in units of |d|, and the weights of corners 1 and 2
+     * @return the number of the triangle, or -1
      */
     public int nearestFront(Vec3 o, Vec3 d, double far, boolean backs, float[] hit) {
         return nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) d.x(), (float) d.y(), (float) d.z(),
                 (float) far, backs ? SAME_PLACE : Double.POSITIVE_INFINITY, hit);
     }
 
-    /** @param backs how much farther than they are triangles count that are met from behind */
+    /** @param backs factor by which the distance of triangles met from behind is multiplied, 1 or more */
     private int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, double backs,
                         float[] hit) {
         double[] origin = {ox, oy, oz};

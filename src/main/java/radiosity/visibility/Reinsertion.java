@@ -3,23 +3,25 @@ package radiosity.visibility;
 import java.util.stream.IntStream;
 
 /**
- * Moves the largest boxes of a tree to where those around them grow least.
+ * Moves the largest boxes of a tree to the places at which the areas of all boxes together are least.
  *
- * <p>Parting from above finds no good place for large triangles among small ones, such as the walls around a mesh.
- * Boxes near the root cost every ray, and there are few of them, so this takes next to no time. Sources: J. Bittner, M.
- * Hapala, V. Havran, Fast insertion-based optimization of bounding volume hierarchies, 2013; the search: D. Meister, J.
- * Bittner, Parallel reinsertion for bounding volume hierarchy optimization, 2018.
+ * <p>Building from the top down finds no good place for large triangles among small ones, such as the walls around a
+ * mesh. Only boxes near the root are moved: every ray tests them, and there are few. Sources: J. Bittner, M. Hapala, V.
+ * Havran, Fast insertion-based optimization of bounding volume hierarchies, 2013; the search: D. Meister, J. Bittner,
+ * Parallel reinsertion for bounding volume hierarchy optimization, 2018.
  */
 final class Reinsertion {
 
+    /** Largest number of boxes that take part. */
     private static final int BOXES = 2001;
     private static final int PASSES = 3;
-    /** Less than this of the root's area is no gain. */
+    /** Least reduction of the sum of areas for which a box is moved, relative to the root's area. */
     private static final float LEAST_GAIN = 1e-6f;
 
     private final TopLevelBvh top;
+    /** Number of a box that is no part of the tree, for scratch. */
     private final int spare;
-    /** Where the box that is looked at is best, so far, and by how much all areas together are then less. */
+    /** Best place found so far for the present box, or -1, and the reduction of the sum of areas there. */
     private int place;
     private float gain;
 
@@ -28,7 +30,7 @@ final class Reinsertion {
         spare = top.boxes;
     }
 
-    /** A tree that rays pass more quickly, or the same one. */
+    /** A tree over the same boxes that rays pass more quickly, or the given tree where no box is moved. */
     static BoundsTree improve(BoundsTree tree) {
         if (tree.nodes == 0) {
             return tree;
@@ -41,6 +43,7 @@ final class Reinsertion {
         return moved > 0 ? reinsertion.top.write() : tree;
     }
 
+    /** Tries to move every box once, the largest first; returns the number of boxes moved. */
     private int pass() {
         int moved = 0;
         for (int i : IntStream.range(1, top.boxes).boxed().sorted(top::byArea).toList()) {
@@ -49,7 +52,7 @@ final class Reinsertion {
         return moved;
     }
 
-    /** The root and what is directly in it stay. */
+    /** Moves a box to its best place, if there is a better one. The root and its two children stay. */
     private boolean move(int i) {
         if (top.parent[i] <= 0) {
             return false;
@@ -61,7 +64,7 @@ final class Reinsertion {
         return place >= 0;
     }
 
-    /** Looks beside the box, beside the one around it, and so on to the root. */
+    /** Finds the best place for box i: searches its sibling's subtree, then its parent's sibling's, up to the root. */
     private void find(int i) {
         place = -1;
         gain = LEAST_GAIN * top.area[0];
@@ -80,9 +83,10 @@ final class Reinsertion {
     }
 
     /**
-     * Looks for a place in a box.
+     * Searches a subtree for a better place of box i.
      *
-     * @param saved by how much all areas are less before what is in the box is put together with box i
+     * @param at    root of the subtree
+     * @param saved reduction of the sum of areas without the new box around box i and its sibling-to-be
      */
     private void look(int at, int i, float saved) {
         if (saved - top.area[i] <= gain) {

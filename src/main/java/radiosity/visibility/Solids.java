@@ -3,12 +3,12 @@ package radiosity.visibility;
 import radiosity.scene.Vec3;
 
 /**
- * Which points of surfaces lie inside a solid, where a floor runs on below a block: whatever they look at turns its
- * back.
+ * Tells which points of surfaces lie inside a solid, such as points of a floor that runs on below a block: all
+ * triangles that rays from a point inside meet show their invisible side.
  */
 public final class Solids {
 
-    /** Directions about the normal: up, and five that lean by 55 degrees; x, y in the surface and z up. */
+    /** 3 per direction of a ray: the normal, and five directions at 55 degrees to it; z is along the normal. */
     private static final double[] DIRECTIONS = {
         0, 0, 1,
         0.819, 0, 0.574,
@@ -16,7 +16,7 @@ public final class Solids {
         -0.663, 0.481, 0.574,
         -0.663, -0.481, 0.574,
         0.253, -0.779, 0.574};
-    /** Of the scene's size: where a look begins, above the surface; and how far it goes. */
+    /** Height above the surface at which rays begin, and length of the rays, in units of the scene's size. */
     private static final float LIFT = 1e-5f;
     private static final float FAR = 4;
 
@@ -24,15 +24,17 @@ public final class Solids {
     private final float[] front;
 
     /**
-     * @param bounds original triangles
-     * @param front  3 per original triangle: normal of its visible side, 0 where it has two; not modified
+     * @param bounds the original triangles
+     * @param front  3 per original triangle: normal of its visible side, 0 where both sides are visible; not modified
      */
     public Solids(RadiosityBounds bounds, float[] front) {
         this.bounds = bounds;
         this.front = front;
     }
 
-    /** Whether a point of a surface is inside a solid; its numbers are rounded to floats first. */
+    /**
+     * Whether the point p of a surface with the normal n, of length 1, is inside a solid; both are rounded to floats.
+     */
     public boolean hold(Vec3 p, Vec3 n) {
         return hold((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
     }
@@ -61,7 +63,7 @@ public final class Solids {
         return true;
     }
 
-    /** Two directions in a plane, at right angles to each other and to its normal. */
+    /** Two unit vectors in the plane with this normal, at right angles to each other; 3 numbers each. */
     private static double[] frame(double nx, double ny, double nz) {
         double ax = Math.abs(nx) < 0.6 ? 1 : 0;
         double ay = 1 - ax;

@@ -2,27 +2,27 @@ package radiosity.visibility;
 
 import java.util.PriorityQueue;
 
-/** The largest boxes of a tree, the root and some below it, so that they can be put together in another way. */
+/** The largest boxes of a tree, from the root down, in a form in which boxes can be moved. */
 final class TopLevelBvh {
 
     private final BoundsTree tree;
-    /** 1 per box: its children, or -1 where it stands for a node of the tree and all below it. */
+    /** 1 per box: its children; left is -1 where the box stands for a node of the tree and all nodes below it. */
     final int[] left;
     final int[] right;
-    /** 1 per box: the one around it; -1 for the root, which is box 0. */
+    /** 1 per box: its parent; -1 for the root, which is box 0. */
     final int[] parent;
-    /** 6 per box: lowest and highest corner; one box more than there are, to reckon with. */
+    /** 6 per box: lowest and highest corner; with room for one more box as scratch. */
     private final float[] box;
     /** 1 per box: half its surface. */
     final float[] area;
-    /** 1 per box: the node of the tree that it was, and where what is below that ends. */
+    /** 1 per box: its node in the original tree, and the end of the nodes below that node. */
     private final int[] node;
     private final int[] end;
     int boxes;
 
     /**
-     * @param tree of one node or more
-     * @param most number of boxes to take
+     * @param tree tree of one node or more
+     * @param most largest number of boxes to take
      */
     TopLevelBvh(BoundsTree tree, int most) {
         this.tree = tree;
@@ -47,7 +47,7 @@ final class TopLevelBvh {
         }
     }
 
-    /** The largest first. */
+    /** Order of boxes i and k: the larger one first. */
     int byArea(int i, int k) {
         return area[i] == area[k] ? Integer.compare(i, k) : Float.compare(area[k], area[i]);
     }
@@ -69,7 +69,7 @@ final class TopLevelBvh {
         return around(i, i);
     }
 
-    /** Half the surface of a box around two. */
+    /** Half the surface of the box around boxes i and k. */
     float around(int i, int k) {
         float x = Math.max(box[6 * i + 3], box[6 * k + 3]) - Math.min(box[6 * i], box[6 * k]);
         float y = Math.max(box[6 * i + 4], box[6 * k + 4]) - Math.min(box[6 * i + 1], box[6 * k + 1]);
@@ -77,7 +77,7 @@ final class TopLevelBvh {
         return x * y + y * z + z * x;
     }
 
-    /** Makes a box the one around two; any of the three may be the same. */
+    /** Sets box {@code at} to the box around boxes i and k; any of the three may be the same. */
     void enclose(int at, int i, int k) {
         for (int a = 0; a < 3; a++) {
             box[6 * at + a] = Math.min(box[6 * i + a], box[6 * k + a]);
@@ -86,13 +86,13 @@ final class TopLevelBvh {
         area[at] = area(at);
     }
 
-    /** The box beside one that is not the root. */
+    /** The sibling of a box that is not the root. */
     int beside(int i) {
         int around = parent[i];
         return left[around] == i ? right[around] : left[around];
     }
 
-    /** Takes a box out, and with it the one around it, which becomes the one around it and another. */
+    /** Moves box i beside box {@code to}: its parent gives its place to the sibling and becomes the parent of both. */
     void move(int i, int to) {
         int around = parent[i];
         int other = beside(i);
@@ -116,20 +116,21 @@ final class TopLevelBvh {
         parent[by] = around;
     }
 
+    /** Fits a box and all boxes around it to their children. */
     private void fit(int from) {
         for (int i = from; i >= 0; i = parent[i]) {
             enclose(i, left[i], right[i]);
         }
     }
 
-    /** All of the tree, put together in the new way. */
+    /** The whole tree with the boxes where they have been moved. */
     BoundsTree write() {
         BoundsTree written = new BoundsTree(tree.order.length);
         write(0, 0, written);
         return written;
     }
 
-    /** Writes a box and all in it, whose run begins at a place; returns where that ends. */
+    /** Writes a box and all boxes and nodes below it, whose run begins at a place; returns the end of the run. */
     private int write(int i, int place, BoundsTree to) {
         if (left[i] < 0) {
             to.append(tree, node[i], end[i], place);
