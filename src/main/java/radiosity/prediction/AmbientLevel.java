@@ -10,17 +10,19 @@ import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
 
 /**
- * The radiosity that all surfaces of a closed room have in common, see {@link radiosity.mesh.UniformRadiosity}.
+ * Chooses the uniform radiosity of each closed room, see {@link radiosity.mesh.UniformRadiosity}: surfaces shoot by
+ * rays only their difference from this level.
  *
- * <p>Any level is right, as long as all of the room shoots. The mean leaves least to rays, the least leaves differences
- * of one sign, of which few rays tell most: it is halfway between them, and the mean where unshot light has both signs.
- * Lamps are left out where there are other surfaces.
+ * <p>Every level gives the right light, provided that all surfaces of the room shoot. With the mean radiosity as level,
+ * rays carry least; with the least radiosity, all differences have one sign, which few rays sample best. The level is
+ * halfway between the two, and the mean where unshot light has both signs. Emitting surfaces do not count where a room
+ * has others.
  */
 public final class AmbientLevel {
 
     private final InitialMesh mesh;
     private final int channels;
-    /** channels per room: flux, area and lowest mean of what does not emit, then of what does. */
+    /** channels per room for surfaces that do not emit, then for those that do: flux, area, least mean of a tree. */
     private final double[] flux;
     private final double[] area;
     private final double[] lowest;
@@ -38,14 +40,14 @@ public final class AmbientLevel {
         Arrays.fill(least, Double.POSITIVE_INFINITY);
     }
 
-    /** @return channels per closed room, W/m²; empty where there is none, or not all of the scene shoots */
+    /** @return channels per closed room, W/m²; empty without closed rooms, or where not all of the scene shoots */
     public static double[] of(InitialMesh mesh, List<Shot> shots) {
         return of(mesh, shots, AmbientLevel::level);
     }
 
     /**
-     * The largest level of which nothing in a room shoots less at any corner: what differs from it is not negative
-     * anywhere, and so nothing receives less than the level, however it is sampled.
+     * The least radiosity at any corner of a room's elements, at least 0, in the shape of {@link #of}. No surface is
+     * darker than this level, so no vertex receives less than the level, however rays sample the difference.
      */
     public static double[] lowest(InitialMesh mesh, List<Shot> shots) {
         return of(mesh, shots, (light, i) -> Math.max(0, light.least[i % light.least.length]));

@@ -13,13 +13,13 @@ import radiosity.mesh.room.ClosedRooms;
 import radiosity.util.LongIndex;
 import radiosity.util.ParallelFor;
 
-/** What each vertex of a coarse mesh sees of its patches: the rows of a {@link CoarseSystem}. */
+/** The rows of a {@link CoarseSystem}: for each vertex of a coarse mesh, form factors to the patches' corners. */
 public final class CoarseRows {
 
-    /** What an empty row takes on the wire. */
+    /** Bytes of an empty row on the wire: key, whether the vertex is buried, number of entries. */
     private static final int ROW_BYTES = 13;
 
-    /** Rows that a thread takes at a time. */
+    /** Largest number of rows that a thread takes at a time, to sum up light and to make equations. */
     private static final int RUN = 64;
     private static final int EQUATIONS = 1024;
 
@@ -29,15 +29,15 @@ public final class CoarseRows {
     private final int channels;
     /** Number of a vertex by its key. */
     private final LongIndex index;
-    /** Per vertex: the patches that it sees, as far as they are known. */
+    /** 1 array per vertex: nodes of the patches that the vertex sees, of the shots taken so far. */
     private final int[][] column;
-    /** Per vertex: weights of the three corners of each of them. */
+    /** 1 array per vertex: form factors to the three corners of each of these patches. */
     private final float[][] entry;
-    /** Shots of which the rows are known. */
+    /** Number of shots whose entries have been taken. */
     private int taken;
-    /** Per vertex: up to which of them its own row is; several partitions may have it, and say the same. */
+    /** 1 per vertex: {@link #taken} when its row last grew. Several partitions may send the same part of a row. */
     private final int[] parts;
-    /** Per vertex: the one that stands for it. */
+    /** 1 per vertex: the vertex whose irradiance stands for the irradiance of this one, mostly itself. */
     private final int[] unknown;
 
     /** @param nodes the coarse mesh; vertices that partitions report as buried are marked in it */
@@ -64,16 +64,18 @@ public final class CoarseRows {
         return leader == f ? v : nodes.corner(nodes.find(leader, NodePath.FACE), 0);
     }
 
-    /** The vertex whose irradiance stands for that of a vertex. */
+    /** The vertex whose irradiance stands for the irradiance of this vertex. */
     int unknown(int vertex) {
         return unknown[vertex];
     }
 
     /**
-     * The next part of all rows: what is seen of the shots of {@link Importance} that come next.
+     * Takes the next part of all rows: the entries of the next shots of {@link CoarseSystem#importance}.
      *
-     * @param shots how many
-     * @param rows  of each partition: number of vertices, then for each its key, whether it is buried, its elements
+     * @param shots number of these shots
+     * @param rows  1 per partition: number of rows, then per row the vertex's key, whether the vertex is buried, and a
+     *              {@link RowRecorder}'s entries
+     * @throws IOException where the bytes are no rows of this mesh
      */
     void take(int shots, List<byte[]> rows) throws IOException {
         taken += shots;
@@ -82,12 +84,11 @@ public final class CoarseRows {
         }
     }
 
-    /** Shots of which the rows are known. */
+    /** Number of shots whose entries have been taken. */
     int taken() {
         return taken;
     }
 
-    /** For each vertex its key, whether it is buried, and its {@link RowRecorder}. */
     private void read(ByteBuffer in) throws IOException {
         for (int n = count(in, ROW_BYTES); n > 0; n--) {
             int v = in.remaining() < ROW_BYTES ? -1 : index.find(in.getLong());
@@ -120,7 +121,7 @@ public final class CoarseRows {
         return count;
     }
 
-    /** In a closed room all that a vertex sees adds up to 1. */
+    /** Scales the rows of all vertices in closed rooms so that their form factors add up to 1, as they must there. */
     void close(ClosedRooms rooms) {
         for (int v = 0; v < entry.length; v++) {
             double seen = 0;
@@ -134,7 +135,9 @@ public final class CoarseRows {
         }
     }
 
-    /** What arrives at each vertex from unshot radiosity. */
+    /**
+     * Irradiance K U that comes directly from unshot radiosity: from channels per node to channels per vertex, W/m².
+     */
     double[] direct(double[] unshot) {
         double[] sum = new double[channels * column.length];
         parallel.run(column.length, RUN, (from, to) -> {
@@ -155,7 +158,7 @@ public final class CoarseRows {
     }
 
     /**
-     * What arrives at a vertex by reflection, in terms of the irradiance at vertices instead of patches' corners.
+     * The system H = D + K rho H, with irradiances at representative vertices as unknowns instead of patches' corners.
      *
      * @param enough see {@link GaussSeidel}
      */
@@ -171,7 +174,7 @@ public final class CoarseRows {
         return new GaussSeidel(channels, faces.colours(), columns, value, enough);
     }
 
-    /** @param place scratch, 1 per vertex: where it stands in the equation; what is there first does not matter */
+    /** @param place scratch, 1 per vertex: its place in the equation of v; the initial content does not matter */
     private void equation(int v, int[] place, int[][] columns, float[][] value) {
         int colours = faces.colours();
         int[] vertices = new int[3 * column[v].length];
@@ -195,7 +198,7 @@ public final class CoarseRows {
         value[v] = Arrays.copyOf(sum, colours * size);
     }
 
-    /** What counts for corner k of a patch in a row; that of a buried one is shared by the others. */
+    /** Form factor of entry i of row v to corner k of its patch; a buried corner's is shared among the others. */
     private float weight(int patch, int k, int v, int i) {
         if (nodes.isBuried(nodes.corner(patch, k))) {
             return 0;

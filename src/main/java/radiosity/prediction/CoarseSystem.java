@@ -17,14 +17,15 @@ import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
 /**
- * The linear system of a coarse mesh (equation 2), by which the light that unshot light will become is predicted.
+ * The linear system of a coarse mesh (equation 2 of the paper), which predicts the irradiance that unshot radiosity
+ * will cause after all reflections.
  *
- * <p>Unknowns are irradiances at vertices: H = K (U + rho H), where U is given on patches. Each row of K is made by the
- * partition that owns the vertex, once; the system is solved here as often as there is a round.
+ * <p>Unknowns are irradiances at vertices: H = K (U + rho H), with unshot radiosity U on patches and form factors K.
+ * Partitions make the rows of K once; the master solves the system in every round.
  */
 public final class CoarseSystem {
 
-    /** What sweeps may leave over: where rows are good to some per cent, and where all that is left over would show. */
+    /** Relative change that ends the sweeps: where rows err by some per cent, and where any remainder would show. */
     private static final double ROUGHLY = 1e-5;
     private static final double EXACTLY = 1e-9;
 
@@ -37,7 +38,7 @@ public final class CoarseSystem {
     private final boolean single;
     private final int channels;
     private final CoarseRows rows;
-    /** Of irradiance by reflected irradiance; null until it is needed. */
+    /** The system with reflectances; null until it is first solved. */
     private GaussSeidel equations;
 
     public CoarseSystem(InitialMesh mesh, ParallelFor parallel) {
@@ -53,38 +54,40 @@ public final class CoarseSystem {
     }
 
     /**
-     * The next part of all rows: what is seen of the shots of {@link #importance} that come next.
+     * Takes the next part of all rows: the entries of the next shots of {@link #importance}.
      *
-     * @param shots how many
-     * @param parts of each partition, see {@link CoarseRows#take}
+     * @param shots number of these shots
+     * @param parts 1 per partition, see {@link CoarseRows#take}
+     * @throws IOException where the bytes are no rows of this mesh
      */
     public void take(int shots, List<byte[]> parts) throws IOException {
         rows.take(shots, parts);
     }
 
-    /** Whether all rows are known as a whole. */
+    /** Whether the rows have the entries of all shots. */
     public boolean isMade() {
         return rows.taken() == (single ? nodes.patches() : blocks.size());
     }
 
-    /** All of the initial mesh as shots, with what it matters for light to come as radiosity. */
+    /** Shots of the whole coarse mesh by which rows are made: their radiosity is the {@link Importance} of surfaces. */
     public List<Shot> importance() {
         Importance importance = new Importance(mesh);
         return shooters().map(tops -> importance.of(nodes, tops)).toList();
     }
 
-    /** Nodes that shoot together: those of a block, or single ones where clusters would not be exact enough. */
+    /** Top nodes per shooter: those of a cluster, or single patches where clusters would not be exact enough. */
     private Stream<int[]> shooters() {
         return single ? IntStream.range(0, nodes.patches()).mapToObj(p -> new int[] {nodes.patch(p)})
                 : blocks.stream().map(nodes::tops);
     }
 
     /**
-     * Irradiance that will come of unshot radiosity.
+     * Predicts the irradiance that unshot radiosity will cause, directly and after all reflections.
      *
-     * @param unshot channels per node of the initial mesh, for patches, W/m²; not modified
-     * @param goOn   asked now and then
-     * @return channels per vertex, W/m²; null where it was not to go on
+     * @param unshot channels per node of the coarse mesh, used for patches, W/m²; not modified
+     * @param goOn   whether to go on; asked before every sweep
+     * @return channels per vertex, W/m²; null where {@code goOn} was false
+     * @throws radiosity.util.NoNumberException where the irradiance is not finite
      */
     public double[] irradiance(double[] unshot, BooleanSupplier goOn) {
         if (equations == null) {
@@ -98,7 +101,7 @@ public final class CoarseSystem {
         return !single && !mesh.rounding.exact();
     }
 
-    /** A buried corner takes the mean of the others. */
+    /** Irradiance at corner k of a patch, W/m²; at a buried corner the mean of the patch's other corners, or 0. */
     private double corner(int patch, int k, double[] h, int c) {
         if (!nodes.isBuried(nodes.corner(patch, k))) {
             return h[channels * rows.unknown(nodes.corner(patch, k)) + c];
@@ -116,9 +119,10 @@ public final class CoarseSystem {
     }
 
     /**
-     * Flux that matters where this irradiance arrives: {@link Faces#importance} times what arrives, scene units.
+     * Flux that arrives on some faces, weighted by {@link Faces#importance}, W.
      *
-     * @param counts which faces count
+     * @param h      irradiance, channels per vertex, W/m²; not modified
+     * @param counts whether a face counts
      */
     public double weighted(double[] h, int c, IntPredicate counts) {
         double sum = 0;
@@ -136,9 +140,11 @@ public final class CoarseSystem {
     }
 
     /**
-     * Shots with what their patches will reflect of an irradiance, linear between the vertices.
+     * Adds to the radiosity of shots the part of an irradiance that their patches reflect, linear between vertices.
      *
-     * @param first whether nothing was shot before
+     * @param shots of elements none of which is larger than a patch of the coarse mesh; not modified
+     * @param h     irradiance, channels per vertex, W/m²; not modified
+     * @param first whether nothing was shot before: the shots are then rounded less
      */
     public List<Shot> with(List<Shot> shots, double[] h, boolean first) {
         return new ShotsOnDemand(shots.size(), i -> with(shots.get(i), h, first), parallel);
@@ -156,8 +162,9 @@ public final class CoarseSystem {
     }
 
     /**
-     * @param coarse node of the coarse mesh, or -1 below a patch
-     * @param values below a patch: 3 x channels at the corners
+     * @param coarse    node of the coarse mesh, or -1 below a patch
+     * @param values    reflected radiosity at the node's corners, 3 x channels, below a patch; else null
+     * @param radiosity modified: the reflected radiosity is added
      */
     private void spread(PatchTree tree, int node, int coarse, double[] values, double[] h, double[] radiosity) {
         double[] here = values;
@@ -182,9 +189,9 @@ public final class CoarseSystem {
     }
 
     /**
-     * The mean of what is shot on the patches of the coarse mesh: channels per node, W/m².
+     * Mean radiosity of shots on the patches of the coarse mesh: channels per node, 0 for inner nodes, W/m².
      *
-     * @param shots each from other patches
+     * @param shots no two of the same patch; not modified
      */
     public double[] unshot(List<Shot> shots) {
         double[] unshot = new double[channels * nodes.nodes()];

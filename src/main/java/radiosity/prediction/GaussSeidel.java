@@ -4,19 +4,19 @@ import java.util.function.BooleanSupplier;
 import radiosity.util.NoNumberException;
 
 /**
- * Solves H = D + M H for several channels, which are colours in layers, by Gauss-Seidel sweeps (section 2.1 of the
- * paper); M is sparse.
+ * Solves H = D + M H with a sparse matrix M, for several channels (colours of each layer), by Gauss-Seidel sweeps
+ * (section 2.1 of the paper).
  *
- * <p>In white rooms, and in long ones, sweeps alone take thousands of turns. What the last few of them changed tells
- * where they lead: the combination of them is taken that leaves the smallest change (D. Anderson, Iterative procedures
- * for nonlinear integral equations, 1965).
+ * <p>In white rooms and in long rooms, sweeps alone would need thousands of turns. So the results of the last sweeps
+ * are combined with the coefficients that leave the smallest change (D. Anderson, Iterative procedures for nonlinear
+ * integral equations, 1965).
  */
 public final class GaussSeidel {
 
     private static final int MOST_SWEEPS = 500;
-    /** Sweeps that are remembered. */
+    /** Number of earlier sweeps that are combined. */
     private static final int MEMORY = 6;
-    /** A change that is this much of another in its own right tells nothing new. */
+    /** Pivot, relative to its diagonal element, up to which a change counts as linearly dependent on earlier ones. */
     private static final double NOTHING_NEW = 1e-13;
 
     private final int channels;
@@ -26,9 +26,9 @@ public final class GaussSeidel {
     private final double enough;
 
     /**
-     * @param column per row: the unknowns in it
-     * @param entry  per row: one per colour for each of them; the same in all layers
-     * @param enough a sweep that changes no more of all is the last
+     * @param column 1 array per row: numbers of the unknowns in the row; not modified
+     * @param entry  1 array per row: coefficients of these unknowns, one per colour, alike in all layers; not modified
+     * @param enough sum of changes, relative to the sum of absolute values in a channel, that ends the sweeps
      */
     GaussSeidel(int channels, int colours, int[][] column, float[][] entry, double enough) {
         this.channels = channels;
@@ -39,9 +39,12 @@ public final class GaussSeidel {
     }
 
     /**
+     * Solves the system. Where {@link #MOST_SWEEPS} do not suffice, the result of the last sweep is returned.
+     *
      * @param direct D, channels per row; not modified
-     * @param goOn   asked before every sweep
-     * @return H, channels per row; null where it was not to go on
+     * @param goOn   whether to go on; asked before every sweep
+     * @return H, channels per row; null where {@code goOn} was false
+     * @throws NoNumberException where H is not finite
      */
     double[] solve(double[] direct, BooleanSupplier goOn) {
         double largest = 0;
@@ -51,7 +54,7 @@ public final class GaussSeidel {
         if (largest == 0 || !Double.isFinite(largest)) {
             return ofUnit(direct, goOn);
         }
-        // powers of two change no digit, and squares of faint light would be lost
+        // the squares of very small numbers would underflow; scaling by a power of two changes no digit
         int up = -Math.getExponent(largest);
         double[] h = ofUnit(scaled(direct, up), goOn);
         return h == null ? null : scaled(h, -up);
@@ -65,7 +68,7 @@ public final class GaussSeidel {
         return scaled;
     }
 
-    /** @param direct D, about 1 or less */
+    /** @param direct D, at most about 1 in absolute value; not modified */
     private double[] ofUnit(double[] direct, BooleanSupplier goOn) {
         double[] h = new double[direct.length];
         double[][] steps = new double[MEMORY][];
@@ -103,7 +106,10 @@ public final class GaussSeidel {
         return d;
     }
 
-    /** Takes from the result of a sweep what earlier ones show to be on the way only; least squares by elimination. */
+    /**
+     * Combines the result h of a sweep, which is modified, with earlier ones in channel c: fits the last change by
+     * differences of earlier changes (least squares, by elimination), and subtracts the corresponding steps.
+     */
     private void combine(int c, double[] h, double[] changed, double[][] steps, double[][] changes) {
         double[][] a = new double[MEMORY][MEMORY + 1];
         for (int i = 0; i < MEMORY; i++) {
@@ -128,7 +134,7 @@ public final class GaussSeidel {
         return sum;
     }
 
-    /** @param a modified: a symmetric matrix and a right side; what tells nothing new is left out */
+    /** Solves a system a, symmetric matrix and right side, which is modified; gives 0 where a pivot is too small. */
     private static double[] eliminate(double[][] a) {
         int n = a.length;
         double[] x = new double[n];
@@ -158,7 +164,7 @@ public final class GaussSeidel {
         return x;
     }
 
-    /** @return whether that changed next to nothing */
+    /** Makes one sweep over all rows of h, which is modified; returns whether the change is small enough to end. */
     private boolean sweep(double[] direct, double[] h) {
         double[] sum = new double[channels];
         double[] change = new double[channels];
@@ -182,7 +188,7 @@ public final class GaussSeidel {
         return done;
     }
 
-    /** @param sum modified: D + M H in a row */
+    /** @param sum modified: D + M H in row v, one per channel */
     private void row(int v, double[] direct, double[] h, double[] sum) {
         System.arraycopy(direct, channels * v, sum, 0, channels);
         int[] unknown = column[v];

@@ -8,13 +8,16 @@ import radiosity.mesh.room.ClosedRooms;
 import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
 
-/** What surfaces matter for light to come: 1, and more for what emits. */
+/**
+ * Importance of surfaces in the rows of a {@link CoarseSystem}: 1 plus the surface's exitance relative to the mean
+ * exitance of its room. Rays sample important surfaces more finely.
+ */
 final class Importance {
 
     private final InitialMesh mesh;
     private final Faces faces;
     private final ClosedRooms rooms;
-    /** Mean of the brightest channel, one per layer and room, W/m². */
+    /** Mean by area of the exitance in the largest channel, one per layer and room (see {@link Weights}), W/m². */
     private final double[] mean;
 
     Importance(InitialMesh mesh) {
@@ -32,18 +35,18 @@ final class Importance {
         Arrays.setAll(mean, i -> mean[i] == 0 ? 0 : mean[i] / area[i]);
     }
 
-    /** What some nodes matter, as a shot. */
+    /** A shot of the elements below some nodes with their importance as radiosity, in all channels. */
     Shot of(RadiosityNodes nodes, int[] tops) {
         return mesh.rounding.of(Shot.of(nodes, tops, 0, (element, values, at) ->
                 Arrays.fill(values, at, at + 3 * nodes.channels(), 1 + brightness(nodes.face(element)))));
     }
 
-    /** Where a face's room has its values of a layer. */
+    /** Index into {@link #mean} of a layer in the room of a face. */
     private int at(int face, int layer) {
         return Weights.at(rooms, face, layer, faces.layers(), mean.length);
     }
 
-    /** Of the layer in which a face is brightest, relative to the layer's mean in its room. */
+    /** Exitance of a face relative to the mean in its room, in the layer in which the quotient is largest. */
     private double brightness(int face) {
         double most = 0;
         for (int layer = 0; layer < faces.layers(); layer++) {

@@ -10,7 +10,8 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.util.ArraySize;
 
 /**
- * Takes down what one receiving point sees of which element, instead of adding it up: a row of {@link CoarseSystem}.
+ * Records the elements that one receiving point sees and their weights, instead of summing up light: a row of a
+ * {@link CoarseSystem}. For use by one thread.
  */
 public final class RowRecorder implements GatherSink {
 
@@ -18,6 +19,7 @@ public final class RowRecorder implements GatherSink {
     private int[] leaf = new int[64];
     private double[] weight = new double[3 * 64];
     private int size;
+    /** Number of sample points whose weights are scaled already. */
     private int closed;
 
     @Override
@@ -44,9 +46,9 @@ public final class RowRecorder implements GatherSink {
     }
 
     /**
-     * Number of elements, then for each its node and the weights of its three corners.
+     * Writes the number of entries, then per entry its node and the form factors to the node's three corners.
      *
-     * @param nodes the coarse mesh
+     * @param nodes the coarse mesh, to which all recorded elements belong
      */
     public void write(RadiosityNodes nodes, DataOutputStream out) throws IOException {
         ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of a row of the coarse system",
@@ -65,7 +67,7 @@ public final class RowRecorder implements GatherSink {
         out.write(bytes.array());
     }
 
-    /** What an element takes when written. */
+    /** Number of bytes of a written entry. */
     static int entryBytes(RadiosityNodes nodes) {
         return (isWide(nodes) ? Integer.BYTES : Character.BYTES) + 3 * Float.BYTES;
     }
@@ -74,7 +76,7 @@ public final class RowRecorder implements GatherSink {
         return nodes.nodes() > Character.MAX_VALUE;
     }
 
-    /** The node of an element that was written. */
+    /** Reads the node of an entry; throws an exception where the node is no element of the mesh. */
     static int node(RadiosityNodes nodes, ByteBuffer in) throws IOException {
         int node = isWide(nodes) ? in.getInt() : in.getChar();
         if (node < 0 || node >= nodes.nodes() || !nodes.isElement(node)) {

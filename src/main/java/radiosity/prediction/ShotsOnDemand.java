@@ -5,17 +5,20 @@ import java.util.function.IntFunction;
 import radiosity.protocol.Shot;
 import radiosity.util.ParallelFor;
 
-/** Shots of which a few are made when the first of them is asked for, as others are carried out meanwhile. */
+/**
+ * A list of shots that are made when they are first asked for, a few at a time, so that hosts can carry out the first
+ * shots while later ones are being made. Any number of threads may read the list.
+ */
 public final class ShotsOnDemand extends AbstractList<Shot> {
 
-    /** Made together. */
+    /** Number of shots that are made together. */
     private static final int AT_A_TIME = 4;
 
     private final Shot[] made;
     private final IntFunction<Shot> make;
     private final ParallelFor parallel;
 
-    /** @param make from any thread */
+    /** @param make makes the shot with a number; called by any thread */
     public ShotsOnDemand(int size, IntFunction<Shot> make, ParallelFor parallel) {
         made = new Shot[size];
         this.make = make;
