@@ -4,31 +4,32 @@ import java.util.List;
 import radiosity.util.NoNumberException;
 
 /**
- * How far a solution can be trusted.
+ * An estimate of a solution's error.
  *
- * <p>The bound is one, on what the discrete system still lacks. The errors are estimates: at some points of every
- * surface the light that arrives from the solution is found anew with many more rays, and compared with what the
- * solution has there. Light that is still unshot is found, too, so early in a render it is most of them. {@code
- * docs/CERTIFICATE.md} says how well they foresee the true error.
+ * <p>{@code missingFlux} is an upper bound, for the discrete system. The errors are estimates: at some points of every
+ * surface the irradiance from the solution's radiosity is computed anew with many more rays and compared with the
+ * solution's irradiance. Light that is still unshot counts as error, so it is most of the error early in a render.
+ * {@code docs/CERTIFICATE.md} says how well the estimates predict the true error.
  *
- * @param points      at how many points it was looked
- * @param missingFlux most flux that could still arrive as unshot flux is shot, all channels, W; null: without a bound
- * @param factors     mean sum of the form factors at a point; 1 where all is closed
- * @param mostFactors the largest
- * @param reciprocity mean difference between A F of pairs of patches and A F the other way, relative to its mean
- * @param expected    expected error of radiosity: root of the mean square over all that reflects and does not emit,
- *                    relative to the mean radiosity there, or to a third of what is there where that is more; the
- *                    same for the next three
- * @param sampling    the part that rays leave at a point
- * @param meshing     the part that interpolation leaves at a point
- * @param bias        mean error, as it builds up by interreflection; signed
- * @param surfaces    one by one
+ * @param points      number of points at which the irradiance was computed anew
+ * @param missingFlux upper bound of the flux that can still arrive as unshot flux is shot, sum over all channels, W;
+ *                    null where there is no bound
+ * @param factors     mean over the points of the sum of form factors at a point; 1 in a closed scene
+ * @param mostFactors largest sum of form factors at a point
+ * @param reciprocity mean difference between A F of a pair of patches and A F the other way, relative to the mean A F
+ * @param expected    expected error of radiosity: root mean square over all surfaces that reflect and do not emit,
+ *                    relative to their mean radiosity or a third of a place's own radiosity, whichever is more; the
+ *                    next three numbers are relative to the same radiosity
+ * @param sampling    part of the error at a point that comes from rays
+ * @param meshing     part of the error at a point that comes from interpolation
+ * @param bias        mean error, which interreflection multiplies; signed
+ * @param surfaces    errors of each surface
  */
 public record Certificate(int points, Double missingFlux, double factors, double mostFactors, double reciprocity,
                           double expected, double sampling, double meshing, double bias,
                           List<SurfaceError> surfaces) {
 
-    /** Only numbers leave the solver. */
+    /** @throws NoNumberException where a number is infinite or NaN */
     public Certificate {
         NoNumberException.unlessNumbers("certificate", missingFlux == null ? 0 : missingFlux, factors, mostFactors,
                 reciprocity, expected, sampling, meshing, bias);
@@ -37,11 +38,11 @@ public record Certificate(int points, Double missingFlux, double factors, double
     /**
      * Errors at a point of one surface, relative to its own mean radiosity.
      *
-     * @param surface   its name
-     * @param points    at how many points it was looked
-     * @param radiosity mean over them and over the channels, W/m²
-     * @param sampling  what rays leave
-     * @param meshing   what interpolation leaves
+     * @param surface   name of the surface
+     * @param points    number of points on the surface
+     * @param radiosity mean over these points and over the channels, W/m²
+     * @param sampling  part of the error that comes from rays
+     * @param meshing   part of the error that comes from interpolation
      */
     public record SurfaceError(String surface, int points, double radiosity, double sampling, double meshing) {
 

@@ -1,16 +1,16 @@
 package radiosity.solution;
 
 /**
- * What a host has done.
+ * Work done by one host.
  *
- * @param name     as the user calls it
+ * @param name     name by which the user calls the host
  * @param state    {@code working}, {@code lost} or {@code left}
- * @param blocks   that it owns
- * @param elements that it owns
- * @param rounds   that it took part in
- * @param cpu      processor time of its rounds, s
- * @param idle     share of the time that it had nothing to do, if nothing took any but the hosts' processors
- * @param bytes    sent to it and received from it
+ * @param blocks   number of blocks that the host owns
+ * @param elements number of elements that the host owns
+ * @param rounds   number of orders that the host has carried out
+ * @param cpu      processor time of these orders, s
+ * @param idle     share of time in which the host waited for others, in [0, 1], if network and master took no time
+ * @param bytes    number of bytes sent to the host and received from it
  */
 public record HostStatistics(String name, String state, int blocks, int elements, int rounds, double cpu, double idle,
                              long bytes) { }

@@ -3,24 +3,24 @@ package radiosity.solution;
 import radiosity.util.NoNumberException;
 
 /**
- * Where a calculation stands.
+ * State of a calculation.
  *
- * @param shots    patches that have shot
- * @param rounds   rounds in which they did
- * @param unsent   unshot flux relative to what is emitted; may exceed 1 while light is being gathered
- * @param elements leaves of the mesh
- * @param error    relative error that was found when it was looked for last, see {@link Certificate#expected}; NaN
- *                 before
- * @param gathers  whether some of them are new and still gather what was shot before: the rest is as if they were not
+ * @param shots    number of shots done
+ * @param rounds   number of rounds begun
+ * @param unsent   unshot flux relative to the emitted flux; may exceed 1 while light is being gathered
+ * @param elements number of elements
+ * @param error    relative error by the latest estimate, see {@link Certificate#expected}; NaN before the first one
+ * @param gathers  whether new vertices still gather the light that was shot before they were made, or all vertices
+ *                 gather anew; {@code unsent} is then the one before
  */
 public record Progress(int shots, int rounds, double unsent, int elements, double error, boolean gathers) {
 
-    /** Only numbers leave the solver. */
+    /** @throws NoNumberException where the unshot flux is infinite or NaN */
     public Progress {
         NoNumberException.unlessNumbers("unsent flux", unsent);
     }
 
-    /** Before the error was looked for. */
+    /** Progress without an estimate of the error. */
     public Progress(int shots, int rounds, double unsent, int elements, boolean gathers) {
         this(shots, rounds, unsent, elements, Double.NaN, gathers);
     }

@@ -1,11 +1,11 @@
 package radiosity.solution;
 
-/** Called after every round; may ask to stop. */
+/** Is called after every step of a round, and several times a second during other work; may stop the calculation. */
 @FunctionalInterface
 public interface RoundListener {
 
     /**
-     * @param progress where the calculation stands
+     * @param progress state of the calculation
      * @return whether to go on
      */
     boolean afterRound(Progress progress);

@@ -13,10 +13,10 @@ import radiosity.solver.ProgressiveRadiosity;
 import radiosity.util.Pieces;
 
 /**
- * What {@link ProgressiveRadiosity#resume} needs, as opaque bytes; immutable.
+ * The state of a calculation from which {@link ProgressiveRadiosity#resume} goes on, as opaque bytes; immutable.
  *
- * <p>The bytes are held in pieces of any lengths, because a state has more bytes than one array can hold from about 15
- * million elements on. Two states are equal where their bytes are, however they are cut into pieces.
+ * <p>The bytes are held in pieces of any lengths, because the state of more than about 15 million elements does not fit
+ * into one array. Two states are equal if their bytes are equal, however the bytes are cut into pieces.
  */
 public final class SavedState {
 
@@ -25,13 +25,13 @@ public final class SavedState {
 
     /** Bytes per piece of a state that is read from a file. */
     private static final int PIECE = 1 << 24;
-    /** Bytes written at a time: a file channel copies what it is given once more outside of the heap. */
+    /** Bytes written at a time: a file channel copies the bytes of each call to memory outside of the heap. */
     private static final int WRITTEN_AT_ONCE = 1 << 20;
 
-    /** In their order; not modified. */
+    /** The bytes in order; not modified. */
     private final List<byte[]> pieces;
     private final long length;
-    /** Null until it is first wanted. */
+    /** Null until first needed. */
     private String sha256;
 
     private SavedState(List<byte[]> pieces) {
@@ -40,9 +40,9 @@ public final class SavedState {
     }
 
     /**
-     * The bytes of several arrays, one after the other.
+     * A state of the bytes of several arrays, one after the other.
      *
-     * @param pieces not copied, not to be modified afterwards
+     * @param pieces the arrays; not copied, so the caller must not modify them
      */
     public static SavedState of(List<byte[]> pieces) {
         return new SavedState(List.copyOf(pieces));
@@ -51,14 +51,14 @@ public final class SavedState {
     /**
      * Reads a state and computes its SHA-256 on the way.
      *
-     * @param length of the state in bytes, at least 0
-     * @throws EOFException where the input ends earlier
+     * @param length length of the state in bytes, at least 0
+     * @throws EOFException where the input has fewer bytes
      */
     public static SavedState read(InputStream in, long length) throws IOException {
         return read(in, length, PIECE);
     }
 
-    /** @param most bytes per piece, at least 1 */
+    /** @param most largest number of bytes per piece, at least 1 */
     static SavedState read(InputStream in, long length, int most) throws IOException {
         MessageDigest digest = digest();
         List<byte[]> pieces = new ArrayList<>();
@@ -93,12 +93,12 @@ public final class SavedState {
         return length == 0;
     }
 
-    /** All bytes from the first on; {@code available} says how many are left, or {@link Integer#MAX_VALUE}. */
+    /** A stream of all bytes; its {@code available} is the number of bytes left, at most {@link Integer#MAX_VALUE}. */
     public InputStream open() {
         return Pieces.open(pieces);
     }
 
-    /** Writes all bytes; does not close. */
+    /** Writes all bytes; does not close the stream. */
     public void writeTo(OutputStream out) throws IOException {
         for (byte[] piece : pieces) {
             for (int at = 0; at < piece.length; at += WRITTEN_AT_ONCE) {

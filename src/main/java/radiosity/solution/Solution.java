@@ -10,32 +10,32 @@ import radiosity.scene.Vec3;
 import radiosity.util.NoNumberException;
 
 /**
- * A world's elements and their light, merged from all partitions in the order of their ids.
+ * The elements of a world and their light, merged from all blocks in the order of the blocks' ids.
  *
- * <p>Vertices are shared within a connected, coplanar part of a surface and nowhere else, so each has one normal. The
- * arrays are not modified after the solution is made.
+ * <p>Elements share vertices within a connected, coplanar part of a surface and nowhere else, so each vertex has one
+ * normal. The arrays are kept, not copied; nobody may modify them.
  *
- * @param scene      the original triangles
+ * @param scene      the original scene
  * @param channels   1 where everything in the scene is grey, else 3; times the number of layers
- * @param lamps      what has a layer of its own, in the order of the layers; empty where all light is in one
- * @param positions  x, y, z per vertex, scene units
- * @param irradiance H in W/m², {@code channels} per vertex
- * @param corners    vertices, 3 per element, counter-clockwise seen from its visible side
- * @param faceOf     1 per element: 2 * original triangle, + 1 for the back of a two-sided one
- * @param shots      patches that have shot
- * @param rounds     rounds in which they did
+ * @param lamps      the lamps with a layer each, in the order of the layers; empty where all light is in one layer
+ * @param positions  3 per vertex: x, y, z, scene units
+ * @param irradiance {@code channels} per vertex: irradiance H, W/m²
+ * @param corners    3 per element: its vertices, counter-clockwise as seen from the visible side
+ * @param faceOf     1 per element: 2 * original triangle, + 1 for the back of a two-sided triangle
+ * @param shots      number of shots done
+ * @param rounds     number of rounds done
  * @param unshotFlux sum of |U| A over elements and channels, W
- * @param ledger     where the light went
- * @param state      what resuming needs; empty where it is not kept
+ * @param ledger     balance of the light
+ * @param state      state from which the calculation can go on; empty where none is kept
  */
 public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] positions, double[] irradiance,
         int[] corners,
                        int[] faceOf, int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
 
-    /** What an irradiance or an exitance may be, W/m²: their sum fits into a float of the scene file. */
+    /** Largest irradiance or exitance, W/m²: the sum of two such numbers fits into a float of the scene file. */
     public static final double LARGEST = Float.MAX_VALUE / 2;
 
-    /** The door through which results leave: only numbers do. */
+    /** @throws NoNumberException where an irradiance is NaN or above {@link #LARGEST}, or the flux not finite */
     public Solution {
         for (int i = 0; i < irradiance.length; i++) {
             if (!(Math.abs(irradiance[i]) <= LARGEST)) {
@@ -70,12 +70,12 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
         return scene.surface(faceOf[element] >> 1);
     }
 
-    /** At least 1. */
+    /** Number of layers, at least 1. */
     public int layers() {
         return Math.max(1, lamps.size());
     }
 
-    /** Irradiance H at a vertex, of all layers, W/m². */
+    /** Irradiance H at a vertex, sum over all layers, W/m². */
     public Rgb irradianceAt(int vertex) {
         Rgb sum = irradianceAt(vertex, 0);
         for (int layer = 1; layer < layers(); layer++) {
@@ -84,7 +84,7 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
         return sum;
     }
 
-    /** Irradiance H at a vertex that is one lamp's, W/m². */
+    /** Irradiance H at a vertex in one layer, that is, from one lamp, W/m². */
     public Rgb irradianceAt(int vertex, int layer) {
         int colours = channels / layers();
         int i = channels * vertex + colours * layer;
@@ -97,7 +97,7 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
         return look(element).radiosity(irradianceAt(corners[3 * element + k]));
     }
 
-    /** What there is to see of an element in the mean. */
+    /** Mean exitance and reflectance over an element. */
     public MaterialSample look(int element) {
         int triangle = faceOf[element] >> 1;
         return scene.isMapped(triangle)

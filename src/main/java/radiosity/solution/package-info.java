@@ -1,4 +1,4 @@
 /**
- * What comes out: radiosity per vertex, energy ledger, certificate, progress, statistics.
+ * Results of a calculation: light per vertex, energy ledger, certificate of error, progress, statistics of hosts.
  */
 package radiosity.solution;
