@@ -1,41 +1,49 @@
 package radiosity.settings;
 
 /**
- * How exactly to calculate, as one number: the error that is expected of the radiosity, area-weighted root mean square
- * over the mean. What follows from it was measured on other scenes ({@code scripts/accuracy --accuracy}); each
- * solution's certificate says what was reached.
+ * Converts the error that a user asks for into thresholds for rays and elements. The error is the expected error of the
+ * radiosity: area-weighted root mean square relative to the mean. The constants were fitted to test scenes ({@code
+ * scripts/accuracy --accuracy}); each solution's certificate says which error was reached.
  */
 public final class Accuracy {
 
-    /** What is aimed at where nothing is asked for. */
+    /** Error where the user asks for none. */
     public static final double DEFAULT = 0.02;
     /**
-     * So many times the mean radiosity is bright: where there is more, errors are relative to this part of what is
-     * there. A lampshade is hundreds of times as bright as its room, and a hundredth of that is no error of several
-     * means.
+     * Ratio to the mean radiosity above which a radiosity is bright: its errors are relative to the radiosity divided
+     * by this number instead of the mean. A lampshade is hundreds of times as bright as its room, and an error of a
+     * hundredth of its radiosity is not to count as several means.
      */
     public static final double BRIGHT = 3;
-    /** At that: what one ray may carry, relative to the mean, and what interpolation on one element may add. */
+    /** Thresholds at the default error, see {@link #tolerance} and {@link #meshError}. */
     private static final double TOLERANCE = 0.028;
     private static final double MESH_ERROR = 8e-4;
-    /** What a ray may carry falls faster than the error, as sampling and meshing each leave their part of it. */
+    /** Power of the error in {@link #tolerance}: above 1, as sampling and meshing each cause a part of the error. */
     public static final double POWER = 1.25;
-    /** Elements too, as a small one may be far off at a point without adding much to the whole. */
+    /** Power of the error in {@link #meshError}: small elements may err by much at a point and add little in all. */
     private static final double MESH_POWER = 2;
 
     private Accuracy() { }
 
-    /** @param error above 0 */
+    /**
+     * Largest light that the rays at one node may carry, relative to the mean radiosity.
+     *
+     * @param error expected error, above 0
+     */
     public static double tolerance(double error) {
         return TOLERANCE * StrictMath.pow(error / DEFAULT, POWER);
     }
 
-    /** The error that is expected at a tolerance; 0 stands for the default. */
+    /** Expected error at a tolerance of at least 0; 0 stands for the default. The inverse of {@link #tolerance}. */
     public static double of(double tolerance) {
         return tolerance == 0 ? DEFAULT : DEFAULT * StrictMath.pow(tolerance / TOLERANCE, 1 / POWER);
     }
 
-    /** @param error above 0 */
+    /**
+     * Largest error of interpolation on one element, relative to the mean, times the root of its share of area.
+     *
+     * @param error expected error, above 0
+     */
     public static double meshError(double error) {
         return MESH_ERROR * StrictMath.pow(error / DEFAULT, MESH_POWER);
     }

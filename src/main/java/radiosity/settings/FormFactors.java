@@ -1,8 +1,8 @@
 package radiosity.settings;
 
-/** The names of the ways to find form factors (section 2.3 of the paper). */
+/** The ways to compute form factors (section 2.3 of the paper). */
 public enum FormFactors {
-    /** The exact factor to an unoccluded shooter times its visible share, found by rays (section 2.3.2). */
+    /** The exact factor to an unoccluded shooter times its visible share, which rays estimate (section 2.3.2). */
     RAYCAST,
     /** The paper's own rays to random points of the shooter (section 2.3.2). */
     PLAIN,

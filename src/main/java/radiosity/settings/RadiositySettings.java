@@ -1,22 +1,23 @@
 package radiosity.settings;
 
 /**
- * How finely and how exactly to compute. Equal settings give equal bits on any machines.
+ * Fineness and exactness of a calculation. The same scene and settings give the same bits on all machines.
  *
- * @param patchArea no patch of the initial mesh is larger, square scene units ({@code -pa}); 0: chosen from the scene
- * @param rays      sample points for the visible share of a shooter ({@code -nr}); 0: chosen by the schedule
- * @param meshing   radiosity difference between an element's vertices above which it is subdivided, W/m²
+ * @param patchArea largest area of a patch of the initial mesh, square scene units ({@code -pa}); 0: chosen by scene
+ * @param rays      number of sample points for the visible share of a shooter, or of cells for projections
+ *                  ({@code -nr}); 0: chosen by schedule and form factors
+ * @param meshing   radiosity difference between an element's vertices above which the element is subdivided, W/m²
  *                  ({@code -mt}); infinite: never
- * @param schedule  in which order patches shoot
- * @param tolerance with prediction: irradiance that one ray may carry, relative to the mean; 0: chosen
- * @param meshError with prediction: error of interpolation that one element may add to the whole; 0: chosen
- * @param layers    whether the light of each lamp is kept apart
- * @param factors   how form factors are found
+ * @param schedule  order in which patches shoot
+ * @param tolerance with prediction: see {@link Accuracy#tolerance}; 0: that of the default accuracy
+ * @param meshError with prediction: see {@link Accuracy#meshError}; 0: that of the default accuracy
+ * @param layers    whether the light of each lamp is kept in channels of its own
+ * @param factors   way to compute form factors
  */
 public record RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
                                 double meshError, boolean layers, FormFactors factors) {
 
-    /** The number of lamps whose light can be kept apart. */
+    /** Largest number of lamps whose light can be kept apart. */
     public static final int MOST_LAMPS = 256;
 
     public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
@@ -28,20 +29,20 @@ public record RadiositySettings(double patchArea, int rays, double meshing, Sche
         this(patchArea, rays, meshing, schedule, 0, 0);
     }
 
-    /** The same, with or without layers. */
+    /** These settings with or without layers. */
     public RadiositySettings layers(boolean kept) {
         return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, kept, factors);
     }
 
-    /** The same, with other form factors. */
+    /** These settings with other form factors. */
     public RadiositySettings factors(FormFactors found) {
         return new RadiositySettings(patchArea, rays, meshing, schedule, tolerance, meshError, layers, found);
     }
 
     /**
-     * The same with what an accuracy asks for.
+     * These settings with the thresholds for an expected error.
      *
-     * @param error that is expected, above 0; see {@link Accuracy}
+     * @param error expected error, above 0; see {@link Accuracy}
      */
     public RadiositySettings accurate(double error) {
         return new RadiositySettings(patchArea, rays, meshing, schedule, Accuracy.tolerance(error),

@@ -1,22 +1,22 @@
 package radiosity.settings;
 
-/** In which order patches shoot. */
+/** Order in which patches shoot. */
 public enum Schedule {
-    /** Every patch shoots its predicted total once, then what was mispredicted. */
+    /** Every patch shoots its predicted total once, then the light that was predicted wrongly. */
     PREDICT,
     /** Shooting and sorting (section 2.2 of the paper): most unshot flux first. */
     PAPER,
     /** Shooting (section 2.2 of the paper): every patch in turn. */
     SHOOTING,
-    /** Gathering (section 2.2 of the paper): every patch receives what all have, sweep by sweep. */
+    /** Gathering (section 2.2 of the paper): in every sweep every patch receives the light of all patches. */
     GATHERING,
-    /** The whole linear system at once (section 2.1 of the paper). */
+    /** The whole linear system is solved at once (section 2.1 of the paper). */
     MATRIX;
 
-    /** Most patches for the last three, which look at all pairs of them or at all patches in every round. */
+    /** Largest number of patches for the last three schedules, which visit all patches or pairs in every round. */
     public static final int MOST_PATCHES = 10_000;
 
-    /** Whether it is meant for scenes of at most {@link #MOST_PATCHES} patches. */
+    /** Whether this schedule is limited to scenes of at most {@link #MOST_PATCHES} patches. */
     public boolean isForSmallScenes() {
         return this == SHOOTING || this == GATHERING || this == MATRIX;
     }

@@ -1,4 +1,4 @@
 /**
- * What a user may ask for: how files are read, accuracy, schedule, kind of form factors, when to stop.
+ * Settings that a user chooses: how files are read, accuracy, schedule, kind of form factors, when to stop.
  */
 package radiosity.settings;
