@@ -22,7 +22,7 @@ import radiosity.solver.ProgressiveRadiosity;
 import radiosity.solver.World;
 
 /**
- * The front of the library: reads a scene, calculates its radiosity, and hands the result over.
+ * The front of the library: reads a scene, calculates its radiosity, and returns the result.
  *
  * <pre>{@code
  * Scene scene = Radiosity.read(Path.of("room.lws"), System.err::println);
@@ -30,11 +30,13 @@ import radiosity.solver.World;
  * result.writeScene(Path.of("room.scene"));
  * }</pre>
  *
- * <p>An object of this class holds what to calculate; each setter changes it and returns it. One object can run several
- * times. The result is the same to the last bit for any number of threads and hosts.
+ * <p>An object of this class holds a scene and settings; each setter changes a setting and returns the object. One
+ * object can run several times, one thread at a time. The result is the same to the last bit for any number of threads
+ * and hosts.
  */
 public final class Radiosity {
 
+    /** Unshot part of the emitted flux at which a calculation stops by default. */
     private static final double UNSHOT = 0.01;
 
     private final Scene scene;
@@ -55,9 +57,9 @@ public final class Radiosity {
     /**
      * Reads a scene (LightWave, glTF or OBJ), the files that it names, and their images.
      *
-     * @param file     a LightWave scene (.lws) or object (.lwo), glTF (.glb, .gltf), or OBJ (.obj); its content says
-     *                 which, and its name where the content leaves that open
-     * @param warnings gets one line for each kind of thing that was left out or mended
+     * @param file     a LightWave scene (.lws) or object (.lwo), glTF (.glb, .gltf), or OBJ (.obj); the format is
+     *                 recognised by the file's content, or else by its name
+     * @param warnings receives one line for each kind of content that was left out or mended
      * @throws IOException where the file cannot be read; a {@link radiosity.scene.SceneFormatException} where its
      *                     content cannot be used
      */
@@ -66,9 +68,9 @@ public final class Radiosity {
     }
 
     /**
-     * Reads a scene as the options say, see {@link #read(Path, Consumer)}.
+     * Reads a scene with options, see {@link #read(Path, Consumer)}.
      *
-     * @param options which frame, which emission, where to search for objects and images
+     * @param options frame, emission, directories to search for objects and images, limits
      */
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         return SurfaceMaps.read(SceneReader.read(file, options, warnings), options.srgb(), warnings);
@@ -80,11 +82,11 @@ public final class Radiosity {
     }
 
     /**
-     * Sets the error to aim at.
+     * Sets the error that the calculation is to reach.
      *
      * @param error expected root mean square error of the radiosity relative to its mean, in (0, 1)
      * @return this calculation
-     * @throws IllegalArgumentException for any other number
+     * @throws IllegalArgumentException for any other number, or NaN
      */
     public Radiosity accuracy(double error) {
         if (!(error > 0 && error < 1)) {
@@ -96,7 +98,7 @@ public final class Radiosity {
     }
 
     /**
-     * Sets everything that {@link RadiositySettings} names, an accuracy that was set before included.
+     * Sets all of {@link RadiositySettings}, and so replaces an accuracy or layers set before.
      *
      * @return this calculation
      */
@@ -116,7 +118,7 @@ public final class Radiosity {
     }
 
     /**
-     * Sets when to stop; without it, when 1 % of the emitted flux is left to be distributed.
+     * Sets when to stop; the default is when 1 % of the emitted flux is unshot.
      *
      * @return this calculation
      */
@@ -141,10 +143,10 @@ public final class Radiosity {
     }
 
     /**
-     * Lets other machines calculate, on which {@code PartitionServer} runs.
+     * Distributes the calculation to other machines, on which {@code PartitionServer} runs.
      *
      * @param addresses at least one {@code host} or {@code host:port}
-     * @param lines     gets one line for each thing that the user should know about hosts
+     * @param lines     receives one line for each event that concerns a host, such as its loss
      * @return this calculation
      * @throws IllegalArgumentException for an address that is neither
      */
@@ -155,9 +157,9 @@ public final class Radiosity {
     }
 
     /**
-     * Lets only hosts calculate that know the same key, and nobody else read along.
+     * Accepts only hosts that know the same key, and encrypts the traffic to them.
      *
-     * @param file as {@code scripts/make-key} makes it
+     * @param file a file made by {@code scripts/make-key}
      * @return this calculation
      * @throws IOException where the file cannot be read or holds no key
      */
@@ -167,8 +169,8 @@ public final class Radiosity {
     }
 
     /**
-     * Goes on from where an earlier calculation of the same scene with the same settings stopped, to the same bits as
-     * without the stop.
+     * Goes on from the end of an earlier calculation of the same scene with the same settings. The result has the same
+     * bits as without the interruption.
      *
      * @param earlier {@link radiosity.solution.Solution#state} of the earlier result
      * @return this calculation
@@ -179,12 +181,12 @@ public final class Radiosity {
     }
 
     /**
-     * Goes on from the solution of an earlier state of the scene, with the same settings: only the light that changed
-     * objects, materials and lamps take away or bring is calculated. Where too much has changed, all of it is, and a
-     * line says why.
+     * Goes on from the solution of an earlier version of the scene, with the same settings: only the light that changed
+     * objects, materials and lamps take away or add is calculated. Where too much has changed, all light is calculated,
+     * and a line says why.
      *
-     * @param before of an earlier result
-     * @param lines  gets at most one line
+     * @param before the solution of the earlier version
+     * @param lines  receives at most one line
      * @return this calculation
      */
     public Radiosity change(Solution before, Consumer<String> lines) {
@@ -197,9 +199,10 @@ public final class Radiosity {
      * Calculates until the stop rule holds or the listener asks to stop.
      *
      * @param listener asked after every step whether to go on
+     * @return the solution so far, also where the listener stopped the calculation
      * @throws IOException         where the hosts cannot be used; a {@link radiosity.scene.SceneFormatException} where
-     *                             the state to go on from is of another scene or of other settings
-     * @throws ArithmeticException where light is so strong that it overflows
+     *                             the state to go on from belongs to another scene or to other settings
+     * @throws ArithmeticException where the light is so strong that a number overflows
      */
     public RadiosityResult run(RoundListener listener) throws IOException {
         try (World world = hosts.isEmpty() ? new LocalWorld(scene, settings, threads)

@@ -15,17 +15,18 @@ import radiosity.solution.Progress;
 import radiosity.solution.Solution;
 
 /**
- * What a {@link Radiosity} calculation came to.
+ * The result of a {@link Radiosity} calculation.
  *
  * @param solution    elements, vertices and the light at each vertex
- * @param certificate an estimate of the solution's error; empty where nothing was shot or the scene is dark
- * @param progress    where the calculation stood when it ended
+ * @param certificate an estimate of the solution's error; empty where nothing was shot, the scene is dark, or the
+ *                    listener stopped the calculation while vertices were gathering
+ * @param progress    state of the calculation when it ended
  */
 public record RadiosityResult(Solution solution, Optional<Certificate> certificate, Progress progress) {
 
     /**
-     * Writes the scene file, a glTF binary that any glTF viewer opens; an old file is replaced as a whole or not at
-     * all.
+     * Writes the scene file, a glTF binary that any glTF viewer opens. An existing file is replaced as a whole or not
+     * at all.
      *
      * @throws IOException where the file cannot be written
      */
@@ -35,9 +36,9 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
     }
 
     /**
-     * Writes a picture in the format that the file's name ends in: png and jpg tone-mapped, hdr in W/m².
+     * Writes a picture in the format given by the end of the file's name: png and jpg tone-mapped, hdr in W/m².
      *
-     * @param width pixels, at least 1; the height follows from the camera
+     * @param width width in pixels, at least 1; the height follows from the camera
      * @throws IOException where the file cannot be written or its format is not known
      */
     public void writePicture(Path file, int width) throws IOException {
@@ -45,9 +46,10 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
     }
 
     /**
-     * The same, with the light that arrives found anew, so that no mesh shows.
+     * Writes a picture for which light is gathered anew at every pixel (final gathering), so that no mesh shows.
      *
-     * @param gathered rays per pixel with which it is found, 256 for instance; 0: the mesh's light
+     * @param width    width in pixels, at least 1; the height follows from the camera
+     * @param gathered rays per pixel for gathering, 256 for instance; 0: the light of the mesh is shown
      * @throws IOException where the file cannot be written or its format is not known
      */
     public void writePicture(Path file, int width, int gathered) throws IOException {
@@ -56,7 +58,7 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
                 new Snapshot.Drawing(gathered, done -> true));
     }
 
-    /** Finds the light at points; making this takes time, so ask one object for all points. */
+    /** Gives the light at any points. Making the object takes time, so use one object for all points. */
     public Points points() {
         return new Points(solution);
     }
