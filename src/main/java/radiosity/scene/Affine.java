@@ -1,9 +1,9 @@
 package radiosity.scene;
 
 /**
- * An affine map of column vectors: rows of 3 factors and an offset.
+ * An affine map of column vectors, a 3 x 4 matrix: each row holds 3 factors and an offset.
  *
- * @param m 12 numbers by rows; not modified
+ * @param m 12 numbers, row by row; not copied, not to be modified
  */
 public record Affine(double[] m) {
 
@@ -17,7 +17,7 @@ public record Affine(double[] m) {
         return new Affine(new double[] {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
     }
 
-    /** This map after the other. */
+    /** The map that applies the other map first and then this one. */
     public Affine times(Affine other) {
         double[] product = new double[12];
         for (int row = 0; row < 12; row += 4) {
@@ -29,12 +29,12 @@ public record Affine(double[] m) {
         return new Affine(product);
     }
 
-    /** Component k (0, 1 or 2) of where a point goes. */
+    /** Component k (0, 1 or 2) of the image of a point. */
     public double point(int k, double x, double y, double z) {
         return m[4 * k] * x + m[4 * k + 1] * y + m[4 * k + 2] * z + m[4 * k + 3];
     }
 
-    /** Where a direction goes, as a new array of 3. */
+    /** The image of a direction, on which the offset has no effect; a new array of 3. */
     public double[] direction(double x, double y, double z) {
         double[] d = new double[3];
         for (int k = 0; k < 3; k++) {
@@ -43,13 +43,13 @@ public record Affine(double[] m) {
         return d;
     }
 
-    /** Below 0 if the map mirrors. */
+    /** Determinant of the 3 x 3 factors; negative if the map mirrors. */
     public double determinant() {
         return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8])
                 + m[2] * (m[4] * m[9] - m[5] * m[8]);
     }
 
-    /** The direction that goes to d, by Cramer's rule; not finite if there is none. */
+    /** The direction whose image is d, by Cramer's rule; a new array of 3, not finite where the map is singular. */
     public double[] unturn(double[] d) {
         double det = determinant();
         return new double[] {
@@ -61,7 +61,7 @@ public record Affine(double[] m) {
                     + d[0] * (m[4] * m[9] - m[5] * m[8])) / det};
     }
 
-    /** The map back; not finite if there is none. */
+    /** The inverse map; its numbers are not finite where the map is singular. */
     public Affine inverse() {
         double[] inverse = new double[12];
         for (int column = 0; column < 4; column++) {
@@ -75,7 +75,7 @@ public record Affine(double[] m) {
         return new Affine(inverse);
     }
 
-    /** Whether all 12 are numbers, and not too large to be added. */
+    /** Whether all 12 numbers are finite, and the sum of their magnitudes too. */
     public boolean isFinite() {
         double sum = 0;
         for (double v : m) {

@@ -3,11 +3,11 @@ package radiosity.scene;
 /**
  * A pinhole camera.
  *
- * @param position          eye, scene units
+ * @param position          eye point, scene units
  * @param forward           unit direction of view
  * @param up                unit direction, at right angles to forward
- * @param verticalHalfAngle radians, in (0, pi/2)
- * @param aspect            width of the picture / its height
+ * @param verticalHalfAngle half of the vertical angle of view, radians, in (0, pi/2)
+ * @param aspect            width of the picture / its height, above 0
  */
 public record Camera(Vec3 position, Vec3 forward, Vec3 up, double verticalHalfAngle, double aspect) {
 
@@ -19,10 +19,10 @@ public record Camera(Vec3 position, Vec3 forward, Vec3 up, double verticalHalfAn
     }
 
     /**
-     * Unit direction through a place in the picture.
+     * Unit direction from the eye through a point of the picture.
      *
-     * @param x from -1, left, to 1
-     * @param y from -1, below, to 1
+     * @param x from -1, left edge, to 1, right edge
+     * @param y from -1, lower edge, to 1, upper edge
      */
     public Vec3 direction(double x, double y) {
         double tangent = StrictMath.tan(verticalHalfAngle);

@@ -5,18 +5,17 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Objects as the scene's maker named and ordered them, and which triangles are whose.
+ * The named objects of a scene, in the order of the input file, and the object to which each triangle belongs.
  *
- * @param nodes  each after its parent
- * @param nodeOf index into {@code nodes}, 1 per triangle; belongs to the hierarchy, nobody modifies it; empty where
- *               there are no nodes
+ * @param nodes  each node after its parent
+ * @param nodeOf index into {@code nodes}, 1 per triangle; not copied, not to be modified; empty without nodes
  */
 public record Hierarchy(List<SceneNode> nodes, int[] nodeOf) {
 
-    /** Nodes up to which they are written: each takes some 10 KB of memory meanwhile, and nobody looks at more. */
+    /** Most nodes that are written to a file: writing takes some 10 KB of memory per node, and no user reads more. */
     public static final int MOST_WRITTEN = 10_000;
 
-    /** Triangles that belong to no object. */
+    /** The hierarchy of a scene whose triangles belong to no object. */
     public static final Hierarchy NONE = new Hierarchy(List.of(), new int[0]);
 
     public Hierarchy {
@@ -36,18 +35,18 @@ public record Hierarchy(List<SceneNode> nodes, int[] nodeOf) {
         }
     }
 
-    /** The same nodes without names, for who only has to tell them apart. */
+    /** A hierarchy of nodes without names and parents, for code that only tells nodes apart. */
     public static Hierarchy unnamed(int[] nodeOf) {
         int count = Arrays.stream(nodeOf).max().orElse(-1) + 1;
         return new Hierarchy(Collections.nCopies(count, new SceneNode("", -1, "", Affine.IDENTITY)), nodeOf);
     }
 
-    /** What of it is written to a file: nothing where there are more than 10,000 nodes. */
+    /** The hierarchy for files: this one if it has at most {@link #MOST_WRITTEN} nodes, else {@link #NONE}. */
     public Hierarchy written() {
         return nodes.size() <= MOST_WRITTEN ? this : NONE;
     }
 
-    /** The node of a triangle, or -1 where it belongs to none. */
+    /** The node of a triangle, or -1 where the triangle belongs to none. */
     public int of(int triangle) {
         return nodeOf.length == 0 ? -1 : nodeOf[triangle];
     }

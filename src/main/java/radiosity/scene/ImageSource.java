@@ -4,14 +4,14 @@ import java.nio.ByteBuffer;
 import java.util.Optional;
 
 /**
- * Where an image is.
+ * Where the content of an image is: in a file of its own, or inside of another file.
  *
- * @param name    path of a file that the reader found; of an image inside of another file, what to call it
- * @param content the bytes of an image inside of another file, not to be modified
+ * @param name    path of the image's file; for an image inside of another file, a name for messages
+ * @param content bytes of an image inside of another file, not to be modified; empty for an image in a file of its own
  */
 public record ImageSource(String name, Optional<ByteBuffer> content) {
 
-    /** An image in a file of its own. */
+    /** The image in the file with this path. */
     public static ImageSource file(String path) {
         return new ImageSource(path, Optional.empty());
     }

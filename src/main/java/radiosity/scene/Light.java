@@ -3,42 +3,43 @@ package radiosity.scene;
 import java.util.Optional;
 
 /**
- * A source without geometry: it neither occludes nor shows, and shoots before any patch.
+ * A source of light without geometry: it casts no shadow, is not visible, and shoots before any patch.
  *
- * @param name      for messages and layers
- * @param kind      what it is
- * @param power     distant: irradiance at normal incidence (W/m²); sky: of a level place that sees all of it; point
- *                  and spot: irradiance at distance
- *                  {@code range} (W/m²), falling with 1/r²; area: exitance (W/m²)
- * @param position  of a point, spot or (centre of) area light, scene units
- * @param direction unit direction in which it shines (not used by a point light)
- * @param right     half edge of an area light, scene units; of others a direction to its right, or zero
- * @param up        other half edge of an area light; of a sky, unit direction of its zenith
- * @param range     distance at which a point or spot light has its nominal irradiance, scene units, above 0
+ * @param name      name in messages and layers
+ * @param kind      kind of source
+ * @param power     per channel, W/m² or lx: irradiance at normal incidence (distant); irradiance of a horizontal
+ *                  surface from which the whole sky is visible (sky); irradiance at distance {@code range}, falling
+ *                  with 1/r² (point, spot); exitance (area)
+ * @param position  position of a point or spot light, centre of an area light, scene units
+ * @param direction unit direction in which the light shines, in a clear sky away from the sun; not used by a point
+ *                  light without luminaire
+ * @param right     half edge of an area light, scene units; for other lights a direction to its right, or zero
+ * @param up        other half edge of an area light, scene units; for a sky, unit direction of its zenith
+ * @param range     distance at which a point or spot light has the irradiance {@code power}, scene units, above 0
  * @param cone      half angle of a spot's cone, radians
  * @param edge      width of the soft edge inside that cone, radians
- * @param luminaire of a point light: how its intensity depends on the direction, and how large it is
+ * @param luminaire for a point light: how its intensity depends on the direction, and the size of its opening
  */
 public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direction, Vec3 right, Vec3 up,
                     double range, double cone, double edge, Optional<Luminaire> luminaire) {
 
-    /** A light that is no luminaire. */
+    /** A light without luminaire. */
     public Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direction, Vec3 right, Vec3 up, double range,
                  double cone, double edge) {
         this(name, kind, power, position, direction, right, up, range, cone, edge, Optional.empty());
     }
 
-    /** The kinds of light that are evaluated. */
+    /** The kinds of lights. */
     public enum Kind {
         DISTANT, POINT, SPOT, AREA,
-        /** Skies all around, behind everything: equally bright everywhere. */
+        /** Sky around and behind all triangles, with the same radiance in all directions. */
         SKY_UNIFORM,
-        /** Three times as bright above as at the horizon (CIE standard overcast sky, CIE S 003, 1996). */
+        /** Sky three times as bright at the zenith as at the horizon (CIE standard overcast sky, CIE S 003, 1996). */
         SKY_OVERCAST,
-        /** Brightest about the sun (CIE standard clear sky, low turbidity: type 12 of CIE S 011, 2003). */
+        /** Sky brightest around the sun (CIE standard clear sky, low turbidity: type 12 of CIE S 011, 2003). */
         SKY_CLEAR;
 
-        /** Whether it comes from behind everything, and so into no closed room. */
+        /** Whether the light comes from behind all triangles, and so reaches into no closed room. */
         public boolean isOutside() {
             return this == DISTANT || isSky();
         }
@@ -51,10 +52,11 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
     /**
      * A sky.
      *
-     * @param kind        one of the skies
-     * @param illuminance of a level place from which all of it is seen, lx or W/m²
-     * @param up          where its zenith is
-     * @param sun         direction towards the sun, which must be above the horizon, for a clear sky; else not used
+     * @param kind        one of the kinds of sky
+     * @param illuminance illuminance of a horizontal surface from which the whole sky is visible, lx or W/m²
+     * @param up          direction of the zenith, of any length above 0
+     * @param sun         direction towards the sun, used for a clear sky only
+     * @throws IllegalArgumentException where the sun of a clear sky is not above the horizon
      */
     public static Light sky(Kind kind, double illuminance, Vec3 up, Vec3 sun) {
         check("sky", kind != Kind.SKY_CLEAR || sun.dot(up) > 0, "a sun above the horizon", sun);
@@ -65,8 +67,8 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
     /**
      * The sun.
      *
-     * @param towards     direction towards it
-     * @param illuminance of a place that faces it, lx or W/m²
+     * @param towards     direction towards the sun, of any length above 0
+     * @param illuminance illuminance of a surface that faces the sun, lx or W/m²
      */
     public static Light sun(Vec3 towards, double illuminance) {
         return new Light("sun", Kind.DISTANT, Rgb.grey(illuminance), Vec3.ZERO, towards.unit().times(-1), Vec3.ZERO,
@@ -74,11 +76,10 @@ public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direc
     }
 
     /**
-     * Checks itself.
+     * Checks all values.
      *
-     * @throws IllegalArgumentException where a power is negative or no number, a vector is not finite, a direction that
-     *                                  is used is zero, a range that is used is not above 0, or an angle is not in [0,
-     *                                  pi]
+     * @throws IllegalArgumentException where a power is negative or not finite, a vector is not finite, a used
+     *                                  direction is zero, a used range is not above 0, or an angle is not in [0, pi]
      */
     public Light {
         check(name, power.isFinite() && Math.min(power.r(), Math.min(power.g(), power.b())) >= 0,

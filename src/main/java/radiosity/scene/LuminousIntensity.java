@@ -1,37 +1,39 @@
 package radiosity.scene;
 
 /**
- * How a luminaire's intensity depends on the direction: a web of directions, between which it is interpolated
- * bilinearly.
+ * How a luminaire's intensity depends on the direction: intensities on a grid of two angles, interpolated bilinearly.
  *
- * <p>Directions are counted from the axes of the luminaire: <i>down</i>, where both angles are 0, <i>zero</i>, in which
+ * <p>Angles are measured from the axes of the luminaire: <i>down</i>, where both angles are 0, <i>zero</i>, in which
  * the plane of horizontal angle 0 lies, and <i>across</i> = zero x down, in which C90 lies. Source of the angles:
  * ANSI/IES LM-63-19; for EULUMDAT, which has C and gamma, CIE 121.
  *
- * @param type       which angles these are
- * @param horizontal degrees, ascending, at least 2: 0 to 360 of C, -90 to 90 of A and B
- * @param vertical   degrees, ascending, at least 2: within 0 to 180 of C, -90 to 90 of A and B; beyond them it is dark
- * @param candela    intensity, cd, at least 0; one per vertical angle, horizontal angle by horizontal angle
+ * @param type       coordinate system of the angles
+ * @param horizontal degrees, ascending, at least 2: 0 to 360 for type C, -90 to 90 for types A and B
+ * @param vertical   degrees, ascending, at least 2: within 0 to 180 for type C, -90 to 90 for types A and B; the
+ *                   intensity is 0 beyond them
+ * @param candela    intensity, cd, at least 0; one per vertical angle for the first horizontal angle, then for the next
  */
 public record LuminousIntensity(Type type, double[] horizontal, double[] vertical, double[] candela) {
 
-    /** Which two angles say a direction. */
+    /** Coordinate systems of the two angles of a direction. */
     public enum Type {
-        /** The vertical angle is counted up from straight ahead, in a plane that is turned by the horizontal one. */
+        /** The vertical angle is measured upwards from straight ahead, in a plane turned by the horizontal angle. */
         A,
-        /** The horizontal angle is counted sideways, in a plane that is turned upwards by the vertical one. */
+        /** The horizontal angle is measured sideways, in a plane turned upwards by the vertical angle. */
         B,
-        /** C, counter-clockwise as seen from above, and gamma, counted from straight down. */
+        /**
+         * The horizontal angle C runs counter-clockwise seen from above, the vertical angle gamma from straight down.
+         */
         C
     }
 
-    /** The angles of a file are numbers of a few digits. */
+    /** Tolerance of comparisons with the first and last angle, degrees; angles in files have only a few digits. */
     private static final double ROUNDING = 1e-6;
 
     /**
-     * Checks itself.
+     * Checks all values.
      *
-     * @throws IllegalArgumentException where angles do not ascend, or an intensity is negative or no number
+     * @throws IllegalArgumentException where angles do not ascend, or an intensity is negative or not finite
      */
     public LuminousIntensity {
         ascending(horizontal);
@@ -65,7 +67,7 @@ public record LuminousIntensity(Type type, double[] horizontal, double[] vertica
         return most;
     }
 
-    /** Intensity in a direction of any length above 0, by its parts along the luminaire's axes, cd. */
+    /** Intensity, cd, in a direction of any length above 0, given by its components along the luminaire's axes. */
     public double towards(double down, double zero, double across) {
         double h;
         double v;
@@ -87,7 +89,7 @@ public record LuminousIntensity(Type type, double[] horizontal, double[] vertica
         return at(type == Type.C && degrees < 0 ? degrees + 360 : degrees, StrictMath.toDegrees(v));
     }
 
-    /** Intensity at two angles in degrees, cd; 0 beyond those of the web. */
+    /** Intensity, cd, at two angles in degrees; 0 outside of the grid. */
     public double at(double horizontalAngle, double verticalAngle) {
         int i = interval(horizontal, horizontalAngle);
         int k = interval(vertical, verticalAngle);
@@ -106,7 +108,7 @@ public record LuminousIntensity(Type type, double[] horizontal, double[] vertica
         return Math.max(0, Math.min(1, (angle - angles[i]) / (angles[i + 1] - angles[i])));
     }
 
-    /** The number of the angle below which another one follows; -1 beyond all. */
+    /** Index i such that the angle lies in the interval from angles[i] to angles[i + 1]; -1 outside of the grid. */
     private static int interval(double[] angles, double angle) {
         int last = angles.length - 1;
         if (!(angle >= angles[0] - ROUNDING && angle <= angles[last] + ROUNDING)) {
@@ -125,8 +127,8 @@ public record LuminousIntensity(Type type, double[] horizontal, double[] vertica
     }
 
     /**
-     * Luminous flux of a web of C and gamma, lm: intensities between the angles are linear in both, and integrated
-     * exactly over the sphere.
+     * Luminous flux of type C intensities, lm: the intensity, linear in both angles within a cell of the grid, is
+     * integrated exactly over the sphere.
      */
     public double flux() {
         double sum = 0;

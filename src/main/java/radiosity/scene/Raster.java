@@ -4,34 +4,36 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a surface reflects or emits, point by point: a picture over its texture coordinates (section 6.1 of the paper).
+ * Reflectance or exitance of a surface as an image over its texture coordinates (section 6.1 of the paper).
  *
- * <p>Held at its full size and at halves of it, so that means under triangles read few pixels. Immutable.
+ * <p>Held at full size and repeatedly halved (a mipmap), so that means over triangles read few pixels. Immutable.
  */
 public final class Raster {
 
-    /** Rows and columns of places at which a mean is taken, at most. */
+    /** Largest n where a mean over a triangle takes one sample in each of n x n parts of the triangle. */
     private static final int MOST_STEPS = 32;
 
     private final ImageMap.Wrap wrapU;
     private final ImageMap.Wrap wrapV;
     private final Rgb outside;
-    /** The whole first, each next one half as wide and high. */
+    /** The mipmap: the full image first, each further level half as wide and high, the last one a single pixel. */
     private final List<Level> levels = new ArrayList<>();
 
     /**
-     * A picture.
+     * One image of the mipmap.
      *
-     * @param rgb 3 per pixel, row by row from the top
+     * @param rgb 3 values per pixel, row by row from the top
      */
     private record Level(int width, int height, float[] rgb) { }
 
     /**
-     * @param rgb     3 per pixel, row by row from the top; reflectance, or exitance in W/m²; not copied, not to be
+     * Makes all levels of the mipmap.
+     *
+     * @param rgb     reflectance, or exitance in W/m²; 3 values per pixel, row by row from the top; not copied or
      *                modified
-     * @param wrapU   what stands outside of u in [0, 1]
-     * @param wrapV   what stands outside of v in [0, 1]
-     * @param outside what stands there where nothing of the picture does
+     * @param wrapU   how the image continues where u is outside of [0, 1]
+     * @param wrapV   how the image continues where v is outside of [0, 1]
+     * @param outside value beyond the edges under {@link ImageMap.Wrap#NONE}
      */
     public Raster(int width, int height, float[] rgb, ImageMap.Wrap wrapU, ImageMap.Wrap wrapV, Rgb outside) {
         if (width < 1 || height < 1 || rgb.length != 3L * width * height) {
@@ -47,7 +49,7 @@ public final class Raster {
         }
     }
 
-    /** Each pixel is the mean of four; of an odd row or column the last counts for itself. */
+    /** Each pixel is the mean of four; a last row or column without partner is counted twice. */
     private static Level half(Level of) {
         int w = (of.width + 1) / 2;
         int h = (of.height + 1) / 2;
@@ -88,17 +90,17 @@ public final class Raster {
         return outside;
     }
 
-    /** 3 per pixel, row by row from the top; not to be modified. */
+    /** The full image: 3 values per pixel, row by row from the top; not to be modified. */
     public float[] rgb() {
         return levels.get(0).rgb;
     }
 
-    /** The mean of the whole picture. */
+    /** The mean of the whole image. */
     public Rgb mean() {
         return pixel(levels.get(levels.size() - 1), 0, 0);
     }
 
-    /** At a point, linear between the middles of pixels; v upwards. */
+    /** Value at a point, linear between the centres of pixels; v points upwards. */
     public Rgb at(double u, double v) {
         double x = u * width() - 0.5;
         double y = (1 - v) * height() - 0.5;
@@ -119,7 +121,7 @@ public final class Raster {
                 : new Rgb(value(level, i, j, 0), value(level, i, j, 1), value(level, i, j, 2));
     }
 
-    /** A column or row of the picture, or -1. */
+    /** Index of a column or row of the image, or -1 where the wrap mode has no pixel. */
     private static int wrapped(double x, int size, ImageMap.Wrap wrap) {
         return switch (wrap) {
             case NONE -> x >= 0 && x < size ? (int) x : -1;
@@ -132,14 +134,15 @@ public final class Raster {
         };
     }
 
-    /** Pixels of the whole picture that a triangle covers. */
+    /** Number of pixels of the full image that a triangle covers; u and v have 3 entries, one per corner. */
     public double pixels(double[] u, double[] v) {
         double cross = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
         return Math.abs(cross) / 2 * width() * height();
     }
 
     /**
-     * The mean under a triangle: over the middles of equal parts of it, each in pixels about as large as the part.
+     * The mean over a triangle: n x n equal parts are sampled at their centroids, in the level whose pixels are about
+     * as large as a part.
      *
      * @param u of three corners; not modified
      * @param v of three corners, upwards; not modified
@@ -163,7 +166,10 @@ public final class Raster {
         return sum.times(1.0 / ((double) n * n));
     }
 
-    /** @param s weight of corner 1, t that of corner 2 */
+    /**
+     * @param s weight of corner 1
+     * @param t weight of corner 2
+     */
     private Rgb at(Level level, double[] u, double[] v, double s, double t) {
         double x = (u[0] + s * (u[1] - u[0]) + t * (u[2] - u[0])) * level.width;
         double y = (1 - v[0] - s * (v[1] - v[0]) - t * (v[2] - v[0])) * level.height;

@@ -26,7 +26,7 @@ public record Rgb(double r, double g, double b) {
         return c == 0 ? r : c == 1 ? g : b;
     }
 
-    /** Each channel, but no more than this. */
+    /** The minimum of each channel and the given value. */
     public Rgb atMost(double most) {
         return new Rgb(Math.min(r, most), Math.min(g, most), Math.min(b, most));
     }

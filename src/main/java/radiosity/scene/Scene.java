@@ -9,21 +9,21 @@ import java.util.stream.Stream;
 /**
  * The original triangles of a world and their surfaces (section 4.5.1 of the paper).
  *
- * <p>The arrays belong to the scene: nobody modifies them after it is made.
+ * <p>The arrays belong to the scene: they are not copied, and nobody modifies them after the scene is made.
  *
- * @param name      for messages, usually the file's name
- * @param points    x, y, z of each point, right-handed, +Y up, scene units; 3 per point, all finite
- * @param corners   indices of points, 3 per triangle, counter-clockwise seen from the visible side
- * @param surfaceOf index into {@code surfaces}, 1 per triangle
- * @param surfaces  at least those that are named in {@code surfaceOf}
- * @param lights    sources without geometry
- * @param camera    from where the scene's maker looked at it
+ * @param name          name in messages, usually the file's name
+ * @param points        x, y, z of each point, right-handed, +Y up, scene units; 3 per point, all finite
+ * @param corners       indices of points, 3 per triangle, counter-clockwise seen from the visible side
+ * @param surfaceOf     index into {@code surfaces}, 1 per triangle
+ * @param surfaces      at least the surfaces that {@code surfaceOf} refers to
+ * @param lights        sources without geometry
+ * @param camera        the camera that the scene's file describes
  * @param textureCoordinates u, v of each corner, 6 per triangle, v upwards; NaN where a triangle has none; empty if no
- *                  triangle has any
- * @param vertexColours red, green, blue in [0, 1] with which the surface's reflectance is multiplied at each corner, 9
- *                  per triangle; empty if they are all 1
- * @param hierarchy objects, and which triangles are whose
- * @param units     of length and light
+ *                      triangle has any
+ * @param vertexColours factors of the surface's reflectance at each corner: red, green, blue in [0, 1], 9 per triangle;
+ *                      empty if they are all 1
+ * @param hierarchy     objects, and the object of each triangle
+ * @param units         units of length and light
  */
 public record Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
                     List<Light> lights, Optional<Camera> camera, float[] textureCoordinates, float[] vertexColours,
@@ -37,7 +37,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         this(name, points, corners, surfaceOf, surfaces, lights, camera, NONE);
     }
 
-    /** A scene without colours at vertices and without objects. */
+    /** A scene without vertex colours and without objects. */
     public Scene(String name, double[] points, int[] corners, int[] surfaceOf, List<Surface> surfaces,
                  List<Light> lights, Optional<Camera> camera, float[] textureCoordinates) {
         this(name, points, corners, surfaceOf, surfaces, lights, camera, textureCoordinates, NONE, Hierarchy.NONE);
@@ -82,7 +82,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         }
     }
 
-    /** The surfaces that emit and have triangles, then the lights. */
+    /** The surfaces that emit and have triangles, in ascending order of their indices, then the lights. */
     public List<Lamp> lamps() {
         Stream<Lamp> emitting = Arrays.stream(surfaceOf).distinct().sorted().filter(s -> surfaces.get(s).emits())
                 .mapToObj(s -> new Lamp(surfaces.get(s).name(), true, s));
@@ -100,30 +100,30 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return surfaces.get(surfaceOf[triangle]);
     }
 
-    /** The same triangles with other surfaces in place of theirs, and other lights. */
+    /** This scene with other surfaces, whose indices must suit {@code surfaceOf}, and other lights. */
     public Scene with(List<Surface> otherSurfaces, List<Light> otherLights) {
         return new Scene(name, points, corners, surfaceOf, otherSurfaces, otherLights, camera, textureCoordinates,
                 vertexColours, hierarchy, units);
     }
 
-    /** The same in other units. */
+    /** This scene with its numbers understood in other units; the numbers stay. */
     public Scene with(Units others) {
         return new Scene(name, points, corners, surfaceOf, surfaces, lights, camera, textureCoordinates, vertexColours,
                 hierarchy, others);
     }
 
-    /** Whether what a triangle reflects or emits differs from that of its surface. */
+    /** Whether images or vertex colours make the reflectance or exitance of a triangle differ from its surface's. */
     public boolean isMapped(int triangle) {
         return hasImages(triangle) || isColoured(triangle);
     }
 
-    /** Whether images of its surface lie on a triangle. */
+    /** Whether the triangle's surface has images and the triangle has texture coordinates for them. */
     public boolean hasImages(int triangle) {
         return !surface(triangle).maps().isEmpty() && textureCoordinates.length > 0
                 && !Float.isNaN(textureCoordinates[6 * triangle]);
     }
 
-    /** Whether its vertices have colours other than white. */
+    /** Whether a vertex colour of the triangle differs from 1. */
     public boolean isColoured(int triangle) {
         for (int i = 9 * triangle; i < 9 * triangle + 9 && vertexColours.length > 0; i++) {
             if (vertexColours[i] != 1) {
@@ -133,14 +133,14 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return false;
     }
 
-    /** The colour of a triangle's corner k (0, 1 or 2), with which its reflectance is multiplied. */
+    /** The factor of the reflectance at a triangle's corner k (0, 1 or 2). */
     public Rgb vertexColour(int triangle, int k) {
         int i = 9 * triangle + 3 * k;
         return vertexColours.length == 0 ? Rgb.grey(1)
                 : new Rgb(vertexColours[i], vertexColours[i + 1], vertexColours[i + 2]);
     }
 
-    /** What there is to see of a triangle at a point on it. */
+    /** Exitance and reflectance at a point of a triangle. */
     public MaterialSample look(int triangle, Vec3 point) {
         Surface surface = surface(triangle);
         MaterialSample everywhere = new MaterialSample(surface.exitance(), surface.reflectance());
@@ -152,7 +152,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
                 map.at(textureCoordinate(triangle, 0, weights), textureCoordinate(triangle, 1, weights))));
     }
 
-    /** The same in the mean under a part of a triangle. */
+    /** Mean exitance and reflectance over the part a, b, c of a triangle. */
     public MaterialSample meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
         Surface surface = surface(triangle);
         MaterialSample everywhere = new MaterialSample(surface.exitance(), surface.reflectance());
@@ -174,7 +174,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return new MaterialSample(of.exitance(), of.reflectance().times(colour));
     }
 
-    /** Pixels of a triangle's pictures per scene unit along an edge, at most; 0 where it has none. */
+    /** Largest number of image pixels per scene unit along an edge of the triangle; 0 where it has no images. */
     public double pixelsPerUnit(int triangle) {
         Surface.Maps maps = surface(triangle).maps();
         double most = 0;
@@ -192,7 +192,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return most;
     }
 
-    /** Weights of corners 1 and 2 of a triangle at a point on it. */
+    /** Barycentric weights of corners 1 and 2 of a triangle at a point of the triangle. */
     private double[] weights(int triangle, Vec3 point) {
         Vec3 a = corner(triangle, 0);
         Vec3 ab = corner(triangle, 1).minus(a);
@@ -201,20 +201,19 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return new double[] {n.dot(point.minus(a).cross(ac)) / n.dot(n), n.dot(ab.cross(point.minus(a))) / n.dot(n)};
     }
 
-    /** u (0) or v (1) where corners 1 and 2 have these weights. */
+    /** Texture coordinate u (which 0) or v (which 1) at the barycentric weights of corners 1 and 2. */
     private double textureCoordinate(int triangle, int which, double[] weights) {
         float first = textureCoordinates[6 * triangle + which];
         return first + weights[0] * (textureCoordinates[6 * triangle + 2 + which] - first)
                 + weights[1] * (textureCoordinates[6 * triangle + 4 + which] - first);
     }
 
-    /** The same at three points. */
+    /** Texture coordinate u or v at three points, each given by its barycentric weights. */
     private double[] textureCoordinates(int triangle, int which, double[][] weights) {
         return new double[] {textureCoordinate(triangle, which, weights[0]),
                 textureCoordinate(triangle, which, weights[1]), textureCoordinate(triangle, which, weights[2])};
     }
 
-    /** The point with a number. */
     public Vec3 point(int number) {
         return new Vec3(points[3 * number], points[3 * number + 1], points[3 * number + 2]);
     }
@@ -224,12 +223,12 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return point(corners[3 * triangle + k]);
     }
 
-    /** The middle of a triangle. */
+    /** Centroid of a triangle. */
     public Vec3 middle(int triangle) {
         return corner(triangle, 0).plus(corner(triangle, 1)).plus(corner(triangle, 2)).times(1.0 / 3);
     }
 
-    /** At right angles to a triangle, out of its front, twice as long as its area is large. */
+    /** Normal of a triangle's visible side, of length twice the triangle's area, square scene units. */
     public Vec3 cross(int triangle) {
         Vec3 a = corner(triangle, 0);
         return corner(triangle, 1).minus(a).cross(corner(triangle, 2).minus(a));
@@ -240,7 +239,7 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return 0.5 * cross(triangle).length();
     }
 
-    /** Area of all triangles, each counted once, square scene units. */
+    /** Area of all triangles, each counted once also where two-sided, square scene units. */
     public double area() {
         double sum = 0;
         for (int t = 0; t < triangles(); t++) {

@@ -10,8 +10,7 @@ import java.util.Optional;
 /**
  * Builds a {@link Scene} from polygons in code.
  *
- * <p>Corners with equal coordinates become one point, so that a scene whose polygons meet edge to edge is watertight by
- * its indices.
+ * <p>Corners with equal coordinates become one point, so that polygons that meet edge to edge share points.
  */
 public final class SceneBuilder {
 
@@ -75,7 +74,7 @@ public final class SceneBuilder {
     }
 
     /**
-     * Sets the camera from which pictures are taken.
+     * Sets the camera of the scene.
      *
      * @return this builder
      */
@@ -85,7 +84,7 @@ public final class SceneBuilder {
     }
 
     /**
-     * Builds the scene; the builder can go on to add polygons for another one.
+     * Builds the scene; more polygons may be added afterwards for a further scene.
      *
      * @param name the scene's name in messages and files
      */

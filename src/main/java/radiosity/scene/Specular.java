@@ -1,27 +1,29 @@
 package radiosity.scene;
 
 /**
- * What a surface does besides emitting and reflecting diffusely: it mirrors, and lets light through. Only pictures show
- * that; the calculation of light leaves it out.
+ * Mirroring and transmission of a surface besides its diffuse reflection. Only pictures show them; the radiosity
+ * calculation leaves them out.
  *
- * <p>Of what falls on it at an angle, it mirrors {@code R0 + (1 - R0) f} and lets {@code T (1 - f)} through, where f is
- * (F - F0) / (1 - F0), F what the refractive index makes the surface reflect at that angle (A. Fresnel, 1823), and F0
- * the same at right angles. So an index of 1 makes a mirror that is the same at all angles.
+ * <p>Of the light that arrives at an angle, the surface mirrors {@code R0 + (1 - R0) f} and transmits
+ * {@code T (1 - f)}, where f is (F - F0) / (1 - F0), F the reflectance of the refractive index at that angle (A.
+ * Fresnel, 1823), and F0 the same reflectance at normal incidence. An index of 1 therefore makes a mirror with the same
+ * reflectance at all angles.
  *
- * @param reflectance   R0: mirrored / arriving at right angles, each channel in [0, 1]
- * @param transmittance T: what goes through / arriving at right angles, each channel in [0, 1 - R0]
- * @param diffuse       share of what is reflected diffusely that is seen at right angles, in [0, 1]; times 1 - f
- * @param roughness     0 smooth to 1, as glTF has it: the square root of the width of the microfacets' slopes
- * @param index         refractive index of what is behind the surface, over that of what is in front, in
- *                      [{@value #LEAST_INDEX}, {@value #MOST_INDEX}]
- * @param thin          whether it is a sheet, behind which there is at once the same as in front: nothing is refracted
+ * @param reflectance   R0: mirrored / arriving at normal incidence, each channel in [0, 1]
+ * @param transmittance T: transmitted / arriving at normal incidence, each channel in [0, 1 - R0]
+ * @param diffuse       share of the diffusely reflected light that is seen at normal incidence, in [0, 1]; at an angle
+ *                      multiplied by 1 - f
+ * @param roughness     0 smooth to 1, as in glTF: the square root of the width of the microfacets' slopes
+ * @param index         refractive index behind the surface / that in front of it, in [{@value #LEAST_INDEX},
+ *                      {@value #MOST_INDEX}]
+ * @param thin          whether the surface is a sheet with the same medium on both sides: light is not refracted
  */
 public record Specular(Rgb reflectance, Rgb transmittance, double diffuse, double roughness, double index,
         boolean thin) {
 
     public static final double LEAST_INDEX = 0.1;
     public static final double MOST_INDEX = 10;
-    /** How far the sum of shares may be above 1 by rounding. */
+    /** Amount by which R0 + T may be above 1 by rounding. */
     private static final double ROUNDING = 1e-6;
 
     public Specular {
@@ -41,7 +43,7 @@ public record Specular(Rgb reflectance, Rgb transmittance, double diffuse, doubl
         }
     }
 
-    /** F0: what a refractive index makes a surface reflect at right angles, from either side. */
+    /** F0: reflectance of a refractive index at normal incidence, the same from either side. */
     public static double normalReflectance(double index) {
         double root = (index - 1) / (index + 1);
         return root * root;

@@ -5,22 +5,20 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * How a set of triangles emits and reflects: on the visible side only, or on both if two-sided.
+ * How a set of triangles emits and reflects: on the visible side only, or on both sides if two-sided.
  *
  * @param name        unique within its scene
- * @param exitance    E, emitted radiosity in W/m², each channel finite and at least 0; the mean of its map, if any
- * @param reflectance rho, reflected / arriving, each channel in [0, {@value #MAX_REFLECTANCE}]; the mean of its map, if
- *                    any
- * @param twoSided    reflects and emits on both sides
- * @param textures    images that vary exitance and reflectance, all at the triangle's one set of texture coordinates;
- *                    mostly none
- * @param maps        what has become of them, where their images were read
- * @param specular    what else it does, where it shines
+ * @param exitance    E, emitted radiosity in W/m², each channel finite and at least 0; or the mean of its map
+ * @param reflectance rho, reflected / arriving, each channel in [0, {@value #MAX_REFLECTANCE}]; or the mean of its map
+ * @param twoSided    whether both sides reflect and emit
+ * @param textures    images that vary exitance and reflectance, all by the triangle's one set of texture coordinates
+ * @param maps        the pixels that were read from the textures' images; empty maps where none were read
+ * @param specular    mirroring and transmission; empty for a purely diffuse surface
  */
 public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures,
         Maps maps, Optional<Specular> specular) {
 
-    /** A reader that finds a reflectance of 1 or more takes this instead and warns: at 1 light would never end. */
+    /** Largest reflectance; readers clip larger ones to it and warn, as light would never fade at 1. */
     public static final double MAX_REFLECTANCE = 0.9999;
 
     /**
@@ -48,7 +46,7 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
         this(name, exitance, reflectance, twoSided, textures, Maps.NONE);
     }
 
-    /** A surface that does not shine. */
+    /** A surface without mirroring and transmission. */
     public Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures, Maps maps) {
         this(name, exitance, reflectance, twoSided, textures, maps, Optional.empty());
     }
@@ -69,23 +67,23 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
         }
     }
 
-    /** The same, with maps in place of what it is everywhere. */
+    /** This surface with maps; exitance and reflectance become the means of their maps, where there are maps. */
     public Surface with(Maps read) {
         return new Surface(name, read.exitance().map(Raster::mean).orElse(exitance),
                 read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read, specular);
     }
 
-    /** The same, with another exitance, without what its images vary. */
+    /** This surface with another exitance and without maps. */
     public Surface with(Rgb otherExitance) {
         return new Surface(name, otherExitance, reflectance, twoSided, textures, Maps.NONE, specular);
     }
 
-    /** The same, which shines so. */
+    /** This surface with other mirroring and transmission. */
     public Surface with(Optional<Specular> other) {
         return new Surface(name, exitance, reflectance, twoSided, textures, maps, other);
     }
 
-    /** What its maps say, and the surface itself of a quantity without one. */
+    /** Each quantity by the function of its map, or the surface's own value where there is no map. */
     MaterialSample look(Function<Raster, Rgb> value) {
         return new MaterialSample(maps.exitance().map(value).orElse(exitance),
                 maps.reflectance().map(value).orElse(reflectance));

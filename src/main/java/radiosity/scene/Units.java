@@ -1,26 +1,26 @@
 package radiosity.scene;
 
 /**
- * In which units a scene's numbers are: of length, where that is known, and of light.
+ * Units of a scene's numbers: of length, where it is known, and of light.
  *
- * <p>Light is radiometric, with three channels in W/m², or photometric: then the channels are those of linear sRGB in
- * lm/m² and lx, and the luminous quantity is their sum weighted by {@link #WEIGHTS}, of which 1 of each channel is 1.
+ * <p>Light is radiometric, with three channels in W/m², or photometric: then the channels are linear sRGB in lm/m²
+ * and lx, and the luminous quantity is their sum weighted by {@link #WEIGHTS}, so that 1 in each channel makes 1.
  *
- * @param metres        length of a scene unit, m; not a number where it is not known
- * @param isPhotometric whether the numbers of light are
+ * @param metres        length of a scene unit, m, above 0; NaN where it is not known
+ * @param isPhotometric whether light is photometric
  */
 public record Units(double metres, boolean isPhotometric) {
 
-    /** Nothing is known of the length, and light is radiometric. */
+    /** Unknown length, radiometric light. */
     public static final Units UNKNOWN = new Units(Double.NaN, false);
 
-    /** Luminance of red, green and blue of linear sRGB (IEC 61966-2-1; ITU-R BT.709). */
+    /** Relative luminance of red, green and blue of linear sRGB (IEC 61966-2-1; ITU-R BT.709). */
     public static final Rgb WEIGHTS = new Rgb(0.2126, 0.7152, 0.0722);
 
     /**
-     * Checks itself.
+     * Checks the length.
      *
-     * @throws IllegalArgumentException where a unit is no finite length above 0
+     * @throws IllegalArgumentException where the length is neither NaN nor finite and above 0
      */
     public Units {
         if (!Double.isNaN(metres) && !(metres > 0 && Double.isFinite(metres))) {
@@ -28,37 +28,36 @@ public record Units(double metres, boolean isPhotometric) {
         }
     }
 
-    /** Whether the length of a scene unit is known. */
     public boolean isLengthKnown() {
         return !Double.isNaN(metres);
     }
 
-    /** The same with light of this kind. */
+    /** Units of the same length with photometric or radiometric light. */
     public Units withPhotometric(boolean photometric) {
         return new Units(metres, photometric);
     }
 
-    /** Scene units per metre; 1 where that is not known. */
+    /** Scene units per metre; 1 where the length is not known. */
     public double metre() {
         return isLengthKnown() ? 1 / metres : 1;
     }
 
-    /** Of what arrives. */
+    /** Name of the unit of arriving light. */
     public String irradiance() {
         return isPhotometric ? "lx" : "W/m2";
     }
 
-    /** Of what leaves. */
+    /** Name of the unit of leaving light. */
     public String exitance() {
         return isPhotometric ? "lm/m2" : "W/m2";
     }
 
-    /** Of flux, which is exitance times an area of {@link #fluxScale}. */
+    /** Name of the unit of flux, which is exitance times area times {@link #fluxScale}. */
     public String flux() {
         return isLengthKnown() ? isPhotometric ? "lm" : "W" : exitance() + " x unit2";
     }
 
-    /** What 1 of exitance times square scene unit is of the unit of flux. */
+    /** Factor from exitance times square scene units to the unit of flux. */
     public double fluxScale() {
         return isLengthKnown() ? metres * metres : 1;
     }
@@ -69,7 +68,7 @@ public record Units(double metres, boolean isPhotometric) {
                 : (light.r() + light.g() + light.b()) / 3;
     }
 
-    /** One number for the flux of 1 or 3 channels: the luminous flux, or the sum of radiometric channels. */
+    /** Flux in the unit of flux, from 1 or 3 channels of exitance times square scene units: luminous, or summed. */
     public double flux(double... channels) {
         double sum = 0;
         for (int c = 0; c < channels.length; c++) {

@@ -46,12 +46,12 @@ public record Vec3(double x, double y, double z) {
         return cross(Math.abs(x) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0)).unit();
     }
 
-    /** Along x (0), y (1) or z (2). */
+    /** Component along x (0), y (1) or z (2). */
     public double coordinate(int axis) {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
 
-    /** Writes x, y and z as floats into an array, from a place on. */
+    /** Writes x, y and z as floats to the entries {@code at} to {@code at + 2} of an array. */
     public void write(float[] to, int at) {
         to[at] = (float) x;
         to[at + 1] = (float) y;
