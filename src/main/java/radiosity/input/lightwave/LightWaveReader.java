@@ -27,12 +27,12 @@ public final class LightWaveReader {
     }
 
     /**
-     * Reads a file and the objects it names.
+     * Reads a file and the objects that it names.
      *
-     * @param file     a scene (.lws), or an object (.lwo), which makes a scene of itself at the origin
-     * @param options  how
-     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
-     * @return at least one triangle
+     * @param file     a scene (.lws), or an object (.lwo), which becomes a scene with the object at the origin
+     * @param options  where objects and images are searched, which emission and lights are taken, limits
+     * @param warnings receives one line, with file and place, for each kind of content that was left out or repaired
+     * @return a scene of at least one triangle
      * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
      * @throws IOException          if a file cannot be read
      */
@@ -41,15 +41,15 @@ public final class LightWaveReader {
     }
 
     /**
-     * Where an object of a scene is described.
+     * Where a scene file describes an object.
      *
-     * @param line    number of the first of its lines, from 1
-     * @param written the path of its file as the scene has it; empty for a null object
-     * @param file    what was found there
+     * @param line    number of the first line of the description, from 1
+     * @param written path of the object's file as the scene file has it; empty for a null object
+     * @param file    the file found for that path
      */
     public record Origin(int line, String written, Optional<Path> file) { }
 
-    /** Where the objects of a scene are described: 1 per node of its hierarchy. */
+    /** The descriptions of a scene's objects, 1 per node of the scene's hierarchy; empty for an object file. */
     public static List<Origin> origins(Path file, ReadOptions options) throws IOException {
         Diagnostics notes = new Diagnostics(String.valueOf(file.getFileName()), line -> { }, false);
         FileSearch search = SceneAssembly.search(file, options, notes);

@@ -18,7 +18,7 @@ import radiosity.input.lightwave.lws.SceneItem;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 
-/** The objects of a scene: each file is read once, each of its layers cut into triangles once. */
+/** The objects of a scene: each file is read once, and each of its layers is cut into triangles once. */
 final class ObjectLibrary {
 
     private final FileSearch search;
@@ -29,14 +29,14 @@ final class ObjectLibrary {
     private final Map<Path, Diagnostics> notesOf = new LinkedHashMap<>();
     private final Map<PartKey, Optional<Part>> parts = new HashMap<>();
 
-    /** A layer of a file, or all of it. */
+    /** A layer of a file, or the whole file if the layer is {@link SceneItem#WHOLE_FILE}. */
     private record PartKey(Path file, int layer) { }
 
     /**
-     * What instances share.
+     * What all instances of a layer or file share.
      *
-     * @param name     of the file they are from
-     * @param geometry its path from the scene, with the number of the layer where it is not the first
+     * @param name     name of the object's file, without its directory
+     * @param geometry path of the file, followed by the layer's number where the layer is not the first
      */
     record Part(ObjectMesh mesh, String name, String geometry) { }
 
@@ -46,7 +46,7 @@ final class ObjectLibrary {
         this.notes = notes;
     }
 
-    /** What a scene loads with an item; empty, and noted, if it cannot be had. */
+    /** The mesh that a scene item loads; empty, with a note, if the file or layer is not found or cannot be read. */
     Optional<Part> part(SceneItem item) throws IOException {
         Optional<Path> file = search.object(item.file);
         if (file.isEmpty()) {
@@ -73,7 +73,7 @@ final class ObjectLibrary {
         return object.flatMap(o -> cut(o, key.layer, item, name, objectNotes));
     }
 
-    /** Reports what was noted about the objects. */
+    /** Reports the notes about all objects. */
     void flush() throws SceneFormatException {
         for (Diagnostics objectNotes : notesOf.values()) {
             objectNotes.flush();

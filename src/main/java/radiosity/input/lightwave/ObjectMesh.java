@@ -18,15 +18,15 @@ import radiosity.input.lightwave.lwo.SurfaceValues;
 import radiosity.input.polygon.Triangulation;
 
 /**
- * The triangles of some layers of an object, in its own left-handed coordinates; made once for all its instances.
+ * The triangles of some layers of an object in the object's left-handed coordinates, shared by all its instances.
  *
- * @param triangles as all instances have them
- * @param surfaces  as the object describes them
- * @param pivot     x, y, z of the point about which the object turns if its scene names no other
+ * @param triangles triangles, their surfaces and texture coordinates
+ * @param surfaces  the surfaces that the triangles refer to, as the object describes them
+ * @param pivot     x, y, z of the point about which the object turns if its scene names no pivot
  */
 record ObjectMesh(TriangleMesh triangles, List<SurfaceValues> surfaces, double[] pivot) {
 
-    /** Cuts the polygons of the layers; what is wrong with them is noted. */
+    /** Cuts the polygons of the layers into triangles; defects of the polygons are noted. */
     static ObjectMesh of(ObjectModel object, List<Layer> layers, WorkBudget work, Diagnostics notes) {
         Builder builder = new Builder(object, work, notes);
         layers.forEach(builder::add);
@@ -34,7 +34,7 @@ record ObjectMesh(TriangleMesh triangles, List<SurfaceValues> surfaces, double[]
         return builder.build(pivot);
     }
 
-    /** Gathers the triangles of one layer after the other. */
+    /** Collects the triangles of one layer after the other. */
     private static final class Builder {
 
         private final ObjectModel object;

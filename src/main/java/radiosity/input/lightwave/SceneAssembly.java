@@ -38,7 +38,7 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
-/** Brings together what a scene is made of: placed objects, their surfaces, lights and the camera. */
+/** Assembles a scene from placed objects, their surfaces, lights and the camera. */
 public final class SceneAssembly {
 
     private final String name;
@@ -50,7 +50,7 @@ public final class SceneAssembly {
     private Optional<Camera> camera = Optional.empty();
     private SceneDescription description;
     private Placement placement;
-    /** 1 per node of the hierarchy. */
+    /** The objects in the order of the hierarchy's nodes, 1 per node. */
     private final List<SceneItem> objects = new ArrayList<>();
 
     private SceneAssembly(String name, ReadOptions options, Diagnostics notes) {
@@ -61,7 +61,7 @@ public final class SceneAssembly {
         this.draft = new SceneDraft(name, false, options, notes);
     }
 
-    /** A scene with what it was made from; an object alone has no description and no placement. */
+    /** A scene and its sources; description and placement are null and the items empty for an object file. */
     record Reading(Scene scene, SceneDescription description, Placement placement, List<SceneItem> objects) { }
 
     static Reading read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
@@ -77,11 +77,11 @@ public final class SceneAssembly {
     }
 
     /**
-     * Reads what has been read from a file.
+     * Makes a scene of the content of a file.
      *
      * @param bytes  the whole file
-     * @param name   as the user knows it
-     * @param search for the objects and images it names
+     * @param name   name of the file as the user knows it
+     * @param search finds the objects and images that the file names
      */
     static Reading read(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
@@ -135,9 +135,9 @@ public final class SceneAssembly {
     }
 
     /**
-     * Adds a node for each object, null objects too, parents first; one whose parent is no object stands for itself.
+     * Adds a node for each object, null objects included, parents first; an object without parent object is a root.
      *
-     * @return the number of each object's node
+     * @return the node of each object; 1 entry per object
      */
     private int[] addNodes(List<SceneItem> objects, List<Optional<ObjectLibrary.Part>> parts)
             throws SceneFormatException {
@@ -167,7 +167,7 @@ public final class SceneAssembly {
         return nodes;
     }
 
-    /** The same map between spaces whose z points the other way. */
+    /** The same map between right-handed spaces, whose z axes point the other way. */
     private static Affine rightHanded(Affine map) {
         double[] m = map.m().clone();
         for (int i : new int[] {2, 6, 8, 9, 11}) {
@@ -180,7 +180,7 @@ public final class SceneAssembly {
         return draft.scene(surfaces.surfaces(), takenLights(), camera);
     }
 
-    /** The lights that the options take: with "auto" none where a surface emits. */
+    /** The lights that the options take (under AUTO only where no surface emits), and those replaced by luminaires. */
     private List<Light> takenLights() {
         boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
         boolean taken = options.lights() == ReadOptions.Lights.EMITTERS

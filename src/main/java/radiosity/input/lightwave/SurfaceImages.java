@@ -17,10 +17,10 @@ import radiosity.scene.Rgb;
 import radiosity.settings.ReadOptions;
 
 /**
- * Finds the images of an object's surfaces and says what they vary.
+ * Finds the images of an object's surfaces and determines the quantities that they vary.
  *
- * <p>A triangle has one set of texture coordinates. The first image whose file is found sets them for its surface;
- * others count if they lie on the points in the same way.
+ * <p>A triangle has one set of texture coordinates. The first image whose file is found determines the coordinates for
+ * its surface; another image is used only if its projection onto the points is the same.
  */
 final class SurfaceImages {
 
@@ -29,7 +29,7 @@ final class SurfaceImages {
     private SurfaceImages() {
     }
 
-    /** Leaves every surface of an object with the images that can be used, what becomes of the others is noted. */
+    /** Removes the textures that are not evaluated or not usable from an object's surfaces; unusable ones are noted. */
     static void find(ObjectModel object, FileSearch search, Diagnostics notes) {
         for (SurfaceValues surface : object.surfaces.values()) {
             List<TextureBlock> usable = new ArrayList<>(0);
@@ -84,7 +84,7 @@ final class SurfaceImages {
         }
     }
 
-    /** What the images of a surface do to its light. */
+    /** The variation of a surface's reflectance and exitance by its images, for the emission named in the options. */
     static List<ImageMap> maps(SurfaceValues surface, ReadOptions options) {
         List<ImageMap> maps = new ArrayList<>(0);
         boolean specular = options.emission() == ReadOptions.Emission.SPECULAR;

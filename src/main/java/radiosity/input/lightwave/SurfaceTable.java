@@ -13,7 +13,8 @@ import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
 /**
- * The surfaces of a scene, each under a name of its own: equal ones of one name are one, others carry their object's.
+ * The surfaces of a scene under unique names. Equal surfaces with the same name are merged; different surfaces with the
+ * same name get the name of their object as a prefix.
  */
 final class SurfaceTable {
 
@@ -25,7 +26,7 @@ final class SurfaceTable {
     private final List<SurfaceValues> described = new ArrayList<>();
     private final Map<String, Integer> byName = new HashMap<>();
     private final Map<SurfaceValues, Integer> known = new IdentityHashMap<>();
-    /** By the name of a first copy: the lowest number that no further copy of it has tried. */
+    /** Lowest number not yet tried as a suffix, by prefixed name. */
     private final Map<String, Integer> nextCopy = new HashMap<>();
 
     SurfaceTable(ReadOptions options, Diagnostics notes) {
@@ -37,19 +38,20 @@ final class SurfaceTable {
         return surfaces;
     }
 
-    /** What the files say of the surfaces, in the same order. */
+    /** The object files' descriptions of {@link #surfaces}, in the same order. */
     List<SurfaceValues> described() {
         return described;
     }
 
-    /** Index of a surface of an object. */
+    /** Index of a surface of an object; a surface that is not in the table is added. */
     int index(String object, SurfaceValues values) {
         return known.computeIfAbsent(values, v -> add(object, v));
     }
 
     /**
-     * The index of the surface's first name that no different surface has: its own, then that with its object's, then
-     * that with a number too. A number is tried once only, so that many copies cost no more than their number.
+     * Index of the surface under the first name that no different surface has: its own, its own prefixed by the
+     * object's, or the latter with a number. Each number is tried once only: n different surfaces of one name cost
+     * O(n).
      */
     private int add(String object, SurfaceValues values) {
         String plain = SceneFormatException.escape(values.name.substring(0, Math.min(LONGEST_NAME,

@@ -7,10 +7,10 @@ import radiosity.input.lightwave.lws.Turn;
 import radiosity.scene.Affine;
 
 /**
- * How one image lies on the triangles of a layer: gives texture coordinates to their corners.
+ * The mapping of one image onto the triangles of a layer: computes texture coordinates of their corners.
  *
- * <p>Planar and cubic projections are exact within a triangle. Round a cylinder or a sphere the coordinates are exact
- * at the corners and linear between them; a triangle over the seam is kept together, so u may leave [0, 1].
+ * <p>Planar and cubic projections are exact within a triangle. For a cylinder or a sphere the coordinates are exact at
+ * the corners and linear between them; u of a triangle across the seam is continuous and so may leave [0, 1].
  *
  * <p>Source of the formulas: the examples of image projections in the LightWave software development kit (NewTek).
  */
@@ -32,9 +32,9 @@ final class TextureMapping {
     /**
      * Texture coordinates of a triangle.
      *
-     * @param polygon the one it was cut from
-     * @param corners its 3 corners among all corners of the layer
-     * @param uv      is filled: u, v of each; NaN where the object gives none
+     * @param polygon index of the polygon from which the triangle was cut
+     * @param corners the triangle's 3 corners, as indices into all polygon corners of the layer
+     * @param uv      receives u, v of each corner, 6 entries; NaN where the object gives no coordinates
      */
     void map(int polygon, int[] corners, double[] uv) {
         if (coordinates != null) {
@@ -51,7 +51,7 @@ final class TextureMapping {
         }
     }
 
-    /** A corner in the texture's own space: from its centre, turned back, in its size. */
+    /** A corner in the texture's own space: relative to its centre, rotated back, divided by its size. */
     private double[] place(int corner) {
         int p = 3 * layer.polygons.point(corner);
         double[] d = new double[3];
@@ -65,7 +65,7 @@ final class TextureMapping {
         return d;
     }
 
-    /** Across x: u along z and v along y; across y: u along x and v along z; across z: u along x and v along y. */
+    /** Projects along x: u from z and v from y; along y: u from x and v from z; along z: u from x and v from y. */
     private static void planar(double[][] places, int axis, double[] uv) {
         for (int k = 0; k < 3; k++) {
             uv[2 * k] = places[k][axis == 0 ? 2 : 0] + 0.5;
@@ -103,7 +103,7 @@ final class TextureMapping {
         }
     }
 
-    /** The place with the texture's axis upwards. */
+    /** The point with the texture's axis turned upwards. */
     private double[] upright(double[] p) {
         return switch (texture.axis) {
             case 0 -> new double[] {p[2], p[0], -p[1]};
@@ -112,13 +112,13 @@ final class TextureMapping {
         };
     }
 
-    /** Angle about the axis, from -pi/2 to 3 pi/2. */
+    /** Angle about the axis, radians, from -pi/2 to 3 pi/2. */
     private static double heading(double x, double z) {
         double angle = -StrictMath.atan2(x, z);
         return angle < -Math.PI / 2 ? angle + 2 * Math.PI : angle;
     }
 
-    /** Corners on the axis get the mean u of the others; others stay within half a turn of the first. */
+    /** Moves each u by whole turns to within half a turn of the first; corners on the axis get the others' mean u. */
     private static void keepTogether(double[] uv) {
         double first = Double.isNaN(uv[0]) ? uv[2] : uv[0];
         double sum = 0;

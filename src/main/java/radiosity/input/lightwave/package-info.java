@@ -1,7 +1,6 @@
 /**
- * Reads LightWave scenes and objects: finds the files, places the objects, brings surfaces, lights and camera
- * together.
+ * Reads LightWave scenes and objects: finds the files, places the objects, brings surfaces, lights and camera together.
  *
- * <p>{@link radiosity.input.lightwave.LightWaveReader} is the way in; nothing is kept between two scenes.
+ * <p>{@link radiosity.input.lightwave.LightWaveReader} is the way in; no state is kept between two scenes.
  */
 package radiosity.input.lightwave;
