@@ -5,9 +5,9 @@ import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 
 /**
- * Steps over the chunks of a container: name of 4 characters, size, content, and a pad byte after an odd size.
+ * Iterates over the chunks of a container: a name of 4 characters, size, content, and a pad byte after an odd size.
  *
- * <p>A size beyond the container is cut to it, a missing pad byte is noticed by the name that stands in its place.
+ * <p>A size beyond the container's end is cut; a pad byte is taken as missing if a chunk name begins at its place.
  */
 final class Chunks {
 
@@ -19,7 +19,7 @@ final class Chunks {
     private ByteReader data;
     private boolean odd;
 
-    /** @param sizeBytes 4 in files and in LWO3, 2 inside the surfaces of older objects */
+    /** @param sizeBytes bytes of a chunk's size: 4 in files and in LWO3, 2 inside the surfaces of older objects */
     Chunks(ByteReader container, int sizeBytes, Diagnostics notes) {
         this.container = container;
         this.sizeBytes = sizeBytes;
@@ -77,7 +77,7 @@ final class Chunks {
         return id.chars().allMatch(c -> c >= ' ' && c < 0x7F);
     }
 
-    /** The content of the first form of one of some types in a container; empty where there is none. */
+    /** Content of the first FORM of one of the given types in a container; an empty reader where there is none. */
     static ByteReader form(ByteReader container, Set<String> types, Diagnostics notes) {
         Chunks chunks = new Chunks(container, 4, notes);
         while (chunks.next()) {
@@ -92,12 +92,12 @@ final class Chunks {
         return id;
     }
 
-    /** The content of the chunk, to be read once. */
+    /** The content of the chunk; reading moves its position. */
     ByteReader data() {
         return data;
     }
 
-    /** Where the chunk stands, for messages. */
+    /** Byte offset and name of the chunk, for messages. */
     String place() {
         return "byte " + offset + ", chunk " + id;
     }

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The texture coordinates of one name in a layer: those of points, and those that corners have instead. */
+/** The texture coordinates of one name in a layer: a pair per point, and pairs of polygon corners that override it. */
 public final class CornerCoordinates {
 
-    /** u, v of each point; NaN where it has none. */
+    /** u, v of each point; NaN for points without coordinates. */
     private final float[] ofPoints;
     private final Map<Long, float[]> ofCorners = new HashMap<>();
 
@@ -42,7 +42,7 @@ public final class CornerCoordinates {
         return (long) polygon << 32 | point;
     }
 
-    /** Writes u and v of a corner into an array from some index on. */
+    /** Writes u and v of a polygon's corner to {@code uv[at]} and {@code uv[at + 1]}; NaN where there are none. */
     public void get(int polygon, int point, double[] uv, int at) {
         float[] own = ofCorners.get(key(polygon, point));
         uv[at] = own == null ? ofPoints[2 * point] : own[0];

@@ -6,7 +6,7 @@ import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 import radiosity.scene.ImageMap.Wrap;
 
-/** Reads the node "Image" of an LWO3 surface: the image and how it lies on the points. */
+/** Reads the node "Image" of an LWO3 surface: the image and its projection onto the points. */
 final class ImageNode {
 
     private final Diagnostics notes;
@@ -16,7 +16,10 @@ final class ImageNode {
         this.notes = notes;
     }
 
-    /** @param data the content of the form NDTA; empty if no image is named there */
+    /**
+     * @param data the content of the form NDTA
+     * @return empty if the node names no image
+     */
     static Optional<TextureBlock> read(ByteReader data, Diagnostics notes) {
         ImageNode node = new ImageNode(notes);
         Chunks chunks = new Chunks(data, 4, notes);
@@ -60,7 +63,7 @@ final class ImageNode {
         }
     }
 
-    /** The numbers of a parameter: two forms, and in the inner one a chunk that begins with them. */
+    /** The numbers of a parameter, from form VPVL in form VPRM; a copy of {@code otherwise} where they are missing. */
     private double[] numbers(ByteReader data, double[] otherwise) {
         ByteReader value = Chunks.form(Chunks.form(data, Set.of("VPRM"), notes), Set.of("VPVL"), notes);
         Chunks chunks = new Chunks(value, 4, notes);

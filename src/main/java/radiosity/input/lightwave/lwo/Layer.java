@@ -20,7 +20,7 @@ public final class Layer {
     public final Polygons polygons = new Polygons();
     final List<VertexMap> maps = new ArrayList<>();
 
-    /** Number of the first point and the first polygon of the latest chunk: what follows counts from them. */
+    /** First point and first polygon of the latest PNTS and POLS chunks: indices in later chunks count from these. */
     int firstPoint;
     int firstPolygon;
 

@@ -42,7 +42,7 @@ final class Lwo2Reader {
         }
     }
 
-    /** LWO3 writes as a form what was a chunk. */
+    /** Reads the surfaces and clips of LWO3, which are forms there and chunks in LWO2. */
     private void form(ByteReader data, String place) {
         switch (data.id()) {
             case "SURF" -> object.addSurface(new Lwo3Surface(notes).read(data, place), place, notes);
@@ -116,7 +116,7 @@ final class Lwo2Reader {
         }
     }
 
-    /** Texture coordinates of points (VMAP), or of corners of polygons (VMAD). */
+    /** Reads texture coordinates of points (VMAP) or of polygon corners (VMAD). */
     private void map(ByteReader data, boolean ofCorners, String place) {
         if (!data.id().equals("TXUV")) {
             return;

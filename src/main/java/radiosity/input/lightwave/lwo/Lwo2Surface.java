@@ -28,7 +28,7 @@ final class Lwo2Surface {
         return surface;
     }
 
-    /** Takes one value; LWO3 has the same beside its nodes. */
+    /** Reads one value of a surface, from a chunk that LWO2 and LWO3 have in common. */
     static void value(SurfaceValues surface, String id, ByteReader data, String place, Diagnostics notes) {
         switch (id) {
             case "COLR" -> surface.colour = new Rgb(data.f4(), data.f4(), data.f4());

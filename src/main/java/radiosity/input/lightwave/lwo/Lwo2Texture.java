@@ -18,7 +18,7 @@ final class Lwo2Texture {
         this.notes = notes;
     }
 
-    /** The image a block describes; none if it is a pattern, a gradient or a shader. */
+    /** The image that a block describes; empty for a procedural pattern, a gradient or a shader. */
     static Optional<TextureBlock> read(ByteReader block, Diagnostics notes) {
         Lwo2Texture reader = new Lwo2Texture(notes);
         boolean image = false;
@@ -93,7 +93,7 @@ final class Lwo2Texture {
         return number < all.length ? all[number] : TextureBlock.Projection.PLANAR;
     }
 
-    /** 0 nothing, 1 again, 2 mirrored, 3 the edge. */
+    /** Wrap numbers of LWO2: 0 none, 1 repeat, 2 mirror, 3 edge; other numbers count as repeat. */
     static Wrap wrap(int number) {
         return switch (number) {
             case 0 -> Wrap.NONE;

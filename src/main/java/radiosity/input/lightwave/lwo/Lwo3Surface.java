@@ -3,7 +3,7 @@ package radiosity.input.lightwave.lwo;
 import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 
-/** Reads the SURF and CLIP forms of LWO3 objects: chunks with sizes of 4 bytes, the name in one of four spaces. */
+/** Reads the SURF and CLIP forms of LWO3: chunks with sizes of 4 bytes, the name in a chunk named by four spaces. */
 final class Lwo3Surface {
 
     private static final String HEAD = "    ";

@@ -65,7 +65,7 @@ final class LwobReader {
         }
     }
 
-    /** Reads corners and surface; returns the surface's number, negative if detail polygons follow. */
+    /** Reads the corners and surface of a polygon; returns the surface's number, negative if detail polygons follow. */
     private static int polygon(Layer layer, ByteReader data, int corners) {
         for (int i = 0; i < corners; i++) {
             layer.polygons.corner(layer.firstPoint + data.u2());

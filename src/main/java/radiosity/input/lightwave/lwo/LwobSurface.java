@@ -55,17 +55,17 @@ final class LwobSurface {
         }
     }
 
-    /** 256 is 100 %; some versions wrote 4 bytes instead of 2. */
+    /** A share stored as an integer in units of 1/256; some programs wrote 4 bytes instead of 2. */
     private static double share(ByteReader data) {
         return (data.left() == 4 ? (int) data.u4() : data.i2()) / 256.0;
     }
 
-    /** Of the exponent of a highlight, 16 to 1024, as newer objects have it. */
+    /** Glossiness of newer objects from a highlight's exponent (16 to 1024), which is 2^(10 glossiness + 2). */
     private static double glossiness(int exponent) {
         return (StrictMath.log(Math.max(4, exponent)) / StrictMath.log(2) - 2) / 10;
     }
 
-    /** The numbers with a point win over those without. */
+    /** Floating-point values take precedence over integer values of the same property. */
     private void finish() {
         surface.diffuse = either(floatDiffuse, surface.diffuse);
         surface.luminosity = either(floatLuminosity, surface.luminosity);
@@ -78,14 +78,14 @@ final class LwobSurface {
         return Double.isNaN(precise) ? coarse : Double.valueOf(precise);
     }
 
-    /** Starts an image or a pattern; what follows describes it. */
+    /** Starts the description of an image or a pattern; the chunks that follow fill it. */
     void startTexture(String channel) {
         texture = new TextureBlock();
         texture.channel = channel;
         surface.addTexture(texture);
     }
 
-    /** The one that is being described; null before the first. */
+    /** The texture whose description was started last; null before the first. */
     TextureBlock texture() {
         return texture;
     }

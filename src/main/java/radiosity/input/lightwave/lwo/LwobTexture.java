@@ -4,7 +4,8 @@ import radiosity.input.file.ByteReader;
 import radiosity.scene.ImageMap.Wrap;
 
 /**
- * Reads the texture parts of a SURF chunk in LWOB and LWLO objects: each xTEX starts one, what follows describes it.
+ * Reads the texture chunks inside a SURF chunk of LWOB and LWLO objects: each xTEX chunk starts a texture, and the
+ * chunks up to the next xTEX describe the texture.
  */
 final class LwobTexture {
 
@@ -14,7 +15,7 @@ final class LwobTexture {
     private LwobTexture() {
     }
 
-    /** Takes one value if it belongs to textures. */
+    /** Reads one chunk if it belongs to a texture; ignores other chunks. */
     static void value(LwobSurface surface, String id, ByteReader data) {
         switch (id) {
             case "CTEX" -> start(surface, "COLR", data);
@@ -67,7 +68,7 @@ final class LwobTexture {
         texture.wrapV = wrap(data.u2());
     }
 
-    /** 0 nothing (black in LightWave), 1 the edge, 2 again, 3 mirrored: other numbers than in LWO2. */
+    /** Wrap numbers of LWOB, other than those of LWO2: 0 none (black in LightWave), 1 edge, 2 repeat, 3 mirror. */
     private static Wrap wrap(int number) {
         return switch (number) {
             case 0 -> Wrap.NONE;

@@ -9,12 +9,12 @@ import radiosity.input.file.Diagnostics;
 import radiosity.scene.Rgb;
 
 /**
- * A node of an LWO3 surface with the values it holds.
+ * A node of an LWO3 surface with its values.
  *
- * @param server what kind of node it is
- * @param name   its name among the nodes
- * @param values the numbers of each of its attributes by name
- * @param image  what it lays on a surface, if it is an image
+ * @param server kind of the node
+ * @param name   name of the node in its graph
+ * @param values numbers of each attribute, by the attribute's name
+ * @param image  the image of a node of the kind "Image"
  */
 record MaterialNode(String server, String name, Map<String, double[]> values, Optional<TextureBlock> image) {
 
@@ -60,7 +60,7 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
         }
     }
 
-    /** A type's name, then within the same chunk the number, or in a form of its own how many and the numbers. */
+    /** The numbers of a value: one number after its type's name in a chunk, or a count and numbers in an inner form. */
     private static double[] numbers(ByteReader data, Diagnostics notes) {
         Chunks chunks = new Chunks(data, 4, notes);
         while (chunks.next()) {
@@ -88,12 +88,12 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
         return numbers;
     }
 
-    /** Whether it says what a surface reflects; the node of a surface itself and mixing nodes have no colour. */
+    /** Whether the node describes a reflecting material; surface nodes and mixing nodes have no colour. */
     boolean isMaterial() {
         return colour("Color") != null;
     }
 
-    /** Gives the material's values to a surface. */
+    /** Sets the material's values in a surface; null for values that the node does not have. */
     void apply(SurfaceValues surface) {
         surface.colour = colour("Color");
         surface.diffuse = number("Diffuse");

@@ -12,22 +12,22 @@ import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 
 /**
- * Reads the node graph of an LWO3 surface as far as the values of its material.
+ * Reads the values of the material from the node graph of an LWO3 surface.
  *
- * <p>The material is the node at the input "Material" of the node "Surface"; through nodes that only mix materials the
- * first material met counts.
+ * <p>The material is the node at the input "Material" of the node "Surface"; where that node only mixes materials, the
+ * first material found breadth-first among its sources is taken.
  */
 final class NodeGraph {
 
-    /** Inputs that matter here, and what an image there varies. */
+    /** Names of the evaluated inputs, and the channel that an image at such an input varies. */
     private static final Map<String, String> CHANNELS = Map.of("Color", "COLR", "Diffuse", "DIFF", "Luminosity", "LUMI",
             "Luminous", "LUMI", "Luminous Color", "LUMC");
 
     private final Diagnostics notes;
-    /** By node: the nodes at its inputs by the inputs' names. */
+    /** By node: the name of the source node of each input, by the input's name. */
     private final Map<String, Map<String, String>> inputs = new HashMap<>();
     private final Map<String, MaterialNode> materials = new HashMap<>();
-    /** Names of the nodes at the inputs of a node, in the file's order. */
+    /** By node: the source nodes of its inputs, in the file's order. */
     private final Map<String, Deque<String>> sources = new HashMap<>();
     private String materialOfSurface = "";
 
@@ -69,7 +69,7 @@ final class NodeGraph {
         }
     }
 
-    /** Four chunks make a link: node, its input, the node whose output is put there, that output. */
+    /** Reads the links, of four chunks each: node, its input, source node, its output. */
     private void connections(ByteReader data) {
         String node = "";
         String input = "";
@@ -92,7 +92,7 @@ final class NodeGraph {
         inputs.computeIfAbsent(node, n -> new LinkedHashMap<>()).put(input, source);
     }
 
-    /** What another node gives to an input of the material: an image, or something that is not evaluated. */
+    /** Adds the image that a source node gives to an input of the material; other sources are noted and ignored. */
     private void input(SurfaceValues surface, String input, String source) {
         String channel = CHANNELS.get(input);
         MaterialNode node = materials.get(source);

@@ -30,8 +30,11 @@ public final class ObjectFile {
     }
 
     /**
+     * Reads an object; every value of its surfaces is set afterwards, the luminous colour excepted.
+     *
      * @param bytes the whole file
-     * @param name  the file as the user knows it
+     * @param name  name of the file as the user knows it
+     * @throws SceneFormatException if the bytes are not a LightWave object
      */
     public static ObjectModel read(byte[] bytes, String name, Diagnostics notes) throws SceneFormatException {
         if (!isObject(bytes)) {
@@ -56,7 +59,7 @@ public final class ObjectFile {
         return object;
     }
 
-    /** Gives every surface what it takes from its source, the source's own source first. */
+    /** Completes every surface from its source surface, whose own source is regarded first. */
     private static void inherit(ObjectModel object, Diagnostics notes) {
         Set<SurfaceValues> done = new HashSet<>();
         for (SurfaceValues surface : object.surfaces.values()) {

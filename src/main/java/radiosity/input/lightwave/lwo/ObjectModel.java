@@ -8,19 +8,19 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import radiosity.input.file.Diagnostics;
 
-/** What an object file holds, as it lists it. */
+/** The content of an object file, as the file lists it. */
 public final class ObjectModel {
 
-    /** Polygons number surfaces and layers with 2 bytes: what is beyond cannot be meant. */
+    /** Most layers, names, surfaces and images: files number layers and surfaces with 2 bytes. */
     static final int MOST = 65_536;
     private static final int MOST_MAPS = 10_000;
 
     final String name;
     /** LWOB, LWLO, LWO2 or LWO3. */
     public final String format;
-    /** At least one when the file has been read, without content where the file has none. */
+    /** At least one layer once the file has been read, an empty one if the file has none. */
     public final List<Layer> layers = new ArrayList<>();
-    /** Surface names by the numbers that polygons give. */
+    /** Surface names, by the numbers that polygons refer to. */
     public final List<String> tags = new ArrayList<>();
     public final Map<String, SurfaceValues> surfaces = new LinkedHashMap<>();
     /** Image paths by number. */
@@ -34,7 +34,7 @@ public final class ObjectModel {
     private int maps;
     private Map<Integer, List<Layer>> byNumber;
 
-    /** The layer to which data belong that stand before any layer's head. */
+    /** The latest layer; data before any layer's head get a layer 0 of their own. */
     Layer currentLayer() {
         if (layers.isEmpty()) {
             layers.add(new Layer(0));
@@ -50,7 +50,7 @@ public final class ObjectModel {
         }
     }
 
-    /** The layers of a number, mostly one or none. To be asked when the file has been read. */
+    /** The layers with a number, mostly one or none; to be called only when the file has been read. */
     public List<Layer> layers(int number) {
         if (byNumber == null) {
             byNumber = layers.stream().collect(Collectors.groupingBy(l -> l.number));

@@ -8,19 +8,19 @@ import radiosity.scene.Specular;
 import radiosity.scene.Srgb;
 
 /**
- * A surface as an object describes it. What the file does not say is null until {@link #complete}.
+ * A surface as an object describes it. Values that the file leaves out are null until {@link #complete}.
  *
- * <p>Diffuse, luminosity, specular, reflection, glossiness and transparency are shares, 1 = 100 %; they may be more.
+ * <p>Diffuse, luminosity, specular, reflection, glossiness and transparency are shares, 1 = 100 %; they may be above 1.
  */
 public final class SurfaceValues {
 
-    /** LightWave's own grey. */
+    /** LightWave's default grey. */
     private static final Rgb DEFAULT_COLOUR = Rgb.grey(200 / 255.0);
     private static final int MOST_TEXTURES = 16;
     private static final double USUAL_GLOSSINESS = 0.4;
 
     public final String name;
-    /** Name of the surface whose values hold where this one has none; empty if there is none. */
+    /** Name of the surface that gives the values which this surface leaves out; empty if there is none. */
     final String source;
     public Rgb colour;
     public Double diffuse;
@@ -31,7 +31,7 @@ public final class SurfaceValues {
     Double glossiness;
     /** Refractive index. */
     Double refraction;
-    /** Colour of the emitted light where it is not the surface's own. */
+    /** Colour of the emitted light; null where the surface's own colour is used. */
     public Rgb luminousColour;
     public Boolean twoSided;
     public final List<TextureBlock> textures = new ArrayList<>(0);
@@ -41,21 +41,21 @@ public final class SurfaceValues {
         this.source = source;
     }
 
-    /** The surface of a polygon whose own is not described. */
+    /** The surface of a polygon whose surface the object does not describe. */
     public static SurfaceValues standard(String name) {
         SurfaceValues standard = new SurfaceValues(name, "");
         standard.complete(false);
         return standard;
     }
 
-    /** Adds an image; no LightWave is known to have used more of them. */
+    /** Adds an image; images beyond MOST_TEXTURES, more than any LightWave is known to write, are ignored. */
     void addTexture(TextureBlock texture) {
         if (textures.size() < MOST_TEXTURES) {
             textures.add(texture);
         }
     }
 
-    /** Takes from another surface what this one does not say. */
+    /** Copies from another surface the values that this surface leaves out. */
     void inherit(SurfaceValues from) {
         colour = colour == null ? from.colour : colour;
         diffuse = diffuse == null ? from.diffuse : diffuse;
@@ -72,7 +72,7 @@ public final class SurfaceValues {
         }
     }
 
-    /** Sets what the file leaves out: all zero in old objects, diffuse 1 and a light grey in newer ones. */
+    /** Sets the values still left out: all zero in old objects, diffuse 1 and a light grey in newer ones. */
     void complete(boolean old) {
         SurfaceValues rest = new SurfaceValues(name, "");
         rest.colour = old ? Rgb.BLACK : DEFAULT_COLOUR;
@@ -87,26 +87,26 @@ public final class SurfaceValues {
         inherit(rest);
     }
 
-    /** rho before it is clipped to what a surface can reflect; not a number and negative values are 0. */
+    /** rho before it is clipped to the largest reflectance of a surface; NaN and negative values become 0. */
     public Rgb reflectance(boolean srgb) {
         return sound(linear(colour, srgb).times(diffuse));
     }
 
-    /** E in W/m², of the luminosity. */
+    /** E in W/m², from the luminosity. */
     public Rgb luminosityExitance(boolean srgb) {
         return sound(linear(luminousColour == null ? colour : luminousColour, srgb).times(luminosity));
     }
 
-    /** E in W/m², of the specularity as in appendix B.2 of the paper. */
+    /** E in W/m², from the specular value, as in appendix B.2 of the paper. */
     public Rgb specularExitance(boolean srgb) {
         return sound(linear(colour, srgb).times(specular));
     }
 
     /**
-     * What it mirrors and lets through. A mirror that is not transparent and has highlights is as blurred as they are:
-     * the cosine from the mirrored direction to the power n = 2^(10 glossiness + 2) (LightWave's LWO2 file format),
-     * of whose width microfacets have slopes of sqrt(2 / (4 n + 2)) (B. Walter and others, Microfacet models for
-     * refraction through rough surfaces, 2007, appendix).
+     * Mirroring and transmission; empty where the surface does neither. An opaque mirror with highlights is as blurred
+     * as the highlights are. A highlight is the cosine from the mirrored direction to the power n = 2^(10 glossiness +
+     * 2) (LightWave's LWO2 file format); microfacets with slopes of width sqrt(2 / (4 n + 2)) have a highlight of that
+     * width (B. Walter and others, Microfacet models for refraction through rough surfaces, 2007, appendix).
      */
     public Optional<Specular> toSpecular() {
         double r = share(reflection);
@@ -127,7 +127,7 @@ public final class SurfaceValues {
         return Math.min(1, sound(value));
     }
 
-    /** What is not a number or negative is 0, what is infinite the largest there is. */
+    /** Replaces NaN and negative values by 0, and limits large ones to the largest float. */
     public static Rgb sound(Rgb rgb) {
         return new Rgb(sound(rgb.r()), sound(rgb.g()), sound(rgb.b()));
     }

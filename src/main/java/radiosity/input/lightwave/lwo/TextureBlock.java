@@ -3,39 +3,39 @@ package radiosity.input.lightwave.lwo;
 import java.util.Arrays;
 import radiosity.scene.ImageMap;
 
-/** An image on a surface as an object describes it: what it varies and how it lies on the points. */
+/** An image on a surface as an object describes it: the quantity that it varies and its projection onto the points. */
 public final class TextureBlock {
 
-    /** How an image is projected; the order is that of the numbers in files. */
+    /** Projections of an image, in the order of their numbers in files. */
     public enum Projection { PLANAR, CYLINDRICAL, SPHERICAL, CUBIC, FRONT, UV }
 
-    /** What it varies: COLR, DIFF, LUMI, ... and LUMC for a colour of emitted light that is not the surface's. */
+    /** The varied quantity: COLR, DIFF, LUMI, ..., or LUMC for a colour of emitted light other than the surface's. */
     public String channel = "COLR";
-    /** Path as written; null until it is known. */
+    /** Path as written in the object; null until it is known. */
     public String image;
     public int clip = -1;
-    /** Path of the file; null if it is not found or not needed. */
+    /** Path of the image's file; null if the file was not found or not searched. */
     public String found;
     public boolean enabled = true;
     public boolean negative;
-    /** Placed in the coordinates of the scene and not of the object. */
+    /** Whether the texture is placed in the scene's coordinates instead of the object's. */
     public boolean world;
     public double opacity = 1;
     public Projection projection = Projection.PLANAR;
-    /** 0 x, 1 y, 2 z. */
+    /** Axis of the projection: 0 x, 1 y, 2 z. */
     public int axis;
-    /** x, y, z of centre and size in the object's coordinates, rotation about the centre in radians (h, p, b). */
+    /** Centre and size x, y, z in the object's coordinates; heading, pitch, bank of the rotation, radians. */
     public double[] centre = {0, 0, 0};
     public double[] size = {1, 1, 1};
     public double[] rotation = {0, 0, 0};
-    /** Times the image goes round a cylinder or a sphere, and from pole to pole. */
+    /** Number of repetitions around a cylinder or a sphere, and from pole to pole. */
     public double[] turns = {1, 1};
     public ImageMap.Wrap wrapU = ImageMap.Wrap.REPEAT;
     public ImageMap.Wrap wrapV = ImageMap.Wrap.REPEAT;
     /** Name of the texture coordinates of a UV projection. */
     public String map = "";
 
-    /** Whether another image lies on the points just as this one does. */
+    /** Whether another image has the same projection onto the points. */
     public boolean liesAs(TextureBlock other) {
         return projection == other.projection && axis == other.axis && map.equals(other.map)
                 && Arrays.equals(centre, other.centre) && Arrays.equals(size, other.size)

@@ -8,7 +8,7 @@ final class VertexMap {
 
     final String name;
     final IntList points = new IntList();
-    /** Per entry; none in a map of points. */
+    /** Polygon of each entry of a VMAD; empty in a VMAP. */
     final IntList polygons = new IntList();
     /** u, v of each entry. */
     final FloatList values = new FloatList();
