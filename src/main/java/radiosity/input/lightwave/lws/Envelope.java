@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * A value that changes in time: keys and the curves between them.
  *
- * <p>The curve of a span is that of the key at its end. What holds before the first and after the last key is a
- * behaviour: 0 zero, 1 constant, 2 repeated, 3 to and fro, 4 repeated with an offset, 5 straight on.
+ * <p>The kind of curve between two keys is that of the second key. The behaviour before the first and after the last
+ * key is a number: 0 zero, 1 constant, 2 repeat, 3 oscillate, 4 repeat with offset, 5 linear.
  */
 public final class Envelope {
 
@@ -17,7 +17,7 @@ public final class Envelope {
     static final int STEPPED = 4;
     static final int BEZIER = 5;
 
-    /** Numbers of a key: value, time, kind of span, and five that depend on the kind. */
+    /** Numbers of a key: value, time, kind of curve, and five parameters of the curve. */
     static final int PER_KEY = 8;
 
     private double[] keys = new double[PER_KEY];
@@ -25,7 +25,7 @@ public final class Envelope {
     private int before = 1;
     private int after = 1;
 
-    /** Adds a key; what it has too few of is zero. Keys without a finite value and time are the caller's to refuse. */
+    /** Adds a key of up to PER_KEY numbers; missing numbers are zero. Callers check that value and time are finite. */
     public void add(double[] key) {
         if (keys.length == PER_KEY * size) {
             keys = Arrays.copyOf(keys, 2 * keys.length);
@@ -55,7 +55,7 @@ public final class Envelope {
         return (int) keys[PER_KEY * key + 2];
     }
 
-    /** The n-th number (0 to 4) that describes the curve at a key. */
+    /** Parameter n (0 to 4) of the curve at a key. */
     double parameter(int key, int n) {
         return keys[PER_KEY * key + 3 + n];
     }

@@ -4,7 +4,7 @@ package radiosity.input.lightwave.lws;
  * Evaluates an envelope at a time.
  *
  * <p>Source: the LightWave software development kit (NewTek), whose documents give these formulas for the tangents of
- * Kochanek-Bartels, Hermite and linear keys and for two-dimensional Bezier spans.
+ * Kochanek-Bartels, Hermite and linear keys and for two-dimensional Bezier curves.
  */
 public final class EnvelopeCurve {
 
@@ -19,6 +19,9 @@ public final class EnvelopeCurve {
     }
 
     /**
+     * Value of an envelope; the first key's value where the curve has no finite value.
+     *
+     * @param keys  null counts as an envelope without keys
      * @param time  in the unit of the envelope's keys; negative infinity stands for the time of the first key
      * @param empty the value of an envelope without keys
      */
@@ -83,7 +86,7 @@ public final class EnvelopeCurve {
         };
     }
 
-    /** The first key of the span that holds a time; times that run backwards end the search at the first that fits. */
+    /** First key of the first span that ends at or after a time; if none does, first key of the last span. */
     private int spanAt(double time) {
         int a = 0;
         while (a < last - 1 && time > keys.time(a + 1)) {
@@ -99,7 +102,7 @@ public final class EnvelopeCurve {
                 + (t3 - 2 * t2 + t) * outgoing(a) + (t3 - t2) * incoming(a);
     }
 
-    /** Tangent at the first key of a span, times the span's length. */
+    /** Tangent at the first key of a span, multiplied by the span's length. */
     private double outgoing(int a) {
         double rise = keys.value(a + 1) - keys.value(a);
         double earlier = a == 0 ? 0 : keys.value(a) - keys.value(a - 1);
@@ -113,7 +116,7 @@ public final class EnvelopeCurve {
         };
     }
 
-    /** Tangent at the second key of a span, times the span's length. */
+    /** Tangent at the second key of a span, multiplied by the span's length. */
     private double incoming(int a) {
         int b = a + 1;
         double rise = keys.value(b) - keys.value(a);
@@ -128,7 +131,7 @@ public final class EnvelopeCurve {
         };
     }
 
-    /** (1 - tension) (1 +- continuity) (1 +- bias). */
+    /** (1 - tension) (1 +- continuity) (1 +- bias), with the signs given by the arguments 1 and -1. */
     private double tcb(int key, int continuity, int bias) {
         return (1 - keys.parameter(key, 0)) * (1 + continuity * keys.parameter(key, 1))
                 * (1 + bias * keys.parameter(key, 2));
@@ -139,7 +142,7 @@ public final class EnvelopeCurve {
         return rise * length / (Math.abs(run) > 1e-5 ? run : 1e-5);
     }
 
-    /** A curve in time and value between two keys: time is met by halving, then the value is taken there. */
+    /** A Bezier curve in time and value between two keys: the curve's parameter at the time is found by bisection. */
     private double bezier(int a, double time) {
         int b = a + 1;
         double from = 0;
@@ -156,7 +159,7 @@ public final class EnvelopeCurve {
         return cubic(from, keys.value(a), handle(a, 3, 1), handle(b, 1, 1), keys.value(b));
     }
 
-    /** A handle of a key; a key of another kind of span has its handle at itself. */
+    /** Time (kind 0) or value (kind 1) of a key's handle, which is at the key itself for a key that is not Bezier. */
     private double handle(int key, int parameter, int kind) {
         double base = kind == 0 ? keys.time(key) : keys.value(key);
         return keys.span(key) == Envelope.BEZIER ? base + keys.parameter(key, parameter) : base;

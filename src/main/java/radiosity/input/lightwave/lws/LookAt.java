@@ -2,7 +2,7 @@ package radiosity.input.lightwave.lws;
 
 import radiosity.scene.Affine;
 
-/** Turns lights and cameras that have a target towards it: heading and pitch are replaced, bank stays. */
+/** Turns lights and cameras towards their targets: the target determines heading and pitch, bank is kept. */
 final class LookAt {
 
     private final Placement placement;
@@ -13,7 +13,7 @@ final class LookAt {
         this.instant = instant;
     }
 
-    /** Where an item stands and how it is turned, its target regarded. */
+    /** From the item's own space to the scene's, turned towards the item's target if it has one. */
     Affine world(SceneItem item) {
         SceneItem target = placement.target(item);
         if (target == null || target == item) {

@@ -3,11 +3,11 @@ package radiosity.input.lightwave.lws;
 import radiosity.scene.Affine;
 
 /**
- * Position, rotation and scale of an item in time: nine channels, of which cameras often have but six.
+ * Position, rotation and scale of an item in time, in up to nine channels; cameras often have six only.
  *
- * @param channels 0 to 2 position, 3 to 5 heading, pitch and bank, 6 to 8 scale; null where there is none
- * @param old      as LWSC 1 and 2 write them: angles in degrees
- * @param inFrames times are frames and not seconds (LWSC 1)
+ * @param channels 9 entries: 0 to 2 position, 3 to 5 heading, pitch and bank, 6 to 8 scale; null for missing channels
+ * @param old      whether angles are in degrees (LWSC 1 and 2) and not in radians
+ * @param inFrames whether times are in frames (LWSC 1) and not in seconds
  */
 public record Motion(Envelope[] channels, boolean old, boolean inFrames) {
 
@@ -17,7 +17,7 @@ public record Motion(Envelope[] channels, boolean old, boolean inFrames) {
 
     static final Motion NONE = new Motion(new Envelope[CHANNELS], false, false);
 
-    /** Value of a channel, angles in radians. */
+    /** Value of a channel, angles in radians; 1 for a missing scale, 0 for other missing channels. */
     double at(int channel, Instant instant) {
         double value = EnvelopeCurve.at(channels[channel], instant.time(inFrames), channel >= SCALE ? 1 : 0);
         return old && channel >= HEADING && channel < SCALE ? Math.toRadians(value) : value;
@@ -42,7 +42,7 @@ public record Motion(Envelope[] channels, boolean old, boolean inFrames) {
     /**
      * A time of the scene.
      *
-     * @param frame           negative infinity for the first key of every channel
+     * @param frame           frame number; negative infinity for the first key of every channel
      * @param framesPerSecond above 0
      */
     public record Instant(double frame, double framesPerSecond) {

@@ -4,10 +4,10 @@ import java.util.StringTokenizer;
 import radiosity.input.file.Diagnostics;
 
 /**
- * Reads motions and envelopes: the forms of LWSC 1 (keys of all channels, times in frames), of LWSC 2 (channel after
- * channel) and of LWSC 3 and later (a block in braces per channel).
+ * Reads motions and envelopes in three forms: LWSC 1 (keys of all channels together, times in frames), LWSC 2 (channel
+ * after channel) and LWSC 3 and later (a block in braces per channel).
  *
- * <p>The counts that files declare are not believed: keys are read as long as there are any.
+ * <p>The number of keys that a file declares is ignored: keys are read as long as there are any.
  */
 final class MotionParser {
 
@@ -23,7 +23,7 @@ final class MotionParser {
         this.notes = notes;
     }
 
-    /** Reads what follows the line of a motion or of "(envelope)". */
+    /** Reads the lines after the first line of a motion or after "(envelope)". */
     Motion read() {
         if (!lines.next()) {
             return Motion.NONE;
@@ -60,7 +60,7 @@ final class MotionParser {
         }
     }
 
-    /** The opening brace has been read. */
+    /** Reads a block whose opening brace has been read. */
     private Envelope readBlock() {
         Envelope envelope = new Envelope();
         while (lines.next()) {
@@ -88,7 +88,7 @@ final class MotionParser {
         }
     }
 
-    /** Skips from an opening brace to the one that closes it. */
+    /** Skips from the opening brace on the next line to its closing brace. */
     void skipBlock() {
         int depth = 0;
         while (lines.next()) {
@@ -102,7 +102,7 @@ final class MotionParser {
         notes.note(lines.place(), "a block has no closing brace");
     }
 
-    /** A line with the values of all channels, then one with frame, linear, tension, continuity, bias; and so on. */
+    /** Reads per key a line with the values of all channels and one with frame, linear, tension, continuity, bias. */
     private void readByKey(Envelope[] channels) {
         int count = count(channels.length);
         skipNumber();
@@ -137,7 +137,7 @@ final class MotionParser {
         return key;
     }
 
-    /** Per channel a line with one number, how many keys there are, then a line per key. */
+    /** Reads per channel a line with the number of keys, then a line per key. */
     private void readByChannel(Envelope[] channels) {
         int count = count(channels.length);
         int channel = -1;
@@ -173,7 +173,7 @@ final class MotionParser {
         }
     }
 
-    /** Moves on to a line of numbers; false if the next line, which then is the current one, is something else. */
+    /** Moves to the next line; false if it does not begin with a number. */
     private boolean nextNumbers() {
         return lines.next() && SceneNumbers.startsNumber(lines.line());
     }

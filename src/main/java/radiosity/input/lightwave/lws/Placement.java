@@ -11,7 +11,7 @@ import radiosity.input.file.Diagnostics;
 import radiosity.scene.Affine;
 
 /**
- * Where the items of a scene stand at a time.
+ * Places the items of a scene at a point in time.
  *
  * <p>{@code W = W(parent) T(position) R(pivot rotation) Ry(h) Rx(p) Rz(b) S T(-pivot)}; W(parent) includes the parent's
  * own T(-pivot), so a child's position is in the space of the parent's points.
@@ -45,14 +45,12 @@ public final class Placement {
         }
     }
 
-    /**
-     * Sets the pivot that holds for an object whose scene names none: that of its layer. To be done before any world.
-     */
+    /** Sets the pivot of an object's layer, used if the scene names no pivot; to be called before {@link #world}. */
     public void layerPivot(SceneItem object, double[] pivot) {
         layerPivots.put(object, pivot);
     }
 
-    /** From an item's own space to that of the scene. */
+    /** Map from an item's own space to the scene's. */
     public Affine world(SceneItem item) {
         Deque<SceneItem> chain = new ArrayDeque<>();
         Map<SceneItem, Boolean> inChain = new IdentityHashMap<>();
@@ -73,13 +71,13 @@ public final class Placement {
         return world;
     }
 
-    /** The space an item is placed in. */
+    /** Map from the space of an item's position to the scene's: the parent's world, or the identity. */
     Affine parentWorld(SceneItem item) {
         SceneItem parent = parent(item);
         return parent == null || parent == item ? Affine.IDENTITY : world(parent);
     }
 
-    /** From an item's own space to its parent's. */
+    /** Map from an item's own space to its parent's. */
     public Affine local(SceneItem item) {
         double[] pivot = pivot(item);
         Affine matrix = item.motion.position(instant);
@@ -97,7 +95,7 @@ public final class Placement {
         return item.numbers(keyword, instant, none);
     }
 
-    /** Where an item's pivot stands in the scene. */
+    /** Position of an item's pivot in the scene; 3 numbers. */
     double[] position(SceneItem item) {
         double[] pivot = pivot(item);
         Affine world = world(item);
@@ -105,18 +103,18 @@ public final class Placement {
             world.point(2, pivot[0], pivot[1], pivot[2])};
     }
 
-    /** What an item moves with; null if nothing. */
+    /** The item's parent; null if it has none. */
     public SceneItem parent(SceneItem item) {
         return parents.computeIfAbsent(item, i -> Optional.ofNullable(i.has("ParentItem")
                 ? byReference(i, "ParentItem") : byNumber(i, "ParentObject"))).orElse(null);
     }
 
-    /** What an item looks at; null if nothing. */
+    /** The item at which an item is aimed; null if there is none. */
     SceneItem target(SceneItem item) {
         return item.has("TargetItem") ? byReference(item, "TargetItem") : byNumber(item, "TargetObject");
     }
 
-    /** Objects and null objects from 1 on, as LWSC 1 and 2 number them. */
+    /** Finds an object by its number, as in LWSC 1 and 2: objects and null objects are counted together from 1. */
     private SceneItem byNumber(SceneItem item, String keyword) {
         String text = item.text(keyword);
         if (text.isEmpty()) {
@@ -130,7 +128,10 @@ public final class Placement {
         return number == 0 ? null : missing(item, keyword, text);
     }
 
-    /** First digit the kind, then from LWSC 4 on the written identity, before that the place among its kind from 0. */
+    /**
+     * Finds an item by a hexadecimal reference. The first digit is the item's kind; the others are its identity in LWSC
+     * 4 and later, and its index among the items of its kind before that.
+     */
     private SceneItem byReference(SceneItem item, String keyword) {
         long reference = SceneNumbers.whole(item.text(keyword), 16);
         if (reference < 0 || reference > 0xFFFFFFFFL) {

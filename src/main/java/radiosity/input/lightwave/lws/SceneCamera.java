@@ -7,11 +7,11 @@ import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
-/** Makes the camera of a scene: the current one if it has several. */
+/** Makes the camera of a scene: the current one if the scene has several. */
 public final class SceneCamera {
 
     private static final double DEFAULT_ZOOM = 3.2;
-    /** Width and height of the picture where the file names a resolution by a number only. */
+    /** Pixels of the picture's width and height where the file names a resolution by a number only. */
     private static final double[] DEFAULT_SIZE = {640, 480};
 
     private final SceneDescription scene;
@@ -58,7 +58,7 @@ public final class SceneCamera {
         return pixels[0] * pixelAspect(item) / pixels[1];
     }
 
-    /** Width of a pixel / its height: since version 3 as such, before that under a number of which -1 is "custom". */
+    /** Width of a pixel / its height: PixelAspect in LWSC 3 and later; before, 1 or a custom ratio. */
     private double pixelAspect(SceneItem item) {
         if (item.has("PixelAspect")) {
             return item.number("PixelAspect", instant, 1);

@@ -5,10 +5,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a scene file says, before any object is read. */
+/** The content of a scene file, before any object is read. */
 public final class SceneDescription {
 
-    /** LWSC 4 was never seen; from here on items carry written identities. */
+    /** First version whose items carry written identities; no file of version 4 itself is known. */
     static final int WITH_IDENTITIES = 4;
 
     private static final double DEFAULT_FRAMES_PER_SECOND = 30;

@@ -3,10 +3,10 @@ package radiosity.input.lightwave.lws;
 import java.util.HashMap;
 import java.util.Map;
 
-/** An object, null object, light or camera of a scene as its file describes it. */
+/** An object, null object, light, camera or bone of a scene as its file describes it. */
 public final class SceneItem {
 
-    /** What an item is; the number is the first digit of its identity in LWSC 3 and later. */
+    /** Kinds of items, with their digit: the first digit of references to items in LWSC 3 and later. */
     public enum Kind {
         OBJECT(1), LIGHT(2), CAMERA(3), BONE(4);
 
@@ -17,18 +17,18 @@ public final class SceneItem {
         }
     }
 
-    /** The layer of an object whose whole file is taken. */
+    /** Value of {@link #layer} for an object whose whole file is loaded. */
     public static final int WHOLE_FILE = -1;
 
     final Kind kind;
     private final int line;
-    /** As written in LWSC 4 and later; -1 where there is none. */
+    /** Identity as written in LWSC 4 and later; -1 where there is none. */
     final long id;
-    /** Path of an object as written; null for a null object and all others. */
+    /** Path of an object's file as written; null for null objects, lights, cameras and bones. */
     public String file;
-    /** Name of a null object as written; null for all others. */
+    /** Name of a null object as written; null for other items. */
     String nullName;
-    /** Number of the layer in its file. */
+    /** Number of the layer in the object's file, from 0, or {@link #WHOLE_FILE}. */
     public int layer = WHOLE_FILE;
     Motion motion = Motion.NONE;
     private Map<String, String> values = Map.of();
@@ -40,12 +40,12 @@ public final class SceneItem {
         this.line = line;
     }
 
-    /** Number of the line where its description begins, from 1. */
+    /** Number of the line where the item's description begins, from 1. */
     public int line() {
         return line;
     }
 
-    /** Where it is described, for messages. */
+    /** The line of the item's description, for messages. */
     public String place() {
         return "line " + line;
     }
@@ -64,15 +64,15 @@ public final class SceneItem {
         return values.containsKey(keyword) || envelopes.containsKey(keyword);
     }
 
-    /** What stands after a keyword; empty if the keyword is not there. */
+    /** The text after a keyword; empty if the item does not have the keyword. */
     String text(String keyword) {
         return values.getOrDefault(keyword, "");
     }
 
     /**
-     * The numbers after a keyword, or of its envelopes at a time.
+     * The numbers after a keyword, or the values of its envelopes at a time.
      *
-     * @param otherwise what holds where the file gives no number; its length is how many are wanted; not modified
+     * @param otherwise values where the file gives no number; its length is the number of values returned; not modified
      */
     double[] numbers(String keyword, Motion.Instant instant, double... otherwise) {
         double[] numbers = otherwise.clone();
@@ -93,8 +93,8 @@ public final class SceneItem {
     }
 
     /**
-     * What the user calls an object: a null object by its name, others by their file's without path and ending, with
-     * the number of the layer where it is not the first.
+     * Name shown to the user: a null object's own name, or the object's file name without directory and extension,
+     * followed by the layer's number where the layer is not the first.
      */
     public String name() {
         if (!isLoaded()) {
@@ -105,7 +105,7 @@ public final class SceneItem {
         return layer > 0 ? plain + ":" + (layer + 1) : plain;
     }
 
-    /** Whether it is an object with a file, and no null object. */
+    /** Whether the item is an object with a file, and not a null object. */
     public boolean isLoaded() {
         return file != null;
     }

@@ -10,7 +10,7 @@ import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 
-/** Makes the lights of a scene from what its file says of them. */
+/** Makes the lights of a scene from their descriptions in its file. */
 public final class SceneLights {
 
     private final SceneDescription scene;
@@ -25,7 +25,7 @@ public final class SceneLights {
         this.notes = notes;
     }
 
-    /** All lights that give light; whether the options take them is decided by {@link SceneAssembly}. */
+    /** All lights with a power above 0; {@link SceneAssembly} decides by the options whether they are used. */
     public List<Light> lights() {
         List<Light> lights = new ArrayList<>();
         for (SceneItem item : scene.items(SceneItem.Kind.LIGHT)) {
@@ -61,7 +61,7 @@ public final class SceneLights {
         }
     }
 
-    /** The kind that a plug-in names wins, as later versions write LightType for old programs only. */
+    /** Type of a light; a plug-in's name takes precedence, as later versions write LightType for older ones only. */
     private int type(SceneItem item) {
         String name = item.text("LightHandler").toLowerCase(Locale.ROOT).replace("\"", "").replace("light", "").trim();
         return switch (name) {
@@ -108,7 +108,7 @@ public final class SceneLights {
         return Math.max(0, Math.min(Math.PI, angle));
     }
 
-    /** A left-handed direction in the right-handed space of scenes. */
+    /** The direction in the scene's right-handed space of a left-handed direction. */
     static Vec3 right(double[] d) {
         return new Vec3(d[0], d[1], 0 - d[2]);
     }

@@ -6,9 +6,9 @@ import radiosity.input.file.Diagnostics;
 import radiosity.input.file.Utf8;
 
 /**
- * The lines of a scene file one after the other, without blanks around them and without empty ones.
+ * Iterates over the lines of a scene file, skips empty lines and removes blanks at both ends of a line.
  *
- * <p>Lines end with LF, CR or both. A file that is sound UTF-8 is read as such, any other as Latin-1. Control
+ * <p>Lines end with LF, CR or both. A file of valid UTF-8 is decoded as UTF-8, any other file as Latin-1. Control
  * characters at the ends of lines (Ctrl-Z, zero bytes) count as blanks.
  */
 final class SceneLines {
@@ -64,13 +64,13 @@ final class SceneLines {
         return text;
     }
 
-    /** Makes the current line the next one again. */
+    /** Moves back, so that the current line becomes the next one again. */
     void back() {
         at = lineStart;
         number = lineNumber - 1;
     }
 
-    /** A place to return to: before the next line. */
+    /** The position before the next line, for {@link #returnTo}. */
     long mark() {
         return (long) number << 32 | at;
     }
@@ -105,7 +105,7 @@ final class SceneLines {
         return -1;
     }
 
-    /** Number of the line, from 1. */
+    /** Number of the line in the file, from 1. */
     int number() {
         return lineNumber;
     }

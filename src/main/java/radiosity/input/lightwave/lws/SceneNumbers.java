@@ -2,13 +2,13 @@ package radiosity.input.lightwave.lws;
 
 import java.util.StringTokenizer;
 
-/** Reads the numbers of a scene's lines as thirty years of programs wrote them. */
+/** Reads numbers from a scene's lines in all notations that versions of LightWave wrote. */
 final class SceneNumbers {
 
     private SceneNumbers() {
     }
 
-    /** The numbers of a line, at most n; NaN for what is no finite number. */
+    /** The numbers of a line, at most n; NaN for words that are not finite numbers. */
     static double[] all(String text, int n) {
         StringTokenizer words = new StringTokenizer(text);
         double[] numbers = new double[Math.min(n, words.countTokens())];
@@ -18,7 +18,7 @@ final class SceneNumbers {
         return numbers;
     }
 
-    /** A number; with a decimal comma too. NaN for what is none or not finite ("1.#IND"). */
+    /** A number with a decimal point or comma; NaN for a word that is not a finite number ("1.#IND"). */
     static double one(String word) {
         if (!word.chars().allMatch(c -> c >= '0' && c <= '9' || "+-.,eE".indexOf(c) >= 0)) {
             return Double.NaN;
@@ -37,7 +37,7 @@ final class SceneNumbers {
         return c >= '0' && c <= '9' || c == '-' || c == '+' || c == '.';
     }
 
-    /** A whole number in some base; -1 if it is none or out of range. */
+    /** A whole number in some base; -1 for a text that is not a whole number or out of range. */
     static long whole(String word, int base) {
         try {
             return Long.parseLong(word.trim(), base);

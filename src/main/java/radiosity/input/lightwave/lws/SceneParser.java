@@ -18,7 +18,7 @@ public final class SceneParser {
     private static final Set<String> MOVED_BY_PLUGINS = Set.of("ItemMotionHandler", "DisplacementHandler",
             "ObjReplacementHandler", "ChannelHandler");
 
-    /** As many as memory allows at a kilobyte for each. */
+    /** Most items: the JVM's heap limit divided by a kilobyte per item. */
     private static final long MOST_ITEMS = Runtime.getRuntime().maxMemory() >> 10;
 
     private final SceneLines lines;
@@ -26,7 +26,7 @@ public final class SceneParser {
     private final MotionParser motions;
     private final SceneDescription scene;
     private SceneItem item;
-    /** The latest of its kind: what is an object's may stand after its bones. */
+    /** The latest object and camera: their own lines may also follow after lines of other items, bones for example. */
     private SceneItem object;
     private SceneItem camera;
     private boolean pluginsEnd = true;
@@ -135,7 +135,7 @@ public final class SceneParser {
         begin(SceneItem.Kind.OBJECT, -1).file = path;
     }
 
-    /** The layer's number from 1, from version 4 on the identity, and the path, which may hold blanks. */
+    /** Reads the layer's number (from 1), the identity (version 4 and later) and the path, which may contain blanks. */
     private void loadLayer(String value) {
         String rest = afterWord(value);
         long layer = SceneNumbers.whole(firstWord(value), 10);
@@ -152,7 +152,7 @@ public final class SceneParser {
         }
     }
 
-    /** From version 4 on the identity stands before the name, which may hold blanks. */
+    /** Reads the name of a null object, which may contain blanks; in version 4 and later its identity stands before. */
     private void addNull(String value) {
         boolean identified = scene.version >= SceneDescription.WITH_IDENTITIES;
         begin(SceneItem.Kind.OBJECT, identity(firstWord(value))).nullName = identified ? afterWord(value) : value;
@@ -177,7 +177,7 @@ public final class SceneParser {
         return blank < 0 ? "" : text.substring(blank + 1).trim();
     }
 
-    /** The camera of version 1 is not announced: what is a camera's belongs to it, whatever was described before. */
+    /** The camera to which camera keywords belong; added here in version 1, whose camera has no AddCamera line. */
     private SceneItem camera() {
         if (item == null || item.kind != SceneItem.Kind.CAMERA) {
             item = camera == null ? begin(SceneItem.Kind.CAMERA, -1) : camera;
@@ -199,7 +199,7 @@ public final class SceneParser {
         }
     }
 
-    /** What a plug-in writes is free text up to EndPlugin; the kind of a light stands in its head since version 5. */
+    /** Skips a plug-in's text up to EndPlugin, but takes the kind of a light from its first line (version 5). */
     private void plugin(String value) {
         String[] words = value.split("\\s+", 3);
         if (words[0].equals("LightHandler") && words.length == 3 && item != null) {
