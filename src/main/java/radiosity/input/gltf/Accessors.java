@@ -9,12 +9,12 @@ import java.util.Optional;
 import radiosity.gltf.JsonCursor;
 import radiosity.scene.SceneFormatException;
 
-/** The arrays of a glTF file, whatever their type, place, or sparseness. */
+/** The accessors of a glTF file as arrays of numbers, whatever their component type, stride, or sparseness. */
 final class Accessors {
 
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4,
             "MAT4", 16);
-    /** All arrays together take at most this part of the memory. */
+    /** All arrays together may take 1 / PART of the JVM's heap limit. */
     private static final int PART = 4;
 
     private final JsonCursor root;
@@ -27,22 +27,22 @@ final class Accessors {
         this.buffers = buffers;
     }
 
-    /** How many elements an array has, which is not read for it. */
+    /** Number of elements of an accessor, found without reading the elements. */
     int count(JsonCursor where) throws SceneFormatException {
         return root.at("accessors").at(where.integer()).at("count").integer();
     }
 
-    /** The kind of an array's elements, as VEC3. */
+    /** Type of an accessor's elements, "VEC3" for example. */
     String type(JsonCursor where) throws SceneFormatException {
         return root.at("accessors").at(where.integer()).at("type").text();
     }
 
     /**
-     * The numbers of an array, whole ones that are normalised as parts of the largest.
+     * The components of an accessor's elements as floats; normalised integers are divided by their largest value.
      *
-     * @param where names it
-     * @param types one of which its elements must be, as VEC3
-     * @return not to be modified
+     * @param where the JSON value that holds the accessor's index
+     * @param types the permitted types of elements, "VEC3" for example
+     * @return cached, not to be modified
      */
     float[] floats(JsonCursor where, String... types) throws IOException {
         JsonCursor accessor = root.at("accessors").at(where.integer());
@@ -84,9 +84,9 @@ final class Accessors {
     }
 
     /**
-     * Where elements lie, and what they are.
+     * Where the elements of an array lie, and their type.
      *
-     * @param stride bytes from one to the next; 0 where they lie close together
+     * @param stride bytes from one element to the next; 0 where the elements are adjacent
      */
     private record Elements(ByteBuffer bytes, long offset, long stride, int type, int components,
                             boolean normalised) { }
@@ -126,7 +126,7 @@ final class Accessors {
         };
     }
 
-    /** Replaces some elements by others. */
+    /** Overwrites the elements that a sparse accessor replaces. */
     private void replace(float[] values, JsonCursor sparse, int type, int components, boolean normalised)
             throws IOException {
         int count = sparse.at("count").integer();
@@ -148,7 +148,7 @@ final class Accessors {
         }
     }
 
-    /** Whole numbers that name vertices; what is too large for an int is -1. */
+    /** Vertex indices of a primitive; -1 for values beyond the range of an int. */
     int[] indices(JsonCursor where) throws IOException {
         JsonCursor accessor = root.at("accessors").at(where.integer());
         Optional<JsonCursor> view = accessor.optional("bufferView");

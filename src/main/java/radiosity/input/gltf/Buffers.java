@@ -16,10 +16,10 @@ import radiosity.input.file.InputFile;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 
-/** The bytes of a glTF file: in the file itself, in data URIs, and in files beside it. */
+/** The buffers of a glTF file: in the file itself, in data URIs, and in files beside it. */
 final class Buffers {
 
-    /** All buffers together take at most this part of the memory. */
+    /** All buffers together may take 1 / PART of the JVM's heap limit. */
     private static final int PART = 4;
 
     private final Container file;
@@ -37,7 +37,7 @@ final class Buffers {
     /**
      * The bytes of a buffer view, little endian.
      *
-     * @param where names it
+     * @param where the JSON value that holds the view's index
      */
     ByteBuffer view(JsonCursor where) throws IOException {
         JsonCursor view = file.root().at("bufferViews").at(where.integer());
@@ -50,7 +50,7 @@ final class Buffers {
         return buffer.slice((int) offset, (int) length).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** The bytes of a whole buffer. */
+    /** A copy of the bytes of a whole buffer. */
     byte[] all(int number) throws IOException {
         ByteBuffer bytes = buffers.containsKey(number) ? buffers.get(number)
                 : load(file.root().at("buffers").at(number), number);
@@ -59,7 +59,7 @@ final class Buffers {
         return all;
     }
 
-    /** The bytes of a file beside this one. */
+    /** The bytes of a file beside the glTF file. */
     byte[] file(Path path) throws IOException {
         return InputFile.read(path, search.shown(path), options.maxBytes());
     }
@@ -98,12 +98,12 @@ final class Buffers {
         }
     }
 
-    /** Whether a URI is its own data. */
+    /** Whether a URI contains its data ("data:"). */
     static boolean isData(JsonCursor uri) throws SceneFormatException {
         return uri.text().regionMatches(true, 0, "data:", 0, 5);
     }
 
-    /** The bytes of what has a URI or a buffer view. */
+    /** The bytes of a JSON object that has a "bufferView" or a "uri". */
     byte[] file(JsonCursor of) throws IOException {
         Optional<JsonCursor> view = of.optional("bufferView");
         if (view.isEmpty()) {
@@ -115,7 +115,7 @@ final class Buffers {
         return bytes;
     }
 
-    /** What stands in a data URI. */
+    /** The bytes that a data URI contains. */
     ByteBuffer data(JsonCursor uri) throws SceneFormatException {
         String text = uri.text();
         int comma = text.indexOf(',');
@@ -131,7 +131,7 @@ final class Buffers {
         }
     }
 
-    /** The file beside this one that a URI names. */
+    /** The file beside the glTF file that a URI names; empty if it is not found. */
     Optional<Path> found(JsonCursor uri) throws SceneFormatException {
         String text = uri.text();
         try {

@@ -15,10 +15,10 @@ import radiosity.input.file.Diagnostics;
 import radiosity.scene.SceneFormatException;
 
 /**
- * The two parts of a glTF file: its JSON, and the bytes that stand in it beside the JSON where it is a binary.
+ * The two parts of a glTF file: its JSON and, in a binary file, the bytes of its chunk BIN.
  *
  * @param root  the whole JSON
- * @param bytes little endian
+ * @param bytes the chunk BIN, little endian; empty where there is none
  */
 record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
 
@@ -26,17 +26,17 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
     private static final int JSON = 0x4E4F534A;
     private static final int BIN = 0x004E4942;
     private static final int HEAD = 12;
-    /** A value of JSON takes less memory than this divided by 8, in the mean, once it is read. */
+    /** Heap bytes required per token of JSON; on average a value that was read takes less than an eighth of these. */
     private static final int BYTES_PER_VALUE = 1024;
 
     private static final JsonFactory FACTORY = JsonFactory.builder().streamReadConstraints(
             StreamReadConstraints.builder().maxStringLength(Integer.MAX_VALUE).maxNestingDepth(100).build()).build();
 
     /**
-     * Takes a file apart.
+     * Splits a file into its parts.
      *
-     * @param file the whole file; the container refers to it
-     * @throws SceneFormatException where it is not whole, or no glTF 2.0
+     * @param file the whole file; not copied
+     * @throws SceneFormatException where the file is incomplete, not glTF 2.0, or a scene file of this program
      */
     static Container of(byte[] file, String name, Diagnostics notes) throws SceneFormatException {
         ByteBuffer all = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
@@ -72,7 +72,7 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
                 : Optional.of(all.slice(next + 8, bytes).order(ByteOrder.LITTLE_ENDIAN)));
     }
 
-    /** The length of a chunk, all of which is there. */
+    /** The length of a chunk's content, which is checked to end before {@code end}. */
     private static int chunk(ByteBuffer all, int at, int end, Diagnostics notes) throws SceneFormatException {
         long length = Integer.toUnsignedLong(all.getInt(at));
         if (length > end - at - 8L) {
@@ -81,7 +81,7 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
         return (int) length;
     }
 
-    /** Counts the values before memory is taken for them. */
+    /** Counts the tokens before the JSON is read, as the tree takes far more memory than the text. */
     private static JsonNode parse(byte[] file, int from, int length, Diagnostics notes) throws SceneFormatException {
         long most = Runtime.getRuntime().maxMemory() / BYTES_PER_VALUE;
         int start = length >= 3 && file[from] == (byte) 0xEF && file[from + 1] == (byte) 0xBB ? 3 : 0;

@@ -25,10 +25,10 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Units;
 import radiosity.settings.ReadOptions;
 
-/** Reads a glTF 2.0 file or binary: what there is to see in the scene that it shows first, at rest. */
+/** Reads a glTF 2.0 file or binary: the default scene, at rest. */
 public final class GltfReader {
 
-    /** What a file may require. */
+    /** The extensions that a file may require. */
     private static final Set<String> READ = new TreeSet<>(Set.of("KHR_lights_punctual",
             "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit",
             "KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume",
@@ -48,11 +48,13 @@ public final class GltfReader {
     private final List<Standing> standing = new ArrayList<>();
 
     /**
-     * A mesh that stands in the scene.
+     * A mesh placed in the scene.
      *
-     * @param shape    of it there
-     * @param world    from its space to the scene's
-     * @param instance within the node, if the node has instances
+     * @param node     index of its node in the file
+     * @param mesh     index of the mesh in the file
+     * @param shape    morph weights and skin of the mesh at this node
+     * @param world    map from the mesh's space to the scene's
+     * @param instance map from the instance's space to the node's, if the node has instances
      */
     record Standing(int node, int mesh, Shape shape, Affine world, Optional<Affine> instance) { }
 
@@ -72,11 +74,11 @@ public final class GltfReader {
     }
 
     /**
-     * Reads a file and those that it names.
+     * Reads a file and the files that it names.
      *
-     * @param options  how; colours are linear and images sRGB as the format has it, whatever they say
-     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
-     * @return at least one triangle
+     * @param options  how the file is read; its options of colour spaces have no effect, as glTF defines these
+     * @param warnings receives one line, with file and place, for each kind of content that was left out or repaired
+     * @return a scene of at least one triangle
      * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
      * @throws IOException          if a file cannot be read
      */
@@ -86,10 +88,10 @@ public final class GltfReader {
     }
 
     /**
-     * Reads what has been read from a file.
+     * Makes a scene of the content of a file.
      *
      * @param bytes  the whole file
-     * @param search for the buffers and images it names
+     * @param search finds the buffers and images that the file names
      */
     static Scene read(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
@@ -135,7 +137,7 @@ public final class GltfReader {
         return draft.scene(materials.surfaces(), lights, views.camera()).with(new Units(1, isPhotometric()));
     }
 
-    /** Whether candela and lux are: where there are lights in them, or the user says so. */
+    /** Whether light is in photometric units: where the options say so or the file has lights that are used. */
     private boolean isPhotometric() {
         return options.units().isPhotometric() || options.lights() != ReadOptions.Lights.IGNORE
                 && (root.extension("KHR_lights_punctual").isPresent() || root.extension("EXT_lights_ies").isPresent());
@@ -149,10 +151,10 @@ public final class GltfReader {
     }
 
     /**
-     * Reads a file once more, whole, for who writes it again with something added.
+     * Reads a file again, completely, for a writer that adds to it.
      *
-     * @param options with which the scene was read
-     * @param scene   that was read from it
+     * @param options the options with which the scene was read
+     * @param scene   the scene that was read from the file
      */
     public static GltfModel original(Path file, ReadOptions options, Scene scene) throws IOException {
         OpenedFile opened = OpenedFile.of(file, options.withStrict(false), warning -> { });
@@ -162,7 +164,7 @@ public final class GltfReader {
         return new OriginalModel(reader.root, reader.buffers, reader.meshes).of(reader.standing, scene);
     }
 
-    /** The name of a mesh, with its number where another mesh has the same. */
+    /** The name of a mesh, followed by the mesh's number if an earlier mesh has the same name. */
     private String geometry(int mesh) throws SceneFormatException {
         String name = root.at("meshes").at(mesh).text("name", "mesh " + mesh);
         return geometries.computeIfAbsent(name, n -> mesh) == mesh ? name : name + "#" + mesh;
@@ -173,7 +175,7 @@ public final class GltfReader {
         return weights.isEmpty() ? new double[0] : weights.get().numbers(weights.get().size());
     }
 
-    /** The joints of a node's mesh as they stand; null where it has none. */
+    /** The skin of a node's mesh with its joints at rest; null where the node has none. */
     private Skin skin(JsonCursor node) throws IOException {
         if (node.optional("skin").isEmpty()) {
             return null;

@@ -19,7 +19,7 @@ import radiosity.scene.SceneFormatException;
 import radiosity.scene.Specular;
 import radiosity.scene.Surface;
 
-/** The surfaces of a scene, one for each material that is used: base colour is reflectance, emission is exitance. */
+/** The surfaces of a scene, one per material in use: base colour becomes reflectance, emission becomes exitance. */
 final class Materials {
 
     private static final int MIRRORED = 33648;
@@ -31,14 +31,16 @@ final class Materials {
     private final Diagnostics notes;
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<Optional<TextureLie>> lies = new ArrayList<>();
-    /** One per surface: see {@link #excess}. */
+    /** 1 entry per surface: see {@link #excess}. */
     private final List<Rgb> excesses = new ArrayList<>();
     private final Set<Integer> clipped = new HashSet<>();
     private final Map<Integer, Integer> known = new HashMap<>();
     private final Set<String> names = new HashSet<>();
     private final Map<Integer, Optional<ImageSource>> images = new HashMap<>();
 
-    /** @param photometric whether emission is a luminance, cd/m2, whose exitance is pi times that, lm/m2 */
+    /**
+     * @param photometric whether emission is a luminance in cd/m²; the exitance in lm/m² is then pi times as large
+     */
     Materials(JsonCursor root, Buffers buffers, boolean photometric, Diagnostics notes) {
         perEmission = photometric ? Math.PI : 1;
         this.root = root;
@@ -50,22 +52,22 @@ final class Materials {
         return surfaces;
     }
 
-    /** How the images of a surface lie; empty where it has none. */
+    /** The mapping of a surface's images onto its triangles; empty where the surface has no image. */
     Optional<TextureLie> lie(int surface) {
         return lies.get(surface);
     }
 
-    /** Whether an image has the reflectance of a surface. */
+    /** Whether an image gives the reflectance of a surface. */
     boolean hasImage(int surface) {
         return hasImage(surfaces.get(surface).textures(), ImageMap.Target.REFLECTANCE);
     }
 
-    /** By what the base colour of a surface is larger than its reflectance, which is limited; 1 for most. */
+    /** Base colour of a surface / its reflectance, per channel; above 1 where the reflectance was clipped, else 1. */
     Rgb excess(int surface) {
         return excesses.get(surface);
     }
 
-    /** Tells once that some of a surface reflects less than the file says. */
+    /** Notes, once per surface, that its reflectance was clipped. */
     void tellClipped(int surface) {
         if (clipped.add(surface)) {
             notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE,
@@ -73,7 +75,7 @@ final class Materials {
         }
     }
 
-    /** The number of the surface of a material; -1 is the one that holds where none is named. */
+    /** Index of the surface of a material; material -1 is glTF's default material. */
     int surface(int material) throws IOException {
         Integer number = known.get(material);
         if (number == null) {
@@ -132,7 +134,7 @@ final class Materials {
         return maps.stream().anyMatch(map -> map.target() == target);
     }
 
-    /** What a surface may reflect of a base colour; of which the excess is kept. */
+    /** The reflectance for a base colour: clipped at MAX_REFLECTANCE; the excess is stored for the surface. */
     private Rgb limited(Rgb colour) {
         double most = Surface.MAX_REFLECTANCE;
         excesses.add(new Rgb(Math.max(1, colour.r() / most), Math.max(1, colour.g() / most),
@@ -140,7 +142,7 @@ final class Materials {
         return colour.atMost(most);
     }
 
-    /** The name, or with a number where another surface has it. */
+    /** The name, followed by a number where another surface has the same name. */
     private String unique(String name) {
         String candidate = name;
         for (int n = surfaces.size(); !names.add(candidate); n++) {
@@ -150,10 +152,10 @@ final class Materials {
     }
 
     /**
-     * Adds an image to those of a surface.
+     * Adds an image to the maps of a surface, if the image is found and lies as the surface's first image does.
      *
-     * @param first how the first image lies, if there is one
-     * @return how the images lie
+     * @param first mapping of the surface's first image, if there is one
+     * @return mapping of the surface's images
      */
     private Optional<TextureLie> addImage(List<ImageMap> maps, ImageMap.Target target, JsonCursor info, Rgb scale,
                                           Optional<TextureLie> first) throws IOException {

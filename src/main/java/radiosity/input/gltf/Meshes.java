@@ -16,13 +16,13 @@ import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 
-/** The meshes of a glTF file as triangles, each read once for all nodes where it stands unchanged. */
+/** The meshes of a glTF file as triangles; a mesh without skin and node weights is read once for all its nodes. */
 final class Meshes {
 
     private static final int TRIANGLES = 4;
     private static final int STRIP = 5;
     private static final int FAN = 6;
-    /** Memory that one triangle takes here, bytes. */
+    /** Heap bytes that one triangle takes while it is read. */
     private static final int TRIANGLE_BYTES = 140;
 
     private final JsonCursor root;
@@ -34,10 +34,11 @@ final class Meshes {
     private final Map<Integer, List<Part>> known = new HashMap<>();
 
     /**
-     * The triangles of one material.
+     * The triangles of one primitive, and so of one material.
      *
-     * @param primitive of the mesh
-     * @param vertices  of the primitive, 3 per triangle; not modified
+     * @param surface   index of the triangles' surface
+     * @param primitive index of the primitive in its mesh
+     * @param vertices  indices of the primitive's vertices, 3 per triangle; not to be modified
      */
     record Part(TriangleMesh triangles, int surface, int primitive, int[] vertices) { }
 
@@ -50,7 +51,7 @@ final class Meshes {
         this.notes = notes;
     }
 
-    /** The parts of a mesh as it stands at a node. */
+    /** The parts of a mesh, with the morph weights and the skin of a node. */
     List<Part> parts(int number, Shape shape) throws IOException {
         boolean changed = shape.skin() != null || shape.weights().length > 0;
         List<Part> parts = changed ? null : known.get(number);
@@ -87,7 +88,7 @@ final class Meshes {
         }
     }
 
-    /** Checks that there is memory for this number of triangles and changed vertices more. */
+    /** Counts further triangles and moved vertices, and fails where they exceed the limits. */
     private void reserve(JsonCursor where, long more) throws SceneFormatException {
         total += more;
         if (total > options.maxTriangles() || total * TRIANGLE_BYTES > Runtime.getRuntime().maxMemory() / 2) {
@@ -96,7 +97,7 @@ final class Meshes {
         }
     }
 
-    /** Vertices where morph targets and joints put them. */
+    /** x, y, z of each vertex, moved by morph targets and joints; not to be modified. */
     private float[] points(JsonCursor primitive, JsonCursor attributes, Shape shape) throws IOException {
         float[] points = accessors.floats(attributes.at("POSITION"), "VEC3");
         Optional<JsonCursor> targets = primitive.optional("targets");
@@ -136,7 +137,7 @@ final class Meshes {
         return values;
     }
 
-    /** 3 vertices for each triangle; those whose vertices do not exist, or are no numbers, are dropped with a note. */
+    /** 3 vertex indices per triangle; triangles with missing or non-finite vertices are dropped with a note. */
     private int[] triangles(JsonCursor primitive, int mode, float[] points) throws IOException {
         int vertices = points.length / 3;
         Optional<JsonCursor> where = primitive.optional("indices");
@@ -180,7 +181,7 @@ final class Meshes {
         return true;
     }
 
-    /** Triangles with only the points that they use, and what else their corners have. */
+    /** Triangles with the points that they use, and the texture coordinates and colours of their corners. */
     private Part part(JsonCursor attributes, float[] given, int[] corners, int surface, int primitive)
             throws IOException {
         Map<Integer, Integer> numbers = new HashMap<>();
@@ -228,9 +229,9 @@ final class Meshes {
     }
 
     /**
-     * Factors of the reflectance in [0, 1]; empty where all are 1.
+     * Factors of the reflectance, 9 per triangle, in [0, 1]; empty where all are 1.
      *
-     * @param hasImage whether the reflectance is an image's, not the surface's
+     * @param hasImage whether an image gives the reflectance, so that the surface's own excess does not count
      */
     private float[] colours(JsonCursor attributes, int surface, boolean hasImage, int[] corners, int vertices)
             throws IOException {

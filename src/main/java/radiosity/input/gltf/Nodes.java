@@ -12,22 +12,22 @@ import radiosity.gltf.JsonCursor;
 import radiosity.scene.Affine;
 import radiosity.scene.SceneFormatException;
 
-/** The nodes of the scene that is shown first, each after its parent, and where they stand. */
+/** The nodes of the default scene, each after its parent, with their placements. */
 final class Nodes {
 
     /**
-     * A node in place.
+     * A node with its placement.
      *
-     * @param number its place in the file's list
-     * @param parent index among the placed nodes, or -1
-     * @param local  to its parent
-     * @param world  to the scene
+     * @param number index of the node in the file
+     * @param parent index of its parent among the placed nodes, or -1
+     * @param local  map from the node's space to its parent's
+     * @param world  map from the node's space to the scene's
      */
     record Placed(JsonCursor node, int number, int parent, Affine local, Affine world) { }
 
     private final JsonCursor root;
     private final List<Placed> nodes = new ArrayList<>();
-    /** By number. */
+    /** By the nodes' index in the file. */
     private final Map<Integer, Placed> byNumber = new HashMap<>();
 
     Nodes(JsonCursor root) throws SceneFormatException {
@@ -39,12 +39,12 @@ final class Nodes {
         return nodes;
     }
 
-    /** Where a node stands; empty where it is none of the scene's. */
+    /** Map from a node's space to the scene's; empty where the node is not in the default scene. */
     Optional<Affine> world(int number) {
         return Optional.ofNullable(byNumber.get(number)).map(Placed::world);
     }
 
-    /** The list of the scene's top nodes: of the one that the file names, else of the first. */
+    /** The root nodes of the default scene: of the scene that the file names as default, else of the first. */
     private Optional<JsonCursor> top() throws SceneFormatException {
         if (root.optional("scenes").isEmpty()) {
             return Optional.empty();
@@ -86,7 +86,7 @@ final class Nodes {
                 node.numbers("scale", 1, 1, 1));
     }
 
-    /** Of 16 numbers column by column, the last row left out. */
+    /** The map of a 4 x 4 matrix of 16 numbers column by column, whose last row is ignored. */
     static Affine columns(double[] numbers) {
         double[] m = new double[12];
         for (int i = 0; i < m.length; i++) {
@@ -96,9 +96,9 @@ final class Nodes {
     }
 
     /**
-     * Scales, then turns, then moves.
+     * The map that scales by s, then rotates by q, then translates by t.
      *
-     * @param q x, y, z, w of any length; 0 does not turn
+     * @param q quaternion x, y, z, w of any length; a zero quaternion does not rotate
      */
     static Affine of(double[] t, double[] q, double[] s) {
         double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
@@ -113,7 +113,7 @@ final class Nodes {
             f * (x * z - y * w) * s[0], f * (y * z + x * w) * s[1], (1 - f * (x * x + y * y)) * s[2], t[2]});
     }
 
-    /** Where the instances of a node stand within it (EXT_mesh_gpu_instancing); empty where it has none. */
+    /** Maps from instances' spaces to the node's (EXT_mesh_gpu_instancing); empty where the node has no instances. */
     static Optional<List<Affine>> instances(JsonCursor node, Accessors accessors, long most) throws IOException {
         Optional<JsonCursor> extension = node.extension("EXT_mesh_gpu_instancing");
         if (extension.isEmpty()) {

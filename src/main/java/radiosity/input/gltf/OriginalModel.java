@@ -14,7 +14,7 @@ import radiosity.gltf.JsonCursor;
 import radiosity.scene.Affine;
 import radiosity.scene.Scene;
 
-/** A glTF file as it was read, its buffers and images in one piece, and which triangles became those of the scene. */
+/** Makes a model of a glTF file with embedded buffers and images, and finds which of its triangles are in the scene. */
 final class OriginalModel {
 
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
@@ -23,7 +23,7 @@ final class OriginalModel {
     private final JsonCursor root;
     private final Buffers buffers;
     private final Meshes meshes;
-    /** The triangle of the scene that was not met yet. */
+    /** The first triangle of the scene that has not been matched with a triangle of the file. */
     private int next;
 
     OriginalModel(JsonCursor root, Buffers buffers, Meshes meshes) {
@@ -32,7 +32,7 @@ final class OriginalModel {
         this.meshes = meshes;
     }
 
-    /** @param standing all meshes in the order in which the scene has their triangles */
+    /** @param standing all placed meshes, in the order of their triangles in the scene */
     GltfModel of(List<GltfReader.Standing> standing, Scene scene) throws IOException {
         List<GltfModel.Place> places = new ArrayList<>();
         for (GltfReader.Standing mesh : standing) {
@@ -49,7 +49,7 @@ final class OriginalModel {
         return model;
     }
 
-    /** The scene's triangles in their order; those without area were left out there. */
+    /** The scene's triangle for each triangle of a part; -1 for triangles without area, which the scene left out. */
     private int[] met(Meshes.Part part, Affine world, boolean reversed, Scene scene) {
         int[] triangles = new int[part.vertices().length / 3];
         for (int t = 0; t < triangles.length; t++) {

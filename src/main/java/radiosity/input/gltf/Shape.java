@@ -1,10 +1,10 @@
 package radiosity.input.gltf;
 
 /**
- * How a node changes the vertices of its mesh, at rest.
+ * How a node deforms the vertices of its mesh, at rest.
  *
- * @param weights of morph targets; may be empty
- * @param skin    moves vertices straight to the scene; null for none
+ * @param weights weights of the morph targets; may be empty
+ * @param skin    moves the vertices directly to the scene's space; null for none
  */
 record Shape(double[] weights, Skin skin) {
 }

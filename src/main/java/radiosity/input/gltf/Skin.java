@@ -4,18 +4,18 @@ import java.util.List;
 import radiosity.scene.Affine;
 
 /**
- * Joints as they stand at rest.
+ * The joints of a skin, at rest.
  *
- * @param joints from the mesh's space, as it was bound to a joint, to the scene
+ * @param joints per joint the map from the mesh's space to the scene's: joint's world after its inverse bind matrix
  */
 record Skin(List<Affine> joints) {
 
     /**
-     * Moves points by the weighted mean of their joints.
+     * Moves each point to the weighted mean of its images by its joints; a point without weights becomes NaN.
      *
-     * @param points  x, y, z of each; are changed
-     * @param numbers of joints, 4 per point and list
-     * @param weights as many
+     * @param points  x, y, z of each point; modified
+     * @param numbers indices of joints, 4 per point in each array of the list
+     * @param weights weights of these joints, in the same order
      */
     void move(float[] points, List<float[]> numbers, List<float[]> weights) {
         for (int p = 0; p < points.length / 3; p++) {

@@ -6,20 +6,20 @@ import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Specular;
 
-/** How a material shines: metallic-roughness, KHR_materials_transmission, KHR_materials_ior, KHR_materials_volume. */
+/** Mirroring of a material: metallic-roughness, KHR_materials_transmission, KHR_materials_ior, KHR_materials_volume. */
 final class SpecularFactors {
 
-    /** What is as rough as this, or rougher, is seen as if it were diffuse. */
+    /** From this roughness on, an opaque surface is shown as diffuse. */
     private static final double ROUGH = 0.5;
     private static final double USUAL_INDEX = 1.5;
 
     private SpecularFactors() { }
 
     /**
-     * What the factors of a material say; nothing where images vary them.
+     * Mirroring and transmission by a material's factors; empty where images vary them or pictures show none.
      *
      * @param colour   the base colour
-     * @param hasImage whether an image varies it
+     * @param hasImage whether an image varies the base colour
      */
     static Optional<Specular> of(JsonCursor material, Rgb colour, boolean hasImage) throws SceneFormatException {
         Optional<JsonCursor> base = material.optional("pbrMetallicRoughness");
@@ -44,7 +44,7 @@ final class SpecularFactors {
                 tint.times(rest * passed), rest * (1 - passed), roughness, index, isThin));
     }
 
-    /** An index of 0 stands for one without end. */
+    /** The refractive index within the range of {@link Specular}; 0 stands for infinity. */
     private static double index(JsonCursor material) throws SceneFormatException {
         Optional<JsonCursor> extension = material.extension("KHR_materials_ior");
         double index = extension.isEmpty() ? USUAL_INDEX : extension.get().number("ior", USUAL_INDEX);

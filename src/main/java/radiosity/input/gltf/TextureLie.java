@@ -1,20 +1,20 @@
 package radiosity.input.gltf;
 
 /**
- * How an image lies on a surface: a set of texture coordinates, and their map to (u, v) with v upwards
+ * The mapping of an image onto a surface: a set of texture coordinates, and their affine map to (u, v) with v upwards
  * (KHR_texture_transform).
  *
- * @param set which coordinates
- * @param uu  factor of u for u
- * @param uv  factor of v for u
+ * @param set index of the set of texture coordinates
+ * @param uu  factor of the given u in u
+ * @param uv  factor of the given v in u
  * @param u   added to u
- * @param vu  factor of u for v
- * @param vv  factor of v for v
+ * @param vu  factor of the given u in v
+ * @param vv  factor of the given v in v
  * @param v   added to v
  */
 record TextureLie(int set, double uu, double uv, double u, double vu, double vv, double v) {
 
-    /** Of coordinates scaled, turned counter-clockwise as one sees the image, and moved; v downwards. */
+    /** The mapping that scales, rotates counter-clockwise in the image and moves coordinates (v downwards). */
     static TextureLie of(int set, double[] scale, double rotation, double[] offset) {
         double c = StrictMath.cos(rotation);
         double s = StrictMath.sin(rotation);

@@ -14,10 +14,10 @@ import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 
-/** The lights of a scene (KHR_lights_punctual, EXT_lights_ies) and its camera: both look along -z of their nodes. */
+/** The lights (KHR_lights_punctual, EXT_lights_ies) and the camera of a scene; both face along -z of their nodes. */
 final class Views {
 
-    /** Width of a picture / its height, where a camera leaves it to the window. */
+    /** Width of a picture / its height where a camera leaves it open. */
     private static final double ASPECT = 16.0 / 9;
     private static final double QUARTER = Math.PI / 4;
 
@@ -37,12 +37,12 @@ final class Views {
         return lights;
     }
 
-    /** The first one. */
+    /** The first camera of the scene. */
     Optional<Camera> camera() {
         return camera;
     }
 
-    /** Takes the light and the camera of a node, where it has any. */
+    /** Adds the lights and the camera of a node, where it has any. */
     void add(Nodes.Placed at) throws IOException {
         Optional<JsonCursor> light = at.node().extension("KHR_lights_punctual");
         if (light.isPresent()) {
@@ -67,7 +67,7 @@ final class Views {
         return new Vec3(world.m()[3], world.m()[7], world.m()[11]);
     }
 
-    /** EXT_lights_ies: a luminaire that shines along -z, with its plane of horizontal angle 0 in that of x and z. */
+    /** Adds a luminaire of EXT_lights_ies: it shines along -z; its plane of horizontal angle 0 contains x and z. */
     private void addLuminaire(JsonCursor light, Nodes.Placed at) throws IOException {
         JsonCursor file = root.extension("EXT_lights_ies").orElseThrow(
                 () -> root.wrong("lights in extensions/EXT_lights_ies")).at("lights").at(light.at("light").integer());
