@@ -4,13 +4,13 @@ import radiosity.input.file.IntList;
 import radiosity.input.polygon.Polygons;
 
 /**
- * The polygons of an object, or of a group in it.
+ * The polygons of an object, or of a group in an object.
  *
- * @param node     index of its node
- * @param place    where it begins in the file, for messages
- * @param polygons corners are vertices of the file, tags are numbers of materials
- * @param textures which texture vertex each corner has, or -1
- * @param lines    line of each polygon
+ * @param node     index of its node in the scene
+ * @param place    line in the file where it begins, for messages
+ * @param polygons corners are indices of the file's vertices, tags are indices of materials
+ * @param textures index of the texture vertex of each corner, or -1
+ * @param lines    line of each polygon in the file
  */
 record Group(int node, String place, Polygons polygons, IntList textures, IntList lines) {
 

@@ -2,18 +2,18 @@ package radiosity.input.obj;
 
 import radiosity.scene.Rgb;
 
-/** What a material library says of a material, as written. */
+/** A material as a material library describes it. */
 final class Material {
 
-    /** Reflectance where nothing is said: a light grey. */
+    /** Reflectance where the library gives none: a light grey. */
     private static final double GREY = 0.8;
 
     final String name;
-    /** Whether a library describes it. */
+    /** Whether a library describes the material. */
     final boolean described;
-    /** Kd; null where it is not said. */
+    /** Kd; null where the library gives none. */
     Rgb diffuse;
-    /** Ke; null where it is not said. */
+    /** Ke; null where the library gives none. */
     Rgb emitted;
     /** map_Kd; null where there is none. */
     TextureImage diffuseImage;
@@ -26,12 +26,12 @@ final class Material {
         this.described = described;
     }
 
-    /** Kd: a light grey, or white under an image, where it is not said. */
+    /** Kd; without it a light grey, or white under an image. */
     Rgb diffuse() {
         return diffuse != null ? diffuse : Rgb.grey(diffuseImage == null ? GREY : 1);
     }
 
-    /** Ke: nothing, or all of an image, where it is not said. */
+    /** Ke; without it black, or white under an image. */
     Rgb emitted() {
         return emitted != null ? emitted : Rgb.grey(emittedImage == null ? 0 : 1);
     }

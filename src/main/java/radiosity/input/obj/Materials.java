@@ -19,10 +19,10 @@ import radiosity.scene.Srgb;
 import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
-/** The materials of an OBJ file: its libraries are found and read, and surfaces made of what they say. */
+/** The materials of an OBJ file: finds and reads the file's libraries and makes surfaces of their materials. */
 final class Materials {
 
-    /** Libraries in a line. */
+    /** Most libraries in one line. */
     private static final int MOST_NAMES = 100;
 
     private final FileSearch search;
@@ -36,7 +36,7 @@ final class Materials {
         this.notes = notes;
     }
 
-    /** Reads libraries as a file names them: one whose name may hold blanks, or several. */
+    /** Reads libraries; each text is one name that may contain blanks, or several names between blanks. */
     void read(Set<String> written) throws IOException {
         for (String names : written) {
             Optional<Path> whole = search.file(names);
@@ -54,7 +54,7 @@ final class Materials {
         }
     }
 
-    /** A material by its name; a light grey where no library describes it. */
+    /** A material by its name; a light grey one where no library describes it. */
     Material material(String name) {
         Material known = described.get(name);
         if (known == null) {
@@ -64,7 +64,7 @@ final class Materials {
         return known;
     }
 
-    /** What a material reflects and emits, on the side from which corners run counter-clockwise. */
+    /** The surface of a material; it reflects and emits on the side from which corners run counter-clockwise. */
     Surface surface(Material material) {
         Rgb diffuse = options.srgb() ? Srgb.linear(material.diffuse()) : material.diffuse();
         if (material.transparent) {

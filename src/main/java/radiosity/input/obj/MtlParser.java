@@ -6,11 +6,11 @@ import radiosity.input.file.Diagnostics;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 
-/** Reads a material library (MTL): of each material what it reflects diffusely and what it emits. */
+/** Reads diffuse reflectance and emission of the materials in a material library (MTL). */
 final class MtlParser {
 
     private static final int MOST_MATERIALS = 1 << 16;
-    /** Options of images with a fixed number of words after them; those of -o, -s and -t are up to 3 numbers. */
+    /** Options of images with a fixed number of words after them; -o, -s and -t have up to 3 numbers. */
     private static final Map<String, Integer> OPTIONS = Map.of("-blendu", 1, "-blendv", 1, "-boost", 1, "-mm", 2,
             "-texres", 1, "-bm", 1, "-imfchan", 1, "-type", 1, "-cc", 1);
 
@@ -25,9 +25,10 @@ final class MtlParser {
     }
 
     /**
-     * Adds the materials of a library; the first of a name counts.
+     * Adds the materials of a library; of several materials with one name the first is kept.
      *
-     * @param file not modified
+     * @param file      not modified
+     * @param materials by name; modified
      */
     static void parse(byte[] file, Diagnostics notes, Map<String, Material> materials) throws SceneFormatException {
         new MtlParser(new TextLines(file), notes, materials).parse();
@@ -62,7 +63,7 @@ final class MtlParser {
         return material;
     }
 
-    /** Three numbers, or one for all of them. */
+    /** Reads three numbers, or one number for all channels. */
     private Rgb colour(Rgb before) {
         String first = lines.word();
         if (first.equals("spectral") || first.equals("xyz")) {
@@ -80,7 +81,7 @@ final class MtlParser {
         return new Rgb(r, g, b);
     }
 
-    /** Options, then the path, which may hold blanks. */
+    /** Reads options, then the path, which may contain blanks. */
     private TextureImage image() {
         double[] scale = {1, 1};
         double[] offset = new double[2];
@@ -104,7 +105,7 @@ final class MtlParser {
         return new TextureImage(path, scale[0], scale[1], offset[0], offset[1], clamp);
     }
 
-    /** Up to three numbers, of which the first two are kept. */
+    /** Reads up to three numbers and keeps the first two. */
     private void numbers(double[] into) {
         for (int i = 0; i < 3; i++) {
             String rest = lines.rest();

@@ -19,7 +19,7 @@ final class ObjParser {
 
     private static final int MOST_MATERIALS = 1 << 16;
     private static final int MOST_LIBRARIES = 1000;
-    /** A vertex that no file has. */
+    /** Index of a missing vertex, above those of all files. */
     private static final int MISSING = Integer.MAX_VALUE / 4;
     private static final Set<String> CURVED = Set.of("curv", "curv2", "surf", "cstype", "vp", "deg", "bmat", "parm");
 
@@ -27,9 +27,9 @@ final class ObjParser {
     final FloatList textures = new FloatList();
     /** In the order of the file. */
     final List<Group> groups = new ArrayList<>();
-    /** Names of materials in the order of their numbers. */
+    /** Names of materials, by the polygons' tags. */
     final List<String> materials = new ArrayList<>();
-    /** As written; a line may name several. */
+    /** Texts after "mtllib" as written; each names one library or several. */
     final Set<String> libraries = new LinkedHashSet<>();
 
     private final String name;
@@ -41,11 +41,11 @@ final class ObjParser {
     private final Map<List<String>, Group> byName = new LinkedHashMap<>();
     private String object = "";
     private String group = "";
-    /** Of the present object and group; null before it has polygons. */
+    /** Polygons of the current object and group; null before the first polygon. */
     private Group present;
     private int material = -1;
 
-    /** @param name of polygons before any object and group */
+    /** @param name name of the object for polygons before any object and group */
     ObjParser(byte[] file, String name, SceneDraft draft, Diagnostics notes) {
         this.name = name;
         this.draft = draft;
@@ -132,14 +132,16 @@ final class ObjParser {
         present.lines().add(lines.number());
     }
 
-    /** Numbers count from 1, negative ones from the latest backwards; one beyond those so far may come later. */
+    /**
+     * Index from a number that counts from 1, or back from the latest vertex if negative; vertices may follow later.
+     */
     private static int index(String text, int count) {
         double number = TextLines.number(text, 0);
         double index = number < 0 ? count + number : number - 1;
         return index >= 0 && index < MISSING && index == Math.rint(index) ? (int) index : MISSING;
     }
 
-    /** The present object and group with a node of its own, which is below its object's where the file has both. */
+    /** The current object and group with its own node, which is a child of the object's node where both have names. */
     private Group group() throws SceneFormatException {
         Group known = byName.get(List.of(object, group));
         if (known == null) {

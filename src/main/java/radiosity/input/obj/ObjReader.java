@@ -28,7 +28,7 @@ import radiosity.settings.ReadOptions;
 /** Reads a Wavefront OBJ file and the material libraries that it names. */
 public final class ObjReader {
 
-    /** Where a scene lies farther from the origin than this times its size, floats count from its middle. */
+    /** Largest distance from the origin / size of a scene whose coordinates are not stored relative to its centre. */
     private static final double FAR = 16;
 
     private final ReadOptions options;
@@ -37,13 +37,13 @@ public final class ObjReader {
     private final Materials materials;
     private final ObjParser file;
     private final List<Surface> surfaces = new ArrayList<>();
-    /** By number of material. */
+    /** Index of the surface in {@code surfaces}, by the index of the material. */
     private final Map<Integer, Integer> surfaceOf = new HashMap<>();
     private final List<TextureImage> imageOf = new ArrayList<>();
     private boolean textured;
     private double[] origin;
     private FloatList points;
-    /** 1 per vertex: its number in the mesh that is being made, or -1. */
+    /** 1 per vertex: its index in the mesh that is being made, or -1. */
     private int[] local;
 
     private ObjReader(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes) {
@@ -55,11 +55,11 @@ public final class ObjReader {
     }
 
     /**
-     * Reads a file and the libraries it names.
+     * Reads a file and the libraries that it names.
      *
-     * @param options  how
-     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
-     * @return at least one triangle
+     * @param options  where libraries and images are searched, colour spaces, limits
+     * @param warnings receives one line, with file and place, for each kind of content that was left out or repaired
+     * @return a scene of at least one triangle
      * @throws SceneFormatException if the content cannot be used, or under {@code strict} at the first warning
      * @throws IOException          if a file cannot be read
      */
@@ -69,10 +69,10 @@ public final class ObjReader {
     }
 
     /**
-     * Reads what has been read from a file.
+     * Makes a scene of the content of a file.
      *
      * @param bytes  the whole file
-     * @param search for the libraries and images it names
+     * @param search finds the libraries and images that the file names
      */
     static Scene read(byte[] bytes, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
@@ -87,7 +87,7 @@ public final class ObjReader {
         return reader.draft.scene(reader.surfaces, List.of(), Optional.empty());
     }
 
-    /** Brings the vertices to floats. */
+    /** Converts the vertices to floats, relative to the scene's centre where the scene is far from the origin. */
     private void place() {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
@@ -131,7 +131,7 @@ public final class ObjReader {
         part.finish(group);
     }
 
-    /** The triangles of a group while they are gathered. */
+    /** Collects the triangles of a group. */
     private final class Part {
 
         private final FloatList used = new FloatList();
@@ -189,7 +189,7 @@ public final class ObjReader {
         }
 
         void finish(Group group) throws SceneFormatException {
-            // a surface with images that comes late leaves the triangles before it without coordinates
+            // Triangles added before the first surface with images have no coordinates yet: they get NaN.
             float[] uv = new float[coordinates.size() == 0 ? 0 : 2 * corners.size()];
             Arrays.fill(uv, Float.NaN);
             System.arraycopy(coordinates.toArray(), 0, uv, uv.length - coordinates.size(), coordinates.size());
@@ -203,7 +203,7 @@ public final class ObjReader {
         }
     }
 
-    /** The scene's number of a material. */
+    /** Index in {@code surfaces} of the surface of a material, which is made when it is first used. */
     private int surface(int material) {
         Integer known = surfaceOf.get(material);
         if (known == null) {

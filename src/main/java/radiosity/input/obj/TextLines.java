@@ -5,8 +5,8 @@ import java.nio.charset.StandardCharsets;
 import radiosity.input.file.Utf8;
 
 /**
- * The lines of an OBJ or MTL file: a keyword and words after it. A line that ends in a backslash goes on in the next
- * one; empty lines and comments are left out. A byte is looked at a bounded number of times, whatever the file holds.
+ * The lines of an OBJ or MTL file, each a keyword and words. A line that ends in a backslash continues in the next one;
+ * empty lines and comments are skipped. Each byte is read a bounded number of times, whatever the file holds.
  */
 final class TextLines {
 
@@ -25,7 +25,7 @@ final class TextLines {
         at = Utf8.hasMark(file) ? 3 : 0;
     }
 
-    /** Goes to the next line that says something; false at the end. */
+    /** Moves to the next line that is neither empty nor a comment; false at the end. */
     boolean next() {
         while (at < file.length) {
             first = number + 1;
@@ -38,7 +38,7 @@ final class TextLines {
         return false;
     }
 
-    /** A line with those that go on from it. */
+    /** A line joined with its continuation lines. */
     private String whole() {
         String piece = piece();
         if (!piece.endsWith("\\")) {
@@ -63,7 +63,7 @@ final class TextLines {
         return piece;
     }
 
-    /** Where the line is, for messages. */
+    /** Number of the line, for messages. */
     String place() {
         return "line " + first;
     }
@@ -72,7 +72,7 @@ final class TextLines {
         return first;
     }
 
-    /** The next word of the line, the keyword first; empty at its end. */
+    /** The next word of the line, the keyword first; empty at the end of the line. */
     String word() {
         int start = skipBlanks();
         while (word < line.length() && !isBlank(line.charAt(word))) {
@@ -81,18 +81,18 @@ final class TextLines {
         return line.substring(start, word);
     }
 
-    /** What of the line has not been read. */
+    /** The rest of the line after the words that were read. */
     String rest() {
         return line.substring(skipBlanks());
     }
 
-    /** The next word as a number; NaN where it is none or missing. */
+    /** The next word, or {@code otherwise} at the end of the line, as a number; NaN where it is not a number. */
     double number(String otherwise) {
         String text = word();
         return number(text.isEmpty() ? otherwise : text, Double.NaN);
     }
 
-    /** A word as a number. */
+    /** A word as a number; {@code otherwise} where it is not a number. */
     static double number(String text, double otherwise) {
         try {
             return Double.parseDouble(text);
