@@ -9,15 +9,15 @@ import radiosity.scene.SceneFormatException;
 /**
  * Reads EULUMDAT: a number or a text per line.
  *
- * <p>Source: A. Stockmar, EULUMDAT - ein Leuchtendatenformat für den europäischen Beleuchtungsplaner, Licht '90, 1990.
- * Of several sets of lamps, which are alternatives, the first is taken.
+ * <p>Source: A. Stockmar, EULUMDAT - ein Leuchtendatenformat für den europäischen Beleuchtungsplaner, Licht '90,
+ * 1990. Of several sets of lamps, which are alternatives, the first is used.
  */
 final class EulumdatParser {
 
     private static final int MOST_PLANES = 721;
     private static final int MOST_ANGLES = 3601;
     private static final int MOST_SETS = 20;
-    /** Lines before the sets of lamps; of a set; of direct ratios. */
+    /** Number of lines: before the sets of lamps, of a set, of the direct ratios. */
     private static final int HEADER = 26;
     private static final int SET = 6;
     private static final int RATIOS = 10;
@@ -77,7 +77,7 @@ final class EulumdatParser {
         };
     }
 
-    /** Which of the C planes have intensities in the file, from 0. */
+    /** Indices of the C planes whose intensities the file lists; their number follows from the symmetry. */
     private int[] listed(int symmetry, int planes) throws SceneFormatException {
         int parts = symmetry == 4 || symmetry == 3 ? 4 : symmetry == 2 ? 2 : 1;
         if (planes % parts != 0) {
@@ -93,7 +93,9 @@ final class EulumdatParser {
         };
     }
 
-    /** The opening's length lies across the plane C0, its width in it; one without width is round. */
+    /**
+     * The file's length of the opening is across the plane C0, its width in it; an opening without width is a circle.
+     */
     private Photometry photometry(LuminousIntensity intensity) throws SceneFormatException {
         double length = size(16) * MILLIMETRE;
         double width = size(17) * MILLIMETRE;
@@ -101,7 +103,7 @@ final class EulumdatParser {
         return new Photometry(intensity, width > 0 ? width : side, side, Photometry.Tilt.NONE);
     }
 
-    /** A length that may be left out. */
+    /** A length, at least 0; 0 where the line is empty. */
     private double size(int line) throws SceneFormatException {
         return text(line).isEmpty() ? 0 : Math.max(0, number(line, "size of the luminous area"));
     }

@@ -23,7 +23,7 @@ final class IesParser {
 
     private final String name;
     private final Photometry.Sibling siblings;
-    /** Its second factor of flux, which later editions use for something else, is one. */
+    /** Whether the ballast-lamp photometric factor multiplies the flux; editions after 1991 use its place otherwise. */
     private final boolean isOld;
     private final String tilt;
     private StringTokenizer numbers;
@@ -41,7 +41,7 @@ final class IesParser {
         numbers = tokens(there ? text.substring(found.end()) : "");
     }
 
-    /** Whether a text is of this format, sound or not. */
+    /** Whether a text is in this format, valid or not. */
     static boolean isIes(String text) {
         return text.startsWith("IES") || TILT.matcher(text).find();
     }

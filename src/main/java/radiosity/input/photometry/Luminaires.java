@@ -16,7 +16,7 @@ import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
 
-/** Puts luminaires in the place of a scene's lights of the same name, or where the user says. */
+/** Replaces a scene's lights by luminaires of the same name, and adds luminaires at given positions. */
 public final class Luminaires {
 
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -24,10 +24,12 @@ public final class Luminaires {
     private Luminaires() { }
 
     /**
-     * The scene with the luminaires of the options. One takes the place of each light of its name, whose direction and
-     * colour it has, but not its intensity; or it hangs at three coordinates x,y,z and shines straight down.
+     * The scene with the luminaires of the options. A luminaire replaces each light of its name and takes the light's
+     * colour, not its intensity, and its direction unless it is a point light. A luminaire named x,y,z hangs there.
+     * Luminaires without direction shine straight down.
      *
-     * @throws SceneFormatException where no light has a name, the unit of length is not known, or a file is broken
+     * @return the scene itself without luminaires, else a photometric scene
+     * @throws SceneFormatException where no light has a name, the unit of length is not known, or a file is invalid
      * @throws IOException          where a file cannot be read
      */
     public static Scene place(Scene scene, ReadOptions options) throws IOException {
@@ -79,7 +81,7 @@ public final class Luminaires {
         }
     }
 
-    /** Three coordinates; null where they are none. */
+    /** The position that a name of three coordinates stands for; null for other names. */
     private static Vec3 place(String name) {
         String[] words = name.split(",", -1);
         double[] x = new double[words.length];

@@ -13,32 +13,32 @@ import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 
 /**
- * What a luminaire's file says.
+ * The photometry of a luminaire, from its file.
  *
- * @param intensity of the luminaire, cd
- * @param length    of its luminous opening in the plane of horizontal angle 0, m; of round ones, that of a rectangle as
- *                  large
- * @param width     of its luminous opening across, m
- * @param tilt      how its flux depends on how far it is tilted
+ * @param intensity intensity by direction, cd
+ * @param length    length of the luminous opening in the plane of horizontal angle 0, m; a round opening counts as a
+ *                  rectangle of the same area
+ * @param width     width of the luminous opening across that plane, m
+ * @param tilt      flux by the angle of tilt
  */
 public record Photometry(LuminousIntensity intensity, double length, double width, Tilt tilt) {
 
-    /** Edge of a square / diameter of a circle as large. */
+    /** Edge of a square / diameter of a circle of the same area. */
     static final double ROUND = Math.sqrt(Math.PI) / 2;
 
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
 
     /**
-     * Factors of flux by the angle between a luminaire's axis and straight down.
+     * Factors of the flux by the angle between a luminaire's axis and straight down.
      *
      * @param angles  degrees, ascending, at least one
-     * @param factors one for each
+     * @param factors one per angle
      */
     record Tilt(double[] angles, double[] factors) {
 
         static final Tilt NONE = new Tilt(new double[] {0}, new double[] {1});
 
-        /** Interpolated; beyond the angles as at the nearest one. */
+        /** Linear interpolation at an angle in degrees; beyond the angles the value of the nearest one. */
         double factor(double angle) {
             int i = 0;
             while (i < angles.length && angles[i] < angle) {
@@ -52,7 +52,7 @@ public record Photometry(LuminousIntensity intensity, double length, double widt
         }
     }
 
-    /** A file beside this one, which it names. */
+    /** Reads a file that the photometric file names, from the same directory; empty if there is none. */
     interface Sibling {
         Optional<byte[]> read(String name) throws IOException;
     }
@@ -60,9 +60,9 @@ public record Photometry(LuminousIntensity intensity, double length, double widt
     /**
      * Reads a file of either format.
      *
-     * @param maxBytes largest file that is read
-     * @throws SceneFormatException if it is no luminaire's file, or a broken one
-     * @throws IOException          if it cannot be read
+     * @param maxBytes largest size of a file, bytes
+     * @throws SceneFormatException if the content is not a valid photometric file
+     * @throws IOException          if the file cannot be read
      */
     public static Photometry read(Path file, long maxBytes) throws IOException {
         return of(InputFile.read(file, file.toString(), maxBytes), file.toString(), name -> {
@@ -74,10 +74,10 @@ public record Photometry(LuminousIntensity intensity, double length, double widt
     }
 
     /**
-     * Reads the bytes of a file that names no other.
+     * Reads the content of a file that names no other file.
      *
-     * @param name for messages
-     * @throws SceneFormatException if it is no luminaire's file, or a broken one
+     * @param name name of the file in messages
+     * @throws SceneFormatException if the content is not a valid photometric file
      */
     public static Photometry of(byte[] bytes, String name) throws IOException {
         return of(bytes, name, other -> Optional.empty());
@@ -94,12 +94,13 @@ public record Photometry(LuminousIntensity intensity, double length, double widt
     }
 
     /**
-     * A light of a scene that shines as this luminaire does.
+     * A point light with this luminaire's intensities, in a photometric scene.
      *
-     * @param zero   direction of the plane of horizontal angle 0; of zero length: any that is level
+     * @param down   direction of the luminaire's axis, of any length above 0
+     * @param zero   direction of the plane of horizontal angle 0; a horizontal one is used if zero is 0 or along down
      * @param colour factor of the intensities
-     * @param metre  scene units
-     * @throws IllegalArgumentException where it is dark
+     * @param metre  scene units per metre
+     * @throws IllegalArgumentException where all intensities are 0
      */
     public Light at(String name, Vec3 position, Vec3 down, Vec3 zero, Rgb colour, double metre) {
         Vec3 level = Math.abs(down.unit().y()) > 0.999 ? new Vec3(1, 0, 0) : DOWN.cross(down);

@@ -6,44 +6,44 @@ import java.util.function.DoubleFunction;
 import radiosity.scene.LuminousIntensity;
 
 /**
- * Intensities as a file lists them, of which the rest follows by symmetry.
+ * Intensities as a file lists them; intensities of further planes follow by symmetry.
  *
  * @param horizontal angles, degrees
  * @param vertical   angles, degrees, ascending
- * @param candela    one per vertical angle, horizontal angle by horizontal angle
+ * @param candela    one per vertical angle for the first horizontal angle, then for the next
  */
 record Web(double[] horizontal, double[] vertical, double[] candela) {
 
-    /** Angles that differ by less are one, degrees. */
+    /** Angles that differ by less than this count as equal, degrees. */
     private static final double ROUNDING = 1e-6;
 
-    /** One plane, which is turned around. */
+    /** Type C, the same in all planes; the file has one plane. */
     LuminousIntensity axial() {
         return web(LuminousIntensity.Type.C, angle -> new double[] {0, 360});
     }
 
-    /** 0 to 90 degrees of four quadrants. */
+    /** Type C, symmetric about the planes C0 and C90; the file has 0 to 90 degrees. */
     LuminousIntensity quadrants() {
         return web(LuminousIntensity.Type.C, a -> new double[] {a, 180 - a, 180 + a, 360 - a});
     }
 
-    /** 0 to 180 degrees of two halves. */
+    /** Type C, symmetric about the plane C0; the file has 0 to 180 degrees. */
     LuminousIntensity halves() {
         return web(LuminousIntensity.Type.C, a -> new double[] {a, 360 - a});
     }
 
-    /** 90 to 270 degrees, or 270 to 360 and 0 to 90: of two halves, too. */
+    /** Type C, symmetric about the plane C90; the file has 90 to 270 degrees, or 270 to 360 and 0 to 90. */
     LuminousIntensity mirroredAtNinety() {
         return web(LuminousIntensity.Type.C, a -> new double[] {a, a > 180 + ROUNDING ? 540 - a : 180 - a,
                 Math.abs(a - 180) < ROUNDING ? 360 : a});
     }
 
-    /** All around. */
+    /** Type C without symmetry. */
     LuminousIntensity whole() {
         return web(LuminousIntensity.Type.C, a -> new double[] {a});
     }
 
-    /** -90 to 90 degrees of both angles; what begins with 0 is the same on the other side. */
+    /** Type A or B, with -90 to 90 degrees of both angles; an angle that begins with 0 is mirrored. */
     LuminousIntensity turned(LuminousIntensity.Type type) {
         DoubleFunction<double[]> sides = horizontal.length == 1 ? a -> new double[] {-90, 90}
                 : horizontal[0] < -ROUNDING ? a -> new double[] {a} : a -> new double[] {-a, a};
@@ -63,7 +63,7 @@ record Web(double[] horizontal, double[] vertical, double[] candela) {
         return new Web(horizontal, both, mirrored).web(type, sides);
     }
 
-    /** @param images at which angles there is a plane like one of the file */
+    /** @param images maps a plane's horizontal angle to the angles of all planes with the same intensities */
     private LuminousIntensity web(LuminousIntensity.Type type, DoubleFunction<double[]> images) {
         Map<Long, Integer> planes = new TreeMap<>();
         for (int i = 0; i < horizontal.length; i++) {

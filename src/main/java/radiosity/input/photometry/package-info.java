@@ -1,4 +1,2 @@
-/**
- * Reads luminaires' files (IES LM-63, EULUMDAT) and puts them in the place of a scene's lights.
- */
+/** Reads photometric files of luminaires (IES LM-63, EULUMDAT) and replaces lights of a scene by luminaires. */
 package radiosity.input.photometry;
