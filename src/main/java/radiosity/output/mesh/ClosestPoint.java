@@ -4,9 +4,9 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 
 /**
- * The point of an element that is nearest to a given one.
+ * The point of an element or triangle that is nearest to a given point.
  *
- * @param weights  of the element's corners, at least 0, their sum is 1
+ * @param weights  barycentric weights of corners 0, 1 and 2, each at least 0, their sum is 1
  * @param distance from the given point, scene units
  */
 public record ClosestPoint(double[] weights, double distance) {
@@ -24,7 +24,7 @@ public record ClosestPoint(double[] weights, double distance) {
         this(w, a.times(w[0]).plus(b.times(w[1])).plus(c.times(w[2])).minus(point).length());
     }
 
-    /** Inside the triangle by areas, else on the nearest of its edges. */
+    /** Barycentric weights of the nearest point: by areas if p projects into the triangle, else on the nearest edge. */
     private static double[] weights(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
         Vec3 n = b.minus(a).cross(c.minus(a));
         double square = n.dot(n);
@@ -46,6 +46,7 @@ public record ClosestPoint(double[] weights, double distance) {
         return nearest;
     }
 
+    /** Fraction in [0, 1] of the edge ab at which its point nearest to p lies; 0 for an edge without length. */
     private static double along(Vec3 a, Vec3 b, Vec3 p) {
         Vec3 d = b.minus(a);
         double square = d.dot(d);

@@ -5,14 +5,14 @@ import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.util.BoxTree;
 
-/** Finds the element on which a point lies. */
+/** Finds the element on which a point lies. Several threads may search at the same time. */
 public final class ElementSearch {
 
-    /** How far a point may lie from its element, of the size of the box of all elements. */
+    /** How far a point may lie from its element, relative to the diagonal of the box of all elements. */
     private static final double TOLERANCE = 1e-5;
-    /** The least cosine between the element's normal and the one that is asked for. */
+    /** Least cosine between the normal of an element and the requested normal. */
     private static final double AGREES = 0.5;
-    /** A cosine that falls short of 1 by this counts as much as the whole tolerance of distance. */
+    /** A cosine this much below 1 costs as much as a distance of the whole tolerance. */
     private static final double TURNED = 1e-4;
 
     private final Solution solution;
@@ -37,9 +37,11 @@ public final class ElementSearch {
     }
 
     /**
-     * The element, or -1; between several the nearest whose normal agrees best.
+     * Index of the element at a point, or -1 if no element lies within the tolerance. Of several elements, the one with
+     * the least sum of distance and deviation of the normal is found; of equal sums, the lowest index.
      *
-     * @param normal unit direction
+     * @param point  scene units
+     * @param normal unit direction out of the visible side of the element
      */
     public int find(Vec3 point, Vec3 normal) {
         double[] p = {point.x(), point.y(), point.z()};

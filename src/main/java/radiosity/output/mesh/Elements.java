@@ -17,6 +17,8 @@ public final class Elements {
     }
 
     /**
+     * The point of an element with given barycentric weights, scene units; corner 0 has the weight 1 - v - w.
+     *
      * @param v weight of corner 1
      * @param w weight of corner 2
      */
@@ -25,18 +27,26 @@ public final class Elements {
                 .plus(corner(solution, element, 2).times(w));
     }
 
-    /** At right angles to the element on its visible side, twice as long as its area is large. */
+    /** Vector normal to an element out of its visible side, twice as long as its area is large, square scene units. */
     public static Vec3 cross(Solution solution, int element) {
         Vec3 a = corner(solution, element, 0);
         return corner(solution, element, 1).minus(a).cross(corner(solution, element, 2).minus(a));
     }
 
-    /** Corner k of the original triangle of a face, counter-clockwise seen from the face's visible side. */
+    /**
+     * Corner k (0, 1 or 2) of the original triangle of a face, counter-clockwise seen from the face's visible side,
+     * scene units.
+     *
+     * @param face 2 * original triangle, + 1 for its back
+     */
     public static Vec3 corner(Scene scene, int face, int k) {
         return scene.corner(face >> 1, (face & 1) == 0 ? k : (3 - k) % 3);
     }
 
-    /** Unit normal on the visible side: that of the original triangle, which is the more exact one. */
+    /**
+     * Unit normal of an element out of its visible side. The original triangle's normal is used, as it is more exact
+     * than that of the element. The normal of a triangle without area is +Y on its front, -Y on its back.
+     */
     public static Vec3 normal(Solution solution, int element) {
         Scene scene = solution.scene();
         int face = solution.faceOf()[element];

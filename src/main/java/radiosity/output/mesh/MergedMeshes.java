@@ -13,7 +13,10 @@ import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 
-/** Puts the meshes of a scene file together again, each element its own original triangle. */
+/**
+ * Merges the meshes of a scene file into one solution in which each element is its own original triangle. Surfaces of
+ * equal name become one surface; a reflectance that varies over a surface is replaced by the surface's mean.
+ */
 public final class MergedMeshes {
 
     private final Vec3 origin;
@@ -22,11 +25,12 @@ public final class MergedMeshes {
     private final double[] positions;
     private final double[] irradiance;
     private final int[] corners;
-    /** As the corners, but turned round for backs: the front of the original triangle. */
+    /** As {@link #corners}, but with corners 1 and 2 of backs swapped: the front side of the original triangles. */
     private final int[] original;
     private final int[] surfaceOf;
     private final int[] faceOf;
 
+    /** @param origin added to the positions of all meshes, scene units */
     public MergedMeshes(List<Mesh> meshes, Vec3 origin) {
         this.origin = origin;
         int vertices = meshes.stream().mapToInt(Mesh::vertices).sum();
@@ -65,6 +69,7 @@ public final class MergedMeshes {
         }
     }
 
+    /** The merged meshes as a solution of one layer, without lights, hierarchy and saved state. */
     public Solution solution(String name, int shots, int rounds, double unshotFlux, EnergyLedger ledger,
                       Optional<Camera> camera) {
         Scene scene = new Scene(name, positions, original, surfaceOf, surfaces, List.of(), camera);

@@ -18,16 +18,17 @@ import radiosity.solution.Solution;
 /**
  * One side of one surface of one object as the scene file holds it: indexed triangles with light at their vertices.
  *
- * @param surface    what it is made of
- * @param node       whose it is: index among the nodes of the scene's hierarchy; -1 where it has none
- * @param back       whether this is the back of a two-sided surface
- * @param positions  x, y, z relative to the file's origin, 3 per vertex, scene units
- * @param normals    unit vectors out of the visible side, 3 per vertex
- * @param irradiance H for red, green and blue, 3 per vertex, W/m²
- * @param radiosity  B = E + rho H, 3 per vertex, W/m²
- * @param reflectance rho, 3 per vertex, where it differs from place to place; else empty, and the surface's everywhere
- * @param layers     of each lamp its share of the irradiance, 3 per vertex, W/m²; empty where they are not kept apart
- * @param corners    vertices, 3 per element, counter-clockwise seen from the visible side
+ * @param surface     material of the side
+ * @param node        index of the object's node in the scene's hierarchy; -1 for triangles without a node
+ * @param back        whether this is the back of a two-sided surface
+ * @param positions   x, y, z relative to the file's origin, 3 per vertex, scene units
+ * @param normals     unit normals out of the visible side, 3 per vertex
+ * @param irradiance  H for red, green and blue, 3 per vertex, W/m²
+ * @param radiosity   B = E + rho H, 3 per vertex, W/m²
+ * @param reflectance rho, 3 per vertex, if rho varies over the surface; else empty, and the surface's rho holds
+ *                    everywhere
+ * @param layers      irradiance from each lamp, one array of 3 per vertex for each lamp, W/m²; empty without layers
+ * @param corners     vertices, 3 per element, counter-clockwise seen from the visible side
  */
 public record Mesh(Surface surface, int node, boolean back, float[] positions, float[] normals,
                    float[] irradiance, float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
@@ -36,43 +37,41 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         layers = List.copyOf(layers);
     }
 
-    /** Number of vertices. */
     public int vertices() {
         return positions.length / 3;
     }
 
-    /** Number of elements. */
     public int elements() {
         return corners.length / 3;
     }
 
-    /** Where corner k (0, 1 or 2) of an element is, relative to the file's origin, scene units. */
+    /** Position of corner k (0, 1 or 2) of an element, relative to the file's origin, scene units. */
     public Vec3 position(int element, int k) {
         int i = 3 * corners[3 * element + k];
         return new Vec3(positions[i], positions[i + 1], positions[i + 2]);
     }
 
-    /** At right angles to an element, out of its visible side, twice as long as its area is large. */
+    /** Vector normal to an element out of its visible side, twice as long as its area is large, square scene units. */
     public Vec3 cross(int element) {
         Vec3 a = position(element, 0);
         return position(element, 1).minus(a).cross(position(element, 2).minus(a));
     }
 
-    /** B at corner k of an element, W/m². */
+    /** Radiosity B at corner k (0, 1 or 2) of an element, W/m². */
     public Rgb radiosity(int element, int k) {
         return at(radiosity, corners[3 * element + k]);
     }
 
-    /** H at corner k of an element, W/m². */
+    /** Irradiance H at corner k (0, 1 or 2) of an element, W/m². */
     public Rgb irradiance(int element, int k) {
         return at(irradiance, corners[3 * element + k]);
     }
 
     /**
-     * This surface in the light of lamps that are dimmed or coloured.
+     * This mesh in the light of lamps that are dimmed or coloured.
      *
-     * @param lamps   whose layers these are
-     * @param factors of each lamp's light, at least 0
+     * @param lamps   the lamps of the layers, in the order of the layers
+     * @param factors by which the light of each lamp is multiplied, one per lamp, each channel at least 0
      */
     public Mesh mixed(List<Lamp> lamps, List<Rgb> factors) {
         Surface lit = lit(lamps, factors);
@@ -93,18 +92,19 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         return reflectance.length > 0 ? reflectance[i] : surface.reflectance().channel(i % 3);
     }
 
-    /** What is not reflected. */
+    /** Exitance of entry i (3 * vertex + channel), W/m²: radiosity minus reflected light if rho varies. */
     private double exitance(int i) {
         return reflectance.length > 0 ? Math.max(0, radiosity[i] - (double) reflectance[i] * irradiance[i])
                 : surface.exitance().channel(i % 3);
     }
 
+    /** Dimmed exitance of the surface over its original exitance; 1 where the surface emits nothing. */
     private double dimmed(Surface lit, int channel) {
         double before = surface.exitance().channel(channel);
         return before == 0 ? 1 : lit.exitance().channel(channel) / before;
     }
 
-    /** As a lamp that it may be. */
+    /** The surface with its exitance multiplied by the factor of the lamp that it is, if it is one of the lamps. */
     private Surface lit(List<Lamp> lamps, List<Rgb> factors) {
         Rgb exitance = surface.exitance();
         for (int layer = 0; layer < lamps.size(); layer++) {
@@ -115,7 +115,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         return surface.with(exitance);
     }
 
-    /** rho at corner k of an element. */
+    /** Reflectance rho at corner k (0, 1 or 2) of an element. */
     public Rgb reflectance(int element, int k) {
         return reflectance.length > 0 ? at(reflectance, corners[3 * element + k]) : surface.reflectance();
     }
@@ -125,9 +125,10 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
     }
 
     /**
-     * The meshes of a solution, surface by surface, front before back, object by object; what would be empty is none.
+     * Divides a solution into meshes, sorted by surface, front before back, then by node; there are no empty meshes.
      *
-     * @param origin what is subtracted from every position
+     * @param origin subtracted from all positions, scene units
+     * @throws IllegalArgumentException if a position or the light at a vertex is NaN
      */
     public static List<Mesh> of(Solution solution, Vec3 origin) {
         int[][] sides = bySide(solution);
@@ -143,7 +144,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         return meshes;
     }
 
-    /** Some elements by the nodes that they belong to, each list in the order of the one given. */
+    /** Groups elements by node (-1 for none); the order of the given elements stays within each group. */
     private static SortedMap<Integer, int[]> byNode(Solution solution, int[] elements) {
         SortedMap<Integer, int[]> parts = new TreeMap<>();
         Hierarchy hierarchy = solution.scene().hierarchy().written();
@@ -159,7 +160,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         return parts;
     }
 
-    /** The elements of each side, ascending: 2 * surface for its front, + 1 for its back. */
+    /** Elements of each side, ascending: entry 2 * surface for its front, entry 2 * surface + 1 for its back. */
     public static int[][] bySide(Solution solution) {
         int[] count = new int[2 * solution.scene().surfaces().size()];
         for (int face : solution.faceOf()) {
@@ -178,7 +179,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         return 2 * solution.scene().surfaceOf()[face >> 1] + (face & 1);
     }
 
-    /** @param local -1 per vertex of the solution, before and after */
+    /** @param local working memory: -1 per vertex of the solution, before and after the call */
     private static Mesh of(Solution solution, Vec3 origin, Surface surface, int node, boolean back, int[] elements,
                            int[] local) {
         int[] corners = new int[3 * elements.length];
@@ -211,7 +212,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         return IntStream.range(0, count).mapToObj(layer -> new float[length]).toList();
     }
 
-    /** 1 per vertex: the mean of the elements around it. */
+    /** 1 per vertex: the surface's material or, if it varies, the mean over the elements around the vertex. */
     private MaterialSample[] looks(Solution solution, int[] elements) {
         MaterialSample[] looks = new MaterialSample[vertices()];
         Arrays.fill(looks, new MaterialSample(surface.exitance(), surface.reflectance()));

@@ -6,7 +6,7 @@ import java.util.BitSet;
 /** The edges that are not shared by exactly two elements: borders of parts, and edges with a vertex hanging in them. */
 final class OpenEdges {
 
-    /** Sorted: lower vertex in the upper half, higher vertex in the lower half. */
+    /** One key per open edge, sorted: lower vertex in the upper 32 bits, higher vertex in the lower 32 bits. */
     private final long[] edges;
 
     /** @param corners vertices, 3 per element; not modified, not kept */
@@ -38,9 +38,9 @@ final class OpenEdges {
     }
 
     /**
-     * The vertices at their ends, ascending.
+     * The vertices at the ends of open edges, ascending.
      *
-     * @param vertices number of vertices
+     * @param vertices number of vertices of the mesh
      */
     int[] ends(int vertices) {
         BitSet ends = new BitSet(vertices);

@@ -14,39 +14,44 @@ import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
 /**
- * Closes the cracks where an element's edge meets smaller elements: the element is split at their corners.
+ * Closes the cracks at T-junctions: an element whose edge carries corners of smaller elements is split at these
+ * corners.
  *
- * <p>In a part (elements connected by vertices) the hanging vertex is shared and brings its own value; from another
- * part, of the same surface or not, only its position is taken, and the value is that of the edge, so that no light
- * crosses from one surface to another. Everything happens in the order of ids.
+ * <p>Within a part (elements connected by shared vertices) the hanging vertex is shared and keeps its own irradiance.
+ * Of a hanging vertex of another part, of the same surface or not, only the position is used; the irradiance is
+ * interpolated along the edge, so that no light crosses from one surface to another. Elements and vertices are
+ * processed in the order of their ids.
  */
 public final class TJunctions {
 
     /*
-     * A crack can only open along an edge that is not shared by exactly two elements, and on both of its sides there
-     * are such edges: so only their ends are sorted into a tree, and only they are searched for vertices. Of n elements
-     * that is about the square root of n where the mesh conforms; n log n at worst.
+     * A crack can only open along an edge that is not shared by exactly two elements, and on both sides of a crack
+     * there are open edges. So only the ends of open edges are sorted into a tree, and only open edges are searched for
+     * vertices. Of n elements, about the square root of n have open edges where the mesh conforms; the cost is n log n
+     * at worst.
      */
 
-    /** What lies nearer than this is one point, of the size of the box of all elements: a few float roundings. */
+    /** Vertices nearer than this are one point, of the diagonal of the box of all elements: a few float roundings. */
     static final double TOLERANCE = 5e-7;
 
     private final Solution solution;
     private final OpenEdges open;
     private final double tolerance;
     private final DisjointSets parts;
-    /** Vertex at the end of an open edge -> the lowest such vertex at the same point; others -> themselves. */
+    /**
+     * 1 per vertex: at the end of an open edge the lowest such vertex at the same point, elsewhere the vertex itself.
+     */
     private final int[] same;
     private final double[] positions;
-    /** The vertex of a part at a point: key is part, {@link #same}. */
+    /** The vertex of a part at a point; the key is made of the part and of {@link #same}. */
     private final LongIndex vertexAt;
-    /** x, y, z, then irradiance per channel, of each new vertex. */
+    /** The new vertices, each as x, y, z, then irradiance per channel, W/m². */
     private final List<double[]> created = new ArrayList<>();
     private final IntStream.Builder corners = IntStream.builder();
     private final IntStream.Builder faceOf = IntStream.builder();
-    /** The points at which open edges end. */
+    /** Tree over the points at which open edges end. */
     private final BoxTree tree;
-    /** 1 per point of the tree: the vertex at it that stands for all. */
+    /** 1 per point of the tree: the vertex that represents the point. */
     private final int[] ends;
 
     private TJunctions(Solution solution) {
@@ -71,15 +76,18 @@ public final class TJunctions {
         return BoxTree.ofPoints(points);
     }
 
-    /** The same light on elements that meet corner to corner; ids of vertices stay, those of elements may not. */
+    /**
+     * Returns the same light on elements that meet corner to corner. Vertices keep their ids, elements may get others.
+     * The given solution is not modified.
+     */
     public static Solution close(Solution solution) {
         return new TJunctions(solution).closed();
     }
 
     /**
-     * Makes open vertices that are one point but for rounding agree to the last bit.
+     * Gives all open vertices that are one point but for rounding the same position to the last bit.
      *
-     * @param open the vertices, ascending; not modified
+     * @param open the vertices at the ends of open edges, ascending; not modified
      */
     private void weld(int[] open) {
         Arrays.setAll(same, v -> v);
@@ -95,7 +103,7 @@ public final class TJunctions {
         }
     }
 
-    /** The lowest vertex at each point; it becomes what is {@link #same} at the point's others. */
+    /** The lowest vertex at each position; it becomes {@link #same} of the other given vertices there. */
     private int[] distinct(int[] open) {
         LongIndex index = new LongIndex(open.length);
         return IntStream.of(open).filter(v -> {
@@ -105,7 +113,7 @@ public final class TJunctions {
         }).toArray();
     }
 
-    /** A hash of a vertex's place. */
+    /** Hash of a vertex's position. */
     private long bits(int vertex) {
         long bits = 0;
         for (int a = 0; a < 3; a++) {
@@ -143,7 +151,7 @@ public final class TJunctions {
         return all;
     }
 
-    /** The vertices strictly inside edge k of an element, from its first end to its last. */
+    /** The vertices strictly inside edge k of an element, from corner k of the element to the next corner. */
     private int[] hanging(int e, int k) {
         int[] c = solution.corners();
         int a = c[3 * e + k];
@@ -163,7 +171,7 @@ public final class TJunctions {
         return inside.isEmpty() ? new int[0] : vertices(a, b, inside);
     }
 
-    /** Where on the edge a vertex lies, 0 at a and 1 at b; NaN where it lies off the edge. */
+    /** Position of v along the edge ab, 0 at a and 1 at b; NaN farther than the tolerance from the edge's line. */
     private double along(int a, int b, int v) {
         double dot = 0;
         double square = 0;
@@ -179,7 +187,12 @@ public final class TJunctions {
         return distance - t * dot <= tolerance * tolerance ? t : Double.NaN;
     }
 
-    /** This part's vertices at the given points of its edge; they are made where it has none. */
+    /**
+     * Vertices of the edge's part at given points of the edge ab. A vertex is created where the part has none, and at
+     * all points if the part's vertices there are not those of elements across the edge.
+     *
+     * @param inside position along the edge, ascending, and the vertex that represents the point
+     */
     private int[] vertices(int a, int b, TreeMap<Double, Integer> inside) {
         double[] t = inside.keySet().stream().mapToDouble(Double::doubleValue).toArray();
         int[] at = inside.values().stream().mapToInt(Integer::intValue).toArray();
@@ -212,8 +225,11 @@ public final class TJunctions {
     }
 
     /**
-     * Whether vertices of an edge's part are those of smaller elements across it, and not of what lies behind a wall
-     * that stands on it: those have ends of their own.
+     * Whether the part's vertices on the edge ab belong to smaller elements across the edge: open edges then lead from
+     * a over these vertices to b. Elements behind a wall that stands on the edge end in vertices of their own instead
+     * of a and b.
+     *
+     * @param found vertices of the part at the points of the edge, from a to b; -1 where the part has none
      */
     private boolean isAcross(int a, int[] found, int b) {
         int last = a;
@@ -226,7 +242,13 @@ public final class TJunctions {
         return last == a || open.contains(last, b);
     }
 
-    /** A new vertex between two of a part, with the value of the edge between them. */
+    /**
+     * Creates a vertex between two vertices of a part, with irradiance interpolated between the two.
+     *
+     * @param share position between the two vertices, 0 at the first and 1 at the second
+     * @param at    vertex whose position the new vertex gets
+     * @return id of the new vertex
+     */
     private int add(int from, int to, double share, int at) {
         double[] vertex = Arrays.copyOf(point(at), 3 + solution.channels());
         for (int c = 0; c < solution.channels(); c++) {
@@ -241,7 +263,7 @@ public final class TJunctions {
                 : created.get(vertex - solution.vertices())[3 + channel];
     }
 
-    /** An element whose edges carry vertices. */
+    /** An element with corners a, b, c and the hanging vertices on each edge, in the direction of the edge. */
     private record Polygon(int a, int[] ab, int b, int[] bc, int c, int[] ca) {
 
         Polygon turned() {
@@ -249,7 +271,7 @@ public final class TJunctions {
         }
     }
 
-    /** Halves an element from its middle hanging vertex to the corner opposite, until none is left. */
+    /** Divides an element from the middle hanging vertex of an edge to the opposite corner, until none is left. */
     private void emit(int element, Polygon p) {
         int most = Math.max(p.ab.length, Math.max(p.bc.length, p.ca.length));
         if (most == 0) {

@@ -1,4 +1,4 @@
 /**
- * The solution as a mesh: shared vertices, cracks closed, elements found by place.
+ * The solution as a mesh: shared vertices, closed cracks, elements found by position.
  */
 package radiosity.output.mesh;
