@@ -3,27 +3,29 @@ package radiosity.output.lightmap;
 import radiosity.scene.Vec3;
 
 /**
- * A connected, plane part of a surface laid flat into a texture.
+ * The rectangle of a texture in which one connected, plane part of a surface lies.
  *
- * @param u       unit, to the right in the texture
- * @param v       unit, downwards in the texture
- * @param left    of all points p . u, scene units
- * @param top     of all points p . v, scene units
- * @param samples per scene unit
- * @param width   texels, with {@link #PAD} on both sides
- * @param height  texels, with {@link #PAD} on both sides
+ * @param u       unit vector, to the right in the texture
+ * @param v       unit vector, downwards in the texture
+ * @param left    least p . u of all points p of the part, scene units
+ * @param top     least p . v of all points p of the part, scene units
+ * @param samples texels per scene unit
+ * @param width   texels, with a margin of {@link #PAD} on both sides
+ * @param height  texels, with a margin of {@link #PAD} on both sides
  */
 record Chart(Vec3 u, Vec3 v, double left, double top, double samples, int width, int height) {
 
-    /** Texels round a chart that no other uses: what a filter reads beyond the edge. */
+    /** Margin round a chart that belongs to no other chart, texels: as far as filters read beyond an edge. */
     static final int PAD = 2;
 
     /**
-     * @param along  an edge, so that rectangles lie straight
-     * @param normal unit
-     * @param points all of the part
-     * @param least  samples per scene unit
-     * @param wanted more of them, as long as the chart is not wider or higher than that
+     * Makes the chart of a part.
+     *
+     * @param along  an edge of the part, which becomes horizontal, so that rectangles lie straight; not 0
+     * @param normal unit normal of the part
+     * @param points all corners of the part
+     * @param least  texels per scene unit that the chart has at least
+     * @param wanted texels per scene unit that the chart has as long as it is no wider or higher than {@code most}
      * @param most   texels
      */
     static Chart of(Vec3 along, Vec3 normal, Iterable<Vec3> points, double least, double wanted, int most) {
@@ -48,12 +50,12 @@ record Chart(Vec3 u, Vec3 v, double left, double top, double samples, int width,
         return (int) Math.min(1 << 20, Math.ceil(length * samples)) + 2 * PAD;
     }
 
-    /** Where a point lies, texels from the chart's left edge. */
+    /** Horizontal position of a point, texels from the chart's left edge. */
     double x(Vec3 p) {
         return (p.dot(u) - left) * samples + PAD;
     }
 
-    /** Where a point lies, texels from the chart's upper edge. */
+    /** Vertical position of a point, texels from the chart's upper edge. */
     double y(Vec3 p) {
         return (p.dot(v) - top) * samples + PAD;
     }

@@ -19,9 +19,9 @@ public final class ExrImage {
     private static final int VERSION = 2;
     private static final int HALF = 1;
     private static final byte ZIP = 3;
-    /** Rows that are compressed together. */
+    /** Number of rows in a block, which is compressed as a whole. */
     private static final int ROWS = 16;
-    /** The channels in their order in the file, which is the alphabet's. */
+    /** Channels of a picture in the file's order, which is alphabetical: blue, green, red. */
     private static final int[] CHANNELS = {2, 1, 0};
     /** The largest half float. */
     private static final float LARGEST = 65504;
@@ -30,9 +30,9 @@ public final class ExrImage {
     }
 
     /**
-     * A whole file.
+     * Encodes a picture as the bytes of an OpenEXR file.
      *
-     * @param scale every number is multiplied by it; what is then below 0 or beyond a half float is cut off
+     * @param scale factor for every value; the products are clamped to [0, {@value #LARGEST}]
      */
     public static byte[] of(Picture picture, double scale) {
         byte[] header = header(picture.width(), picture.height());
@@ -88,7 +88,7 @@ public final class ExrImage {
         out.writeBytes(value);
     }
 
-    /** Rows of a block: in each row one channel after the other. */
+    /** Encodes the rows of a block, in each row one channel after the other; compressed where that is shorter. */
     private static byte[] block(Picture picture, int top, int rows, double scale) {
         ByteBuffer raw = buffer(rows * picture.width() * 6);
         for (int y = top; y < top + rows; y++) {
@@ -102,7 +102,7 @@ public final class ExrImage {
         return compressed.length < raw.capacity() ? compressed : raw.array();
     }
 
-    /** Lower bytes first, then upper ones; each as the difference from the one before. */
+    /** Reorders bytes for compression: all lower bytes, then all upper bytes, each as the difference from the last. */
     private static byte[] reordered(byte[] raw) {
         byte[] bytes = new byte[raw.length];
         int half = (raw.length + 1) / 2;
@@ -128,7 +128,7 @@ public final class ExrImage {
         return out.toByteArray();
     }
 
-    /** The nearest half float (IEEE 754 binary16) of a number, cut off to [0, {@value #LARGEST}]. */
+    /** The half float (IEEE 754 binary16) nearest to a number that is first clamped to [0, {@value #LARGEST}]. */
     static short half(float value) {
         float x = Math.max(0, Math.min(LARGEST, value));
         int bits = Float.floatToIntBits(x);
@@ -139,7 +139,7 @@ public final class ExrImage {
         return (short) ((exponent << 10) + (bits >> 13 & 0x3FF) + roundsUp(bits));
     }
 
-    /** 1 where what is cut off is more than half of the last digit kept, or half of an odd one. */
+    /** 1 if the bits cut off are more than half of the last digit kept, or half of an odd last digit; else 0. */
     private static int roundsUp(int bits) {
         int rest = bits & 0x1FFF;
         return rest > 0x1000 || rest == 0x1000 && (bits & 0x2000) != 0 ? 1 : 0;

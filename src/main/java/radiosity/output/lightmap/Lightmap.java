@@ -29,25 +29,26 @@ import radiosity.solution.Solution;
 import radiosity.util.DisjointSets;
 
 /**
- * The irradiance of all original triangles in one texture. Plane neighbours lie together in it; of a two-sided surface
- * it has the side that gets more light, as a triangle has one place in it.
+ * The irradiance of all original triangles in one texture. Coplanar neighbours share one chart. Of a two-sided surface
+ * the texture shows the side that gets more light, because a triangle has one place in the texture.
  *
  * @param irradiance W/m², row by row from the top
- * @param places     u, v of each corner of each triangle of the scene, v downwards, 6 per triangle, in [0, 1]
+ * @param places     u, v of each corner of each triangle of the scene, v downwards, 6 per triangle, in [0, 1]; 0 for
+ *                   triangles without elements
  * @param samples    texels per scene unit
  */
 public record Lightmap(Picture irradiance, float[] places, double samples) {
 
-    /** Texels along an axis: what every browser can show. */
+    /** Largest width and height of a lightmap, texels: a size that every browser can show. */
     public static final int LARGEST = 8192;
-    /** Number of texels that are filled where the user does not say how fine. */
+    /** Number of texels that triangles cover where the user gives no density. */
     private static final double USUAL_TEXELS = 600_000;
 
     /**
-     * Bakes it.
+     * Bakes the lightmap of a solution.
      *
-     * @param samples texels per scene unit; chosen where it is empty
-     * @throws IOException where that would be too many, which the message says
+     * @param samples texels per scene unit, above 0; if empty, about {@value #USUAL_TEXELS} texels are covered
+     * @throws IOException if the lightmap would be wider or higher than {@value #LARGEST} texels
      */
     public static Lightmap of(Solution solution, OptionalDouble samples) throws IOException {
         Solution closed = TJunctions.close(solution);
@@ -55,13 +56,13 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
         return new Baker(closed, density).bake();
     }
 
-    /** One lightmap in the making. */
+    /** Bakes one lightmap. */
     private static final class Baker {
 
         private final Solution solution;
         private final Scene scene;
         private final double samples;
-        /** By face: its elements. */
+        /** The elements of each face. */
         private final Map<Integer, List<Integer>> elementsOf = new HashMap<>();
 
         Baker(Solution solution, double samples) {
@@ -103,7 +104,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
             return new Lightmap(texels.padded(Chart.PAD), places, samples);
         }
 
-        /** Triangles that are neighbours in a plane; those too small to be lit are left out. */
+        /** Connected, coplanar groups of triangles; triangles too small to have elements are left out. */
         private List<List<Integer>> planeParts() {
             DisjointSets joined = new DisjointSets(solution.vertices(), solution.corners());
             for (List<Integer> elements : elementsOf.values()) {
@@ -133,7 +134,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
                     samples, samples, LARGEST);
         }
 
-        /** The elements of fronts, or of backs where more light arrives there. */
+        /** The elements on the fronts of triangles, or on their backs if more light arrives there. */
         private List<Integer> litSide(List<Integer> triangles) {
             List<Integer> fronts = new ArrayList<>();
             List<Integer> backs = new ArrayList<>();
@@ -145,7 +146,10 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
             return light.applyAsDouble(backs) > light.applyAsDouble(fronts) ? backs : fronts;
         }
 
-        /** 0 of what stands under other things: no light of it is to be mixed with what is seen beside it. */
+        /**
+         * Six times the flux that arrives at an element, W, sum of channels. Elements under other objects have 0 and
+         * are not drawn, so that their darkness is not mixed into what is seen beside them.
+         */
         private double flux(int element) {
             double sum = 0;
             for (int k = 0; k < 3; k++) {
@@ -173,7 +177,10 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
             }
         }
 
-        /** Not farther beyond the light of the corners than these are apart, and not below 0. */
+        /**
+         * Keeps extrapolated light at least 0 and no farther beyond the range of the corners' light than the range is
+         * wide.
+         */
         private static Rgb within(Rgb[] h, Rgb light) {
             double[] channels = new double[3];
             Arrays.setAll(channels, c -> {
@@ -186,10 +193,10 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
     }
 
     /**
-     * As an image of four times 8 bits: the light of a channel is (channel alpha)² range, with channel and alpha in
-     * [0, 1].
+     * Encodes the lightmap as a PNG of four 8-bit channels (RGBM): the irradiance of a channel is (channel alpha)²
+     * range, with channel and alpha in [0, 1].
      *
-     * @param range the largest of all channels, above 0
+     * @param range largest irradiance of all channels, W/m², above 0
      */
     public byte[] rgbm(double range) throws IOException {
         float[] light = irradiance.rgb();
@@ -218,7 +225,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
         return PictureFormat.png(new BufferedImage(colours, raster, false, null));
     }
 
-    /** The largest irradiance of a channel, W/m²; 1 where all is dark. */
+    /** The largest irradiance of any channel, W/m²; 1 where all is dark. */
     public double range() {
         double most = 0;
         for (float light : irradiance.rgb()) {

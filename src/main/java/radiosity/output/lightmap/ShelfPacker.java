@@ -4,13 +4,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Packs charts into one texture: in rows, the highest first. */
+/** Packs charts into one texture: side by side on shelves from the top down, the highest charts first. */
 final class ShelfPacker {
 
-    /** Texels of the texture. */
+    /** Size of the texture, texels. */
     final int width;
     final int height;
-    /** Upper left corner of each chart, texels. */
+    /** Upper left corner of each chart in the order of the charts, texels. */
     final int[] x;
     final int[] y;
 

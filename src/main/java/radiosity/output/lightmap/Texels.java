@@ -5,21 +5,23 @@ import java.util.stream.IntStream;
 import radiosity.output.image.Picture;
 import radiosity.scene.Rgb;
 
-/** A texture into which elements are drawn: each texel takes the light at its middle. */
+/** A texture into which elements are drawn: each texel gets the light at its middle. */
 final class Texels {
 
-    /** A texel whose middle lies this far outside an element, in weights, still belongs to it. */
+    /** How far outside an element, in barycentric weights, the middle of a texel of the element may lie. */
     private static final double EDGE = 1e-6;
-    /** How far outside of a triangle a filter may read at its edge, texels: diagonally across one. */
+    /** How far outside a triangle a filter may read at the triangle's edge, texels: the diagonal of a texel. */
     private static final double BEYOND = 1.5;
 
     private final int width;
     private final int height;
-    /** 3 per texel, row by row from the top. */
+    /** Red, green and blue of each texel, row by row from the top. */
     private final float[] rgb;
-    /** 1 per texel: whether anything was drawn on it. */
+    /** 1 per texel: whether a triangle covers the middle of the texel. */
     private final boolean[] known;
-    /** 1 per texel: how far beyond the edge of what was drawn it is, texels; empty where nothing was drawn so. */
+    /**
+     * 1 per texel: distance to the nearest triangle drawn beyond its edges, texels; empty before {@link #drawBeyond}.
+     */
     private float[] beyond = new float[0];
 
     Texels(int width, int height) {
@@ -29,7 +31,7 @@ final class Texels {
         known = new boolean[width * height];
     }
 
-    /** The light at a point of a triangle. */
+    /** Gives the light at a point of a triangle. */
     interface Light {
 
         /**
@@ -40,10 +42,10 @@ final class Texels {
     }
 
     /**
-     * Draws a triangle.
+     * Draws the texels whose middles lie in a triangle.
      *
-     * @param x     of its corners, texels; not modified
-     * @param y     of its corners, texels; not modified
+     * @param x of the three corners, texels; not modified
+     * @param y of the three corners, texels; not modified
      */
     void draw(double[] x, double[] y, Light light) {
         visit(x, y, 0, (texel, v, w) -> {
@@ -55,9 +57,9 @@ final class Texels {
     }
 
     /**
-     * Draws what lies beyond the edges of a triangle, up to {@link #BEYOND} texels, as if its light went on as it is
-     * within: so a filter that reads across an edge finds there what is on the edge. Of several triangles the nearest
-     * counts. To be called after all triangles were drawn.
+     * Draws the texels up to {@link #BEYOND} texels outside a triangle and extrapolates the triangle's light to them,
+     * so that a filter that reads across an edge finds the light of the edge. Of several triangles the nearest one
+     * counts. To be called after {@link #draw} has drawn all triangles nearby.
      */
     void drawBeyond(double[] x, double[] y, Light light) {
         if (beyond.length == 0) {
@@ -73,12 +75,12 @@ final class Texels {
         });
     }
 
-    /** Takes texels, with the weights of a triangle's corners 1 and 2 at their middles. */
+    /** Is given texels, with the weights of a triangle's corners 1 and 2 at their middles. */
     private interface Visitor {
         void take(int texel, double v, double w);
     }
 
-    /** Visits the texels of a triangle's box, which is larger by a margin on all sides; none where it has no area. */
+    /** Visits the texels of a triangle's box, enlarged by a margin on all sides; none if the triangle has no area. */
     private void visit(double[] x, double[] y, double margin, Visitor visitor) {
         double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
         if (area == 0) {
@@ -97,7 +99,7 @@ final class Texels {
         }
     }
 
-    /** From a point outside of a triangle to its nearest edge. */
+    /** Distance from a point outside a triangle to the triangle's nearest edge, texels. */
     private static double distance(double[] x, double[] y, double px, double py) {
         double least = Double.MAX_VALUE;
         for (int k = 0; k < 3; k++) {
@@ -126,8 +128,10 @@ final class Texels {
     }
 
     /**
-     * What was drawn, continued beyond its edges: a texel on which nothing was drawn takes its neighbours' mean. The
-     * picture shares the array of these texels.
+     * Continues the drawing beyond its edges and returns it: ring by ring, the empty texels beside texels with light
+     * get the mean of these neighbours. The picture shares the array of this texture.
+     *
+     * @param texels number of rings
      */
     Picture padded(int texels) {
         for (int t = 0; t < beyond.length; t++) {
@@ -136,7 +140,7 @@ final class Texels {
         for (int ring = 0; ring < texels; ring++) {
             int[] edge = IntStream.range(0, known.length).filter(t -> !known[t] && isBesideKnown(t)).toArray();
             for (int t : edge) {
-                setMean(t); // of texels that are known: none of the edge is yet
+                setMean(t); // the mean of texels known before this ring: none of the ring is known yet
             }
             for (int t : edge) {
                 known[t] = true;
@@ -158,7 +162,7 @@ final class Texels {
         return false;
     }
 
-    /** Gives a texel the mean of its known neighbours, of which there are some. */
+    /** Gives a texel the mean of its known neighbours, of which there must be at least one. */
     private void setMean(int texel) {
         int count = 0;
         float[] sum = new float[3];

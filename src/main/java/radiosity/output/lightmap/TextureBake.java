@@ -16,35 +16,35 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.DisjointSets;
 
-/** Calculates one texture for each side of a surface from all of its elements (section 4.6 of the paper). */
+/** Bakes the radiosity of all elements into one texture for each side of a surface (section 4.6 of the paper). */
 public final class TextureBake {
 
-    /** Texels of a texture along an axis: what OpenGL of any age can show. */
+    /** Largest width and height of a texture, texels: a size that old OpenGL implementations can show, too. */
     public static final int LARGEST_TEXTURE = 8192;
 
-    /** Images are kept at their full size where a part does not take more texels along an axis. */
+    /** Up to this width and height, texels, charts get as many texels as the images on them have pixels. */
     private static final int LARGEST_FOR_IMAGES = 2048;
 
     private final Solution solution;
     private final Vec3 origin;
     private final double samples;
-    /** The lowest vertex of the plane part that each vertex belongs to. */
+    /** Connected, plane parts as sets of vertices; a part is named by its lowest vertex. */
     private final DisjointSets parts;
 
     /**
-     * One side of a surface, whole.
+     * One side of a surface with all its triangles.
      *
-     * @param surface   what it is made of
+     * @param surface   material of the side
      * @param back      whether this is the back of a two-sided surface
      * @param positions x, y, z relative to the origin, 3 per vertex, scene units; 3 vertices per original triangle
-     * @param places    u, v in the texture, v downwards, 2 per vertex
+     * @param places    u, v in the texture, v downwards, 2 per vertex, in [0, 1]
      * @param radiosity the texture, W/m²
      */
     public record Baked(Surface surface, boolean back, float[] positions, float[] places, Picture radiosity) { }
 
     /**
-     * @param origin  what is subtracted from every position
-     * @param samples per scene unit, above 0; more where a surface has images that are finer
+     * @param origin  subtracted from all positions, scene units
+     * @param samples texels per scene unit, above 0; a surface whose images are finer gets more
      */
     public TextureBake(Solution solution, Vec3 origin, double samples) {
         this.solution = solution;
@@ -54,7 +54,7 @@ public final class TextureBake {
         joinFaces();
     }
 
-    /** A face is one triangle here, even if it was cut and its pieces have vertices of their own. */
+    /** Joins the elements of each face to one part: a face that was cut has pieces with vertices of their own. */
     private void joinFaces() {
         Map<Integer, Integer> vertexOf = new HashMap<>();
         for (int e = 0; e < solution.elements(); e++) {
@@ -66,14 +66,17 @@ public final class TextureBake {
         }
     }
 
-    /** Who takes the sides, one after the other. */
+    /** Is given the sides of surfaces, one after the other. */
     public interface Taker {
         void take(Baked side) throws IOException;
     }
 
     /**
-     * Bakes the sides of all surfaces, in the order of {@link Mesh#of}. A texture may take 805 MB, so that each side
-     * is handed over before the next is baked, and not kept here.
+     * Bakes the sides of all surfaces, front before back, in the order of the scene's surfaces. A texture may take 805
+     * MB, so each side is handed to the taker before the next one is baked, and is not kept here.
+     *
+     * @throws IOException if a texture would be wider or higher than {@value #LARGEST_TEXTURE} texels, or from the
+     *         taker
      */
     public void bake(Taker taker) throws IOException {
         int[][] sides = Mesh.bySide(solution);
@@ -110,7 +113,9 @@ public final class TextureBake {
         return baked(surface, back, triangles, texels.padded(Chart.PAD));
     }
 
-    /** With as many texels as images have pixels, or as many as there is room for. */
+    /**
+     * One chart per part, as fine as the images on the part; all charts coarser if they do not fit into one texture.
+     */
     private List<Chart> charts(List<List<Integer>> parts) {
         List<Chart> charts = List.of();
         for (int most = LARGEST_FOR_IMAGES; most > 0; most /= 2) {
@@ -124,7 +129,7 @@ public final class TextureBake {
         return charts;
     }
 
-    /** @param most texels along an axis for an image's sake */
+    /** @param most width and height, texels, up to which the chart is made as fine as the images on it */
     private Chart chart(List<Integer> elements, int most) {
         int face = solution.faceOf()[elements.get(0)];
         Vec3 along = corner(face, 1).minus(corner(face, 0));
@@ -155,7 +160,7 @@ public final class TextureBake {
                 .radiosity(h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
     }
 
-    /** x, y, z, u, v of three corners. */
+    /** x, y, z, u, v of each corner of a face, 15 numbers. */
     private float[] triangle(int face, Chart chart, ShelfPacker shelves, int c) {
         float[] vertices = new float[15];
         for (int k = 0; k < 3; k++) {
