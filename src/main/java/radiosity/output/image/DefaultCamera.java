@@ -10,11 +10,11 @@ import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 
 /**
- * From where to look at a solution: from its scene's camera, else from where most lit surface is seen and nothing is in
- * the way.
+ * Chooses from where to look at a solution: the camera of its scene or, if the scene has none, a view in which much lit
+ * surface is seen and nothing is in the way.
  *
- * <p>The candidates stand around the scene, and in its rooms as rays find them, along the world's axes and those of the
- * scene. Their number and that of rays does not depend on the scene's size.
+ * <p>The candidates stand around the scene, and in its rooms as rays find them, along the axes of the world and the
+ * principal axes of the scene. The number of candidates and of rays does not depend on the scene's size.
  */
 public final class DefaultCamera {
 
@@ -22,23 +22,28 @@ public final class DefaultCamera {
     /** Half the vertical angle of view from outside and from inside, radians. */
     private static final double OUTSIDE = Math.toRadians(20);
     private static final double INSIDE = Math.toRadians(36);
-    /** How much of the picture the scene fills from outside. */
+    /** Share of the picture's width or height that the scene fills when seen from outside. */
     private static final double FILL = 0.97;
-    /** Directions to the eye, round the compass from the front; the first of equally good ones is taken. */
+    /**
+     * Directions to the eye round the up axis, degrees from the front; of equally good views the first one is chosen.
+     */
     private static final int[] COMPASS = {0, 90, 270, 180, 30, 330, 60, 300, 120, 240, 150, 210};
+    /** Heights of the eye above the horizon, degrees. */
     private static final int[] ELEVATION = {0, 25, 50, 89};
-    /** Also from below: the open side of a room that is turned over may be there. */
+    /** Heights of the eye in the scene's own axes: also from below, where a room that is turned over may be open. */
     private static final int[] ELEVATION_TURNED = {0, 25, 50, 89, -89};
-    /** A view must be better by this to be taken instead of an earlier one. */
+    /** Factor by which the score of a view must exceed that of the best earlier view. */
     private static final double BETTER = 1.03;
-    /** Every candidate is looked through by a picture coarser by this, and this number of them by the whole. */
+    /**
+     * All candidates are scored with pictures coarser by this factor, this number of the best ones with whole pictures.
+     */
     private static final int COARSE = 3;
     private static final int PROMISING = 16;
 
     private DefaultCamera() {
     }
 
-    /** The scene's own camera, or a view chosen for it. */
+    /** The camera of the solution's scene or, if the scene has none, a view chosen for the solution. */
     public static Camera of(Solution solution) {
         return solution.scene().camera().orElseGet(() -> choose(solution));
     }
@@ -76,7 +81,7 @@ public final class DefaultCamera {
         return candidates;
     }
 
-    /** From round about the box that the axes put around a scene. */
+    /** Cameras round the box along given axes that encloses the scene. */
     private static List<Camera> outside(double[] positions, PrincipalAxes axes, int[] elevations) {
         Aabb box = axes.box(positions);
         Vec3 centre = axes.at(box.centre());
@@ -93,7 +98,12 @@ public final class DefaultCamera {
         return candidates;
     }
 
-    /** Looks at a place from such a distance that every corner around it is in the picture. */
+    /**
+     * A camera at the distance from a centre at which all corners of the box are in the picture.
+     *
+     * @param corners of the box, relative to the centre
+     * @param back    unit direction from the centre to the camera
+     */
     private static Camera outside(Vec3 centre, List<Vec3> corners, Vec3 back) {
         Camera camera = looking(centre, back.times(-1), OUTSIDE);
         Vec3 right = camera.forward().cross(camera.up());

@@ -16,11 +16,11 @@ import radiosity.scene.Units;
 import radiosity.solution.Solution;
 
 /**
- * A picture in which colours stand for illuminance (irradiance where the scene is radiometric), with lines of equal
- * illuminance and a legend in its unit.
+ * A picture in which colours stand for illuminance (irradiance in radiometric scenes), with lines of equal illuminance
+ * and a legend in the scene's unit.
  *
- * <p>Steps of the legend are 1, 2 or 5 times a power of ten; its end is the least step that 99 % of the pixels do not
- * pass.
+ * <p>The step of the legend is 1, 2, 4 or 5 times a power of ten; the legend ends at the least multiple of the step, at
+ * least five steps, that 99 % of the samples do not exceed.
  */
 public final class FalseColour {
 
@@ -32,7 +32,7 @@ public final class FalseColour {
     private static final int LEGEND = 120;
     private static final Color NOTHING = new Color(40, 40, 40);
     private static final int LINE = 0x202020;
-    /** From none to the most, at equal distances. */
+    /** Colours 0xRRGGBB from 0 to the end of the legend, at equal distances. */
     private static final int[] COLOURS = {0x10104a, 0x2545b8, 0x1b8fd0, 0x12b5a0, 0x3fc04a, 0xa5d02a, 0xf5d020,
         0xf58c1e, 0xe03a1e, 0xb0101e};
 
@@ -55,7 +55,7 @@ public final class FalseColour {
         steps = (int) Math.max(FEWEST_STEPS, Math.ceil(most / step - 1e-9));
     }
 
-    /** The largest step of 1, 2 or 5 times a power of ten that goes into this at least five times. */
+    /** The step of a legend, which fits 5 to 10 times into the value: 1, 2, 4 or 5 times a power of ten; 1 for 0. */
     static double step(double most) {
         if (!(most > 0)) {
             return 1;
@@ -67,9 +67,9 @@ public final class FalseColour {
     }
 
     /**
-     * Writes a PNG.
+     * Writes the picture as PNG.
      *
-     * @param width of the picture beside the legend, pixels; the height follows from the camera's aspect
+     * @param width pixels, without the legend beside the picture; the height follows from the camera's aspect
      */
     public static void write(Path file, Solution solution, Camera camera, int width) throws IOException {
         FalseColour picture = new FalseColour(Snapshot.irradiance(solution, camera, SAMPLES * width));
@@ -92,7 +92,7 @@ public final class FalseColour {
         return image;
     }
 
-    /** The mean of its samples. */
+    /** The mean colour of a pixel's samples, 0xRRGGBB. */
     private int pixel(int x, int y) {
         int[] sum = new int[3];
         for (int s = 0; s < SAMPLES * SAMPLES; s++) {
@@ -119,7 +119,7 @@ public final class FalseColour {
         return line ? LINE : colour(value / (step * steps));
     }
 
-    /** Whether a line of equal illuminance passes between two samples of one plane. */
+    /** Whether a line of equal illuminance passes between two neighbouring samples, which must lie in one plane. */
     private boolean isLine(int i, int k) {
         return values.plane()[i] == values.plane()[k]
                 && Math.floor(Math.min(values.value()[i] / step, steps))
@@ -160,7 +160,7 @@ public final class FalseColour {
         }
     }
 
-    /** With as many digits as the steps have. */
+    /** A number of the legend, with as many decimals as the steps have. */
     private static String number(double value, double step) {
         int digits = (int) Math.max(0, Math.ceil(-StrictMath.log10(step) - 1e-9));
         return value == 0 ? "0" : digits > 3 || value >= 1e7 ? String.format(Locale.ROOT, "%.1e", value)

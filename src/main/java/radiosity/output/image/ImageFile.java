@@ -20,29 +20,29 @@ import radiosity.scene.ImageSource;
 import radiosity.scene.Srgb;
 
 /**
- * An image with the values that its file has, whatever their type: whole numbers as parts of the largest that they can
- * be, floats as they are. Colours are those that stand under transparency. Colour profiles are not applied: only models
- * other than grey and red, green, blue (CMYK, CIE Lab) are converted.
+ * An image with the values that its file has, whatever their type: integers as fractions of the largest value of the
+ * type, floats as they are. Alpha is ignored: a transparent pixel keeps its colour. Colour profiles are not applied;
+ * only indexed colours and colour models other than grey and RGB (CMYK, CIE Lab) are converted.
  */
 final class ImageFile {
 
-    /** A larger image is not read: a small crafted file may say that it is of any size. */
+    /** Images with more pixels are not read, because a small crafted file may claim any size. */
     static final long MOST_PIXELS = 1L << 26;
 
     private final BufferedImage image;
     private final Raster samples;
     private final ColorModel model;
-    /** Whether the samples are the values: not where they are numbers of colours, or of another colour model. */
+    /** Whether the samples are the values: not if they are indices of colours, or belong to another colour model. */
     private final boolean direct;
     private final boolean grey;
 
-    /** @throws IOException where the image has values that are no numbers */
+    /** @throws IOException if a value of the image is NaN or infinite */
     ImageFile(BufferedImage image) throws IOException {
         this.image = image;
         samples = image.getRaster();
         model = image.getColorModel();
         int space = model.getColorSpace().getType();
-        // the colours that Java makes of grey are brighter than the file's values
+        // Java's conversion of grey to RGB gives colours that are brighter than the file's values
         grey = space == ColorSpace.TYPE_GRAY;
         direct = (grey || space == ColorSpace.TYPE_RGB) && !(model instanceof IndexColorModel);
         if (isFloating()) {
@@ -66,7 +66,7 @@ final class ImageFile {
         }
     }
 
-    /** @throws IOException with a reason for the user if it cannot be read */
+    /** @throws IOException if the image cannot be read; the message says what was found instead of an image */
     static ImageFile read(ImageSource source) throws IOException {
         try (ImageInputStream in = source.content().isPresent()
                 ? new MemoryCacheImageInputStream(stream(source.content().get()))
@@ -105,7 +105,13 @@ final class ImageFile {
         return image.getHeight();
     }
 
-    /** @param mean of the three channels instead of one */
+    /**
+     * The value of a channel at a pixel.
+     *
+     * @param channel 0 red, 1 green, 2 blue
+     * @param mean    whether to take the mean of the three channels instead
+     * @param srgb    whether to make the value linear
+     */
     double value(int x, int y, int channel, boolean mean, boolean srgb) {
         return mean ? (value(x, y, 0, srgb) + value(x, y, 1, srgb) + value(x, y, 2, srgb)) / 3
                 : value(x, y, channel, srgb);
@@ -117,7 +123,7 @@ final class ImageFile {
         return srgb ? Srgb.linear(code) : code;
     }
 
-    /** The value of a band, which may have been multiplied by that of the last one: its alpha. */
+    /** The value of a band, divided by alpha (the last band) if the image's colours are multiplied by alpha. */
     private double uncovered(int x, int y, int band) {
         double value = sample(x, y, band);
         double alpha = model.isAlphaPremultiplied() && model.hasAlpha() ? sample(x, y, model.getNumComponents() - 1)

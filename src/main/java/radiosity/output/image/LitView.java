@@ -12,33 +12,36 @@ import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.visibility.RadiosityBounds;
 
-/** Measures how much of a lit scene a camera shows, by a few rays among the original triangles. */
+/** Scores how much of a lit scene a camera shows, by a few rays against the original triangles. */
 final class LitView {
 
-    /** Rays across and down a picture, at most. */
+    /** Largest number of rays across and down a picture. */
     static final int COLUMNS = 48;
     static final int ROWS = 36;
-    /** How often a ray may pass through the back of a surface. */
+    /** How often a ray may pass through the back of a one-sided surface. */
     private static final int PASSES = 16;
-    /** The least cosine that a surface counts with: a sliver seen along its length is not seen. */
+    /** Least cosine of incidence that a surface counts with, so that a sliver seen along its length adds little. */
     private static final double GRAZING = 0.1;
-    /** How far behind a surface, or off it, a ray begins, of the scene's size. */
+    /** How far behind a surface a ray goes on, and how far off a surface a lit place lies, of the scene's diagonal. */
     private static final double STEP = 1e-5;
     private static final double OFF = 1e-4;
-    /** The share of a picture that one object may fill at no loss, the share at which little is left, and how much. */
+    /**
+     * A view keeps its score while its largest object fills at most OBJECT of it; LEFT of the score remains at
+     * LARGE_OBJECT.
+     */
     private static final double OBJECT = 0.2;
     private static final double LARGE_OBJECT = 1.0 / 3;
     private static final double LEFT = 0.1;
-    /** What is nearer than this share of the mean distance is in the way. */
+    /** Surfaces nearer than this share of the mean distance are in the way. */
     private static final double NEAR = 0.3;
-    /** How much a view loses that goes straight up. */
+    /** Share of its score that a view straight up loses. */
     private static final double LOOKING_UP = 0.4;
 
     private final Scene scene;
     private final Vec3 centre;
     private final double scale;
     private final RadiosityBounds bounds;
-    /** Mean luminance of each side of a triangle, 1 where it is the scene's mean or more, or where nothing is lit. */
+    /** 1 per side of a triangle: mean luminance over that of the scene, at most 1; 1 on all sides if nothing is lit. */
     private final double[] lit;
     private final Vec3[] normals;
     private final PrincipalAxes axes;
@@ -83,18 +86,18 @@ final class LitView {
         return light;
     }
 
-    /** What most of a scene's surface faces along. */
+    /** The axes along which most of the scene's surface faces. */
     PrincipalAxes axes() {
         return axes;
     }
 
     /**
-     * How good a view is: lit area in view, times the square of the share of the picture that it fills, times the
-     * square root of the number of directions that it faces; less where one object or what is near fills much of the
-     * picture, and where one looks up.
+     * The score of a view: the lit area in view, times the square of the share of the picture that lit surface fills,
+     * times the square root of the number of directions that the surfaces face. One object or near surfaces that fill
+     * much of the picture reduce the score, and so does a camera that looks up.
      *
-     * @param columns rays across the picture
-     * @param rows    rays down the picture
+     * @param columns rays across the picture, at most {@link #COLUMNS}
+     * @param rows    rays down the picture, at most {@link #ROWS}
      */
     double score(Camera camera, int columns, int rows) {
         View view = new View(camera);
@@ -113,7 +116,7 @@ final class LitView {
         return view.score(columns * rows);
     }
 
-    /** What the rays of one view met. */
+    /** Collects what the rays of one view meet. */
     private final class View {
         private final Camera camera;
         private final Map<Integer, Integer> objects = new LinkedHashMap<>();
@@ -128,7 +131,7 @@ final class LitView {
             this.camera = camera;
         }
 
-        /** @param pixel area that the pixel around the ray covers at distance 1 where it is met at right angles */
+        /** @param pixel area, up to a factor, round the ray on a surface at distance 1 and right angles to the ray */
         void add(Hit hit, double pixel) {
             double share = lit[2 * hit.triangle + (hit.cosine > 0 ? 0 : 1)];
             area += share * pixel * hit.distance * hit.distance / Math.max(GRAZING, Math.abs(hit.cosine));
@@ -164,7 +167,7 @@ final class LitView {
         }
     }
 
-    /** What is left of a view's worth where the largest object fills a share of it. */
+    /** Factor of a view's score if the largest object fills a share of the picture. */
     private static double room(double share) {
         if (share <= OBJECT) {
             return 1;
@@ -178,7 +181,7 @@ final class LitView {
         int triangle;
         /** Scene units. */
         double distance;
-        /** Of the angle between the front's normal and the way back; below 0 where the back is met. */
+        /** Cosine of the angle between the front's normal and the way back; below 0 if the ray meets the back. */
         double cosine;
     }
 
@@ -186,7 +189,8 @@ final class LitView {
      * Finds the first surface that a ray meets on a side that can be seen.
      *
      * @param direction unit direction
-     * @param hit       modified where there is one
+     * @param hit       receives the triangle; modified even if the result is false
+     * @return whether there is a triangle
      */
     boolean visible(Vec3 from, Vec3 direction, Hit hit) {
         double passed = 0;
@@ -203,11 +207,12 @@ final class LitView {
     }
 
     /**
-     * Finds the first triangle along a ray, seen from whichever side.
+     * Finds the first triangle that a ray meets from either side.
      *
      * @param direction unit direction
-     * @param beyond    how far from its origin the search begins, scene units
-     * @param hit       modified where there is one
+     * @param beyond    distance from the ray's origin at which the search begins, scene units
+     * @param hit       receives the triangle, if there is one
+     * @return whether there is a triangle
      */
     boolean first(Vec3 from, Vec3 direction, double beyond, Hit hit) {
         Vec3 eye = from.minus(centre).times(scale);
@@ -223,7 +228,12 @@ final class LitView {
         return true;
     }
 
-    /** Middles of triangles that have light, spread over it, each pushed off the surface on the side of the light. */
+    /**
+     * Finds lit places: middles of triangles, spread over the lit surface by area and light.
+     *
+     * @param count largest number of places
+     * @return a point slightly off the surface and the unit normal of the lit side, 2 vectors per place
+     */
     List<Vec3[]> litPlaces(int count) {
         double[] sums = new double[lit.length];
         double sum = 0;

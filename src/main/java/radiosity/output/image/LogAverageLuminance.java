@@ -6,12 +6,12 @@ import radiosity.output.mesh.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.solution.Solution;
 
-/** How bright the surfaces are that reflect: lamps are left out, they would make everything else black. */
+/** The log-average luminance of surfaces that do not emit: with lamps, an exposure would make everything else black. */
 final class LogAverageLuminance {
 
-    /** Square scene units, of the elements that reflect. */
+    /** 1 per element that does not emit, square scene units. */
     private final double[] area;
-    /** Mean over their corners, W/m²; at least 0. */
+    /** 1 per element that does not emit: mean over its corners, W/m², at least 0. */
     private final double[] luminance;
     private int reflecting;
     private double areas;
@@ -43,7 +43,7 @@ final class LogAverageLuminance {
         return brightness;
     }
 
-    /** @param radiosity at the corners */
+    /** @param radiosity at the element's corners, W/m² */
     private void add(double itsArea, boolean emits, Rgb... radiosity) {
         double l = 0;
         for (Rgb b : radiosity) {
@@ -59,10 +59,11 @@ final class LogAverageLuminance {
     }
 
     /**
-     * What radiosity must be multiplied with. Where only lamps shine, the brightest becomes 1; without light 1.
+     * The factor for radiosity that brings the log-average luminance to a value. If only lamps give light, the
+     * brightest element becomes 1; without any light the factor is 1.
      *
-     * @param middle the exposed log-average
-     * @param dark   the least luminance that counts, of the mean
+     * @param middle log-average after multiplication
+     * @param dark   least luminance that an element counts with, as a share of the mean
      */
     double exposure(double middle, double dark) {
         if (!(sum > 0)) {

@@ -5,7 +5,7 @@ package radiosity.output.image;
  *
  * @param width  pixels
  * @param height pixels
- * @param rgb    3 per pixel, from the upper left corner, row by row
+ * @param rgb    red, green and blue of each pixel, row by row from the upper left corner
  */
 public record Picture(int width, int height, float[] rgb) {
 }

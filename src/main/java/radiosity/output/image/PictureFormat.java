@@ -17,24 +17,24 @@ import radiosity.output.file.AtomicFile;
 import radiosity.scene.Rgb;
 import radiosity.util.ArraySize;
 
-/** What a picture can be written as. */
+/** The formats in which pictures are written. */
 public enum PictureFormat {
 
-    /** Linear light in [0, 1], stored as 8 bit sRGB without loss. */
+    /** Linear light in [0, 1], stored as 8-bit sRGB without loss. */
     PNG {
         @Override
         byte[] bytes(Picture picture) throws IOException {
             return png(picture, UnaryOperator.identity());
         }
     },
-    /** Linear light in [0, 1], stored as 8 bit sRGB, quality 0.95. */
+    /** Linear light in [0, 1], stored as 8-bit sRGB with quality 0.95. */
     JPEG {
         @Override
         byte[] bytes(Picture picture) throws IOException {
             return encoded(picture, UnaryOperator.identity(), "jpeg");
         }
     },
-    /** Any light of at least 0, stored as Radiance's RGBE, 8 bits of mantissa, not compressed. */
+    /** Any light of at least 0, stored as Radiance's RGBE with 8-bit mantissas, not compressed. */
     HDR {
         @Override
         byte[] bytes(Picture picture) {
@@ -45,9 +45,9 @@ public enum PictureFormat {
     private static final float QUALITY = 0.95f;
 
     /**
-     * The format that a file's name asks for.
+     * The format that the end of a file's name stands for.
      *
-     * @throws IOException if it asks for none of these
+     * @throws IOException if the name ends in neither .png, .jpg, .jpeg nor .hdr
      */
     public static PictureFormat of(Path file) throws IOException {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
@@ -62,24 +62,24 @@ public enum PictureFormat {
 
     abstract byte[] bytes(Picture picture) throws IOException;
 
-    /** Writes a picture in place of what the file was before. */
+    /** Writes a picture, which replaces the file if there is one. */
     void write(Path file, Picture picture) throws IOException {
         AtomicFile.write(file, bytes(picture));
     }
 
     /**
-     * A picture as PNG.
+     * Encodes a picture as PNG.
      *
-     * @param film what becomes of the picture's light, in [0, 1]
+     * @param film maps the light of the picture to linear light in [0, 1]
      */
     public static byte[] png(Picture picture, UnaryOperator<Rgb> film) throws IOException {
         return encoded(picture, film, "png");
     }
 
-    /** An image as PNG. */
+    /** Encodes an image as PNG. */
     public static byte[] png(BufferedImage image) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        // a stream with a temporary file cannot be opened any more while the program ends
+        // ImageIO's usual stream has a temporary file, which cannot be made any more while the program ends
         try (MemoryCacheImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
             ImageIO.write(image, "png", out);
         }
@@ -110,7 +110,7 @@ public enum PictureFormat {
         return bytes.toByteArray();
     }
 
-    /** G. Ward, Real pixels, Graphics Gems II, 1991. */
+    /** Encodes a picture as Radiance's RGBE: G. Ward, Real pixels, Graphics Gems II, 1991. */
     private static byte[] rgbe(Picture picture) {
         byte[] header = ("#?RADIANCE\n# radiosity, W/m2\nFORMAT=32-bit_rle_rgbe\n\n-Y " + picture.height() + " +X "
                 + picture.width() + "\n").getBytes(StandardCharsets.US_ASCII);

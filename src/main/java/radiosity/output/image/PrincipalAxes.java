@@ -8,11 +8,11 @@ import radiosity.scene.Vec3;
 import radiosity.util.Aabb;
 
 /**
- * Three directions at right angles to each other along which most of a scene's surface faces, right-handed.
+ * Three unit directions at right angles along which most of a scene's surface faces, right-handed.
  *
  * @param right the remaining direction, towards +X in a scene that stands upright
- * @param up    the one of the three that is nearest to +Y
- * @param front of the two others the one that is nearest to +Z
+ * @param up    the direction of the three that is nearest to +Y
+ * @param front the direction of the two others that is nearest to +Z
  */
 record PrincipalAxes(Vec3 right, Vec3 up, Vec3 front) {
 
@@ -21,20 +21,22 @@ record PrincipalAxes(Vec3 right, Vec3 up, Vec3 front) {
     private static final Vec3 Z = new Vec3(0, 0, 1);
     static final PrincipalAxes WORLD = new PrincipalAxes(X, Y, Z);
 
-    /** Normals that differ by less than 1 over this, per coordinate, count as one direction. */
+    /** Unit normals count as one direction if their coordinates round to the same multiples of 1 over this. */
     private static final int CELLS = 16;
-    /** The largest cosine between directions that count as being at right angles. */
+    /** Largest cosine between two directions that count as being at right angles. */
     private static final double RIGHT_ANGLE = 0.1;
-    /** Axes as near as this to the world's, by their cosines, are the world's. */
+    /** Axes whose cosines with the world's axes are larger than this are replaced by the world's axes. */
     private static final double SAME = 1 - 1e-9;
 
-    /** Twice the area of all triangles that face in about one direction or away from it, times that direction. */
+    /**
+     * Twice the area of triangles that face in about one direction or away from it; the same area times their normals.
+     */
     private static final class Direction {
         private Vec3 sum = Vec3.ZERO;
         private double weight;
     }
 
-    /** The directions with most area; the world's where the scene has no area. */
+    /** The axes along which most area faces; the world's axes if the scene has no area. */
     static PrincipalAxes of(Scene scene) {
         Map<Vec3, Direction> directions = new LinkedHashMap<>();
         for (int t = 0; t < scene.triangles(); t++) {
@@ -66,7 +68,11 @@ record PrincipalAxes(Vec3 right, Vec3 up, Vec3 front) {
         direction.weight += length;
     }
 
-    /** The direction of most area at right angles to another one, which may be zero; null where there is none. */
+    /**
+     * The direction of most area at right angles to another direction; null if there is none.
+     *
+     * @param other unit direction, or zero for any direction
+     */
     private static Vec3 largest(Map<Vec3, Direction> directions, Vec3 other) {
         Vec3 largest = null;
         double most = 0;
@@ -93,13 +99,13 @@ record PrincipalAxes(Vec3 right, Vec3 up, Vec3 front) {
         return up.y() > SAME && front.z() > SAME ? WORLD : new PrincipalAxes(up.cross(front), up, front);
     }
 
-    /** The point or direction with these coordinates along the axes. */
+    /** The point or direction that has given coordinates along the axes. */
     Vec3 at(Vec3 c) {
         return right.times(c.x()).plus(up.times(c.y())).plus(front.times(c.z()));
     }
 
     /**
-     * The smallest box along the axes around points, its corners as coordinates along the axes.
+     * The smallest box along the axes round points; its corners are coordinates along the axes.
      *
      * @param points x, y, z, 3 per point; not modified
      */
@@ -108,12 +114,12 @@ record PrincipalAxes(Vec3 right, Vec3 up, Vec3 front) {
                 .mapToObj(i -> coordinates(new Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]))));
     }
 
-    /** Coordinates of a point or direction along the axes. */
+    /** Coordinates along the axes of a point or direction. */
     Vec3 coordinates(Vec3 v) {
         return new Vec3(v.dot(right), v.dot(up), v.dot(front));
     }
 
-    /** Which of the six directions a vector is nearest to, 0 to 5. */
+    /** The direction nearest to a vector: 0 for right, 2 for up, 4 for front, 1 more for the opposite direction. */
     int nearest(Vec3 v) {
         double[] c = {v.dot(right), v.dot(up), v.dot(front)};
         int a = 0;

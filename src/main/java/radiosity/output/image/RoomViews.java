@@ -4,25 +4,29 @@ import java.util.ArrayList;
 import java.util.List;
 import radiosity.scene.Vec3;
 
-/** From where rooms can be looked into: eyes before their walls, found by rays. */
+/** Finds, by rays, views into rooms from just before their walls. */
 final class RoomViews {
 
-    /** Lit places from which rooms are looked for, the rooms that are looked into, and steps to a room's middle. */
+    /**
+     * Number of lit places from which rooms are searched, most rooms that are found, and steps towards a room's middle.
+     */
     private static final int PLACES = 12;
     private static final int ROOMS = 5;
     private static final int TURNS = 2;
-    /** Places nearer than this share of the way to the wall between them are in the same room. */
+    /**
+     * Places nearer to each other than this share of the way to the wall, in the same direction, are in the same room.
+     */
     private static final double SAME_ROOM = 0.4;
-    /** Directions from the middle of a room to the eye, and its height of that of the ceiling. */
+    /** Directions from a room's middle to the eye, degrees; heights above the middle, of the height of the ceiling. */
     private static final int[] COMPASS = {0, 45, 315, 90, 270, 135, 225, 180, 22, 338, 68, 292, 112, 248, 158, 202};
     private static final double[] HEIGHTS = {0.35, 0.7, 0};
-    /** How far an eye goes on the way from the middle of a room to its wall. */
+    /** Share of the way from the middle of a room to its wall at which the eye stands. */
     private static final double BEFORE_WALL = 0.9;
 
     private RoomViews() {
     }
 
-    /** Eyes and the directions in which they look, of any length. */
+    /** Views as pairs of an eye and a direction of any length. */
     static List<Vec3[]> of(LitView view) {
         List<Vec3[]> views = new ArrayList<>();
         for (Vec3 middle : middles(view)) {
@@ -31,7 +35,10 @@ final class RoomViews {
         return views;
     }
 
-    /** Places in the middle between lit surfaces and what stands opposite, so that each stands for a room. */
+    /**
+     * Middles of rooms, one per room: points half way between lit surfaces and what is opposite, then between the
+     * walls.
+     */
     private static List<Vec3> middles(LitView view) {
         List<Vec3> middles = new ArrayList<>();
         LitView.Hit hit = new LitView.Hit();
@@ -57,20 +64,22 @@ final class RoomViews {
         return middles;
     }
 
-    /** Whether two places are near each other, compared with the width of the room around the first. */
+    /** Whether two places are near each other, compared with the free distance from the first towards the second. */
     private static boolean isSame(LitView view, Vec3 a, Vec3 b) {
         Vec3 between = b.minus(a);
         return !(between.length() > SAME_ROOM * reach(view, a, between.unit()));
     }
 
-    /** How far one can go, scene units; infinity where nothing is in the way. */
+    /** Distance to the first surface in a direction, scene units; infinity if there is none. */
     private static double reach(LitView view, Vec3 from, Vec3 direction) {
         LitView.Hit hit = new LitView.Hit();
         return direction.length() > 0 && view.first(from, direction, 0, hit) ? hit.distance
                 : Double.POSITIVE_INFINITY;
     }
 
-    /** From shortly before the walls round about a place, at several heights above it, towards that place. */
+    /**
+     * Views from just before the walls round a place towards the place, from several heights; none if a side is open.
+     */
     private static List<Vec3[]> inside(Vec3 middle, LitView view) {
         PrincipalAxes axes = view.axes();
         double[] reach = new double[6];

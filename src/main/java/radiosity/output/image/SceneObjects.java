@@ -10,20 +10,20 @@ import radiosity.util.Aabb;
 import radiosity.util.DisjointSets;
 import radiosity.util.PointNumbers;
 
-/** The parts of a scene whose triangles are connected by common corners, and the boxes that hold them. */
+/** The objects of a scene: parts whose triangles are connected by common corners, each with the box that holds it. */
 final class SceneObjects {
 
-    /** Corners that differ by less, of the scene's diagonal, are one. */
+    /** Corners are one point if their coordinates round to the same multiple of this, of the scene's diagonal. */
     private static final double SAME_POINT = 1e-6;
-    /** What extends over this share of the scene, in two directions and diagonally, encloses the scene or bears it. */
+    /** An object that extends over this share of the scene, in two directions and diagonally, encloses or bears it. */
     private static final double SHELL = 0.5;
-    /** By how much the box of an object is enlarged, of its diagonal, before an eye in it counts as outside. */
+    /** Margin within which an eye outside an object's box counts as inside, of the diagonal of the box. */
     private static final double MARGIN = 0.02;
 
-    /** The lowest point of a triangle's object, 1 per triangle. */
+    /** 1 per triangle: the object, named by its lowest point. */
     final int[] object;
     private final PrincipalAxes axes;
-    /** Per lowest point: box along the axes. */
+    /** The box along the axes of each object. */
     private final Map<Integer, Aabb> boxes = new HashMap<>();
     private final Aabb whole;
 
@@ -42,13 +42,17 @@ final class SceneObjects {
         whole = boxes.values().stream().reduce(Aabb::with).orElse(new Aabb(Vec3.ZERO, Vec3.ZERO));
     }
 
-    /** The scene's corners where each point is replaced by the first one in its place. */
+    /**
+     * The scene's corners, each point replaced by the first point at the same place.
+     *
+     * @param cells number of distinct coordinates per scene unit
+     */
     private static int[] welded(Scene scene, double cells) {
         int[] first = PointNumbers.of(Arrays.stream(scene.points()).map(x -> Math.rint(x * cells)).toArray());
         return Arrays.stream(scene.corners()).map(p -> first[p]).toArray();
     }
 
-    /** Whether an object is what one stands in or on at a place, or extends over most of the scene. */
+    /** Whether the eye is inside the box of an object, or the object extends over most of the scene. */
     boolean isShell(int itsObject, Vec3 eye) {
         Aabb box = boxes.get(itsObject);
         Vec3 p = axes.coordinates(eye);

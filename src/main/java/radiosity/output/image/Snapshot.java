@@ -20,39 +20,39 @@ import radiosity.util.ArraySize;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * A picture of a solution without a display: rays through the pixels, radiosity interpolated where they meet.
+ * Draws a picture of a solution without a display: rays through the pixels, radiosity interpolated on elements.
  *
- * <p>A surface is seen from its visible side only; from behind one looks through it, as every viewer of the scene file
- * does. Where nothing is, it is black. Where surfaces shine, or light is gathered, {@link EyeRays} go on.
+ * <p>A surface is seen from its visible side only and transparent from behind, as in every viewer of the scene file.
+ * The background is black. {@link EyeRays} trace the light further if surfaces shine or light is gathered.
  */
 public final class Snapshot {
 
     /** Samples per pixel along each axis. */
     private static final int SAMPLES = 3;
-    /** The scene in the hierarchy has this diagonal, around the origin. */
+    /** Diagonal of the scene in the bounding volume hierarchy, where its centre is the origin. */
     private static final double SIZE = 1;
 
     private final Solution solution;
     private final Vec3 eye;
     private final Vec3 centre;
     private final double scale;
-    /** The elements that face the eye: only they can be seen. */
+    /** The elements that face the eye: only these elements can be seen. */
     private final int[] facing;
     private final RadiosityBounds bounds;
     private final int gathered;
-    /** Null where the solution is all there is to see. */
+    /** Null if pictures show the radiosity of the solution alone. */
     private final EyeRays rays;
 
     /**
      * How a picture is drawn.
      *
-     * @param gathered rays per pixel with which the light that arrives is gathered, so that no mesh shows; 0: none,
-     *                 and light is interpolated between the mesh's vertices
-     * @param progress told of the part that is done, from threads of all kinds; ends it by false
+     * @param gathered rays per pixel that gather the arriving light, so that no mesh shows; 0 to interpolate light
+     *                 between the mesh's vertices
+     * @param progress is given the part of the picture that is done, by several threads at once
      */
     public record Drawing(int gathered, Progress progress) {
 
-        /** Rays per pixel, at most. */
+        /** Largest number of gathering rays per pixel. */
         public static final int MOST_GATHERED = 1_000_000;
 
         public Drawing {
@@ -62,13 +62,16 @@ public final class Snapshot {
             }
         }
 
-        /** From the solution alone, to the end. */
+        /** Draws a picture from the solution alone, to the end. */
         public static final Drawing PLAIN = new Drawing(0, done -> true);
 
-        /** Whether to go on. */
+        /** Decides whether drawing goes on. */
         public interface Progress {
 
-            /** @param done part of the pixels, in (0, 1] */
+            /**
+             * @param done part of the pixels, in (0, 1]
+             * @return false to end drawing with a {@link CancellationException}
+             */
             boolean goesOn(double done);
         }
     }
@@ -99,10 +102,10 @@ public final class Snapshot {
     }
 
     /**
-     * Writes a picture in the format that the file's name ends in.
+     * Writes a picture in the format that the end of the file's name stands for.
      *
      * @param width       pixels; the height follows from the camera's aspect
-     * @param toneMapping for png and jpg; a .hdr holds radiosity as it is, in W/m²
+     * @param toneMapping for .png and .jpg; a .hdr holds radiosity as it is, in W/m²
      */
     public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping)
             throws IOException {
@@ -110,9 +113,9 @@ public final class Snapshot {
     }
 
     /**
-     * The same, drawn as is asked for.
+     * Writes a picture that is drawn in a given way.
      *
-     * @throws CancellationException where it was not to go on; nothing is written then
+     * @throws CancellationException if the progress of the drawing ended it; nothing is written then
      */
     public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping,
                              Drawing drawing) throws IOException {
@@ -122,12 +125,12 @@ public final class Snapshot {
                 drawing));
     }
 
-    /** Whether something shines in a solution, so that drawing it takes longer. */
+    /** Whether a surface of a solution mirrors or transmits light, so that drawing takes longer. */
     public static boolean isTraced(Solution solution) {
         return EyeRays.shines(solution);
     }
 
-    /** Height of a picture of this width in pixels, at least 1. */
+    /** Height in pixels of a picture of a given width, at least 1. */
     public static long height(Camera camera, int width) {
         return Math.max(1, Math.round(width / camera.aspect()));
     }
@@ -136,7 +139,7 @@ public final class Snapshot {
         return take(solution, camera, width, film, Drawing.PLAIN);
     }
 
-    /** @param film what becomes of the radiosity of each sample before a pixel's samples are averaged */
+    /** @param film maps the radiosity of each sample, before the samples of a pixel are averaged */
     static Picture take(Solution solution, Camera camera, int width, UnaryOperator<Rgb> film, Drawing drawing) {
         long rows = height(camera, width);
         float[] rgb = new float[ArraySize.of("picture of " + width + "x" + rows + " pixels", 3, width, rows)];
@@ -161,14 +164,15 @@ public final class Snapshot {
     }
 
     /**
-     * What arrives at the surfaces that are seen.
+     * The light that arrives at the surfaces that are seen.
      *
-     * @param value irradiance or illuminance, one per sample, from the upper left; not a number where nothing is seen
-     * @param plane one per sample: equal where they lie in one plane
+     * @param value irradiance (W/m²) or illuminance (lx), one per sample, from the upper left; NaN where nothing is
+     *              seen
+     * @param plane one per sample: equal for samples that lie in one plane
      */
     record Values(int width, int height, float[] value, int[] plane) { }
 
-    /** One sample per pixel. */
+    /** Draws the light that arrives, with one sample per pixel. */
     static Values irradiance(Solution solution, Camera camera, int width) {
         int height = (int) height(camera, width);
         int size = ArraySize.of("picture of " + width + "x" + height + " pixels", width, height);
@@ -210,14 +214,14 @@ public final class Snapshot {
         return new Rgb(r, g, b).times(1.0 / (SAMPLES * SAMPLES));
     }
 
-    /** Of a sample of a pixel. */
+    /** Unit direction from the eye through sample s of a pixel. */
     private static Vec3 direction(Camera camera, int column, int row, int width, int height, int s) {
         double x = 2 * (column + (s % SAMPLES + 0.5) / SAMPLES) / width - 1;
         double y = 1 - 2 * (row + (s / SAMPLES + 0.5) / SAMPLES) / height;
         return camera.direction(x, y);
     }
 
-    /** Radiosity of what a ray from the eye meets. */
+    /** Radiosity of the element that a ray from the eye meets, W/m²; black without an element. */
     private Rgb along(Vec3 direction) {
         float[] hit = new float[3];
         int element = element(direction, hit);
@@ -225,9 +229,9 @@ public final class Snapshot {
     }
 
     /**
-     * The element that a ray from the eye meets, or -1. From far away it begins near the scene, where floats are exact.
+     * The element that a ray from the eye meets, or -1. A far ray begins near the scene, where floats are exact.
      *
-     * @param hit modified: distance, weights of corners 1 and 2
+     * @param hit receives the distance and the weights of corners 1 and 2
      */
     private int element(Vec3 direction, float[] hit) {
         Vec3 from = eye.minus(centre).times(scale);
@@ -244,7 +248,7 @@ public final class Snapshot {
                 .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
     }
 
-    /** What the rays of a pixel meet, where they may go on; light is gathered once for those that meet one triangle. */
+    /** Light seen along each ray of a pixel, traced beyond the first element; gathered once per triangle met. */
     private Rgb[] seen(Camera camera, int column, int row, int width, int height) {
         Vec3[] directions = IntStream.range(0, SAMPLES * SAMPLES)
                 .mapToObj(s -> direction(camera, column, row, width, height, s)).toArray(Vec3[]::new);
@@ -267,7 +271,13 @@ public final class Snapshot {
         return seen;
     }
 
-    /** Gathers light for all rays that meet the same side of the same triangle as one of them. */
+    /**
+     * Gathers light once for all rays of a pixel that meet the same side of the same triangle as a given ray.
+     *
+     * @param ray   the given ray in the pixel
+     * @param first number of the pixel's first ray in the picture
+     * @param seen  receives the light of these rays
+     */
     private void gather(int[] element, float[][] hit, int ray, long first, Rgb[] seen) {
         int face = solution.faceOf()[element[ray]];
         int[] same = IntStream.range(ray, element.length)

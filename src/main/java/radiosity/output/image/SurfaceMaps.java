@@ -15,12 +15,12 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 
-/** Reads the images of a scene's surfaces and makes of them what the surfaces reflect and emit, point by point. */
+/** Reads the images of a scene's surfaces and makes maps of exitance and reflectance from them. */
 public final class SurfaceMaps {
 
     private final boolean srgb;
     private final Consumer<String> warnings;
-    /** Empty where one cannot be read. */
+    /** The images that were read; empty for an image that cannot be read. */
     private final Map<ImageSource, Optional<ImageFile>> images = new HashMap<>();
 
     private SurfaceMaps(boolean srgb, Consumer<String> warnings) {
@@ -29,9 +29,10 @@ public final class SurfaceMaps {
     }
 
     /**
-     * The scene with its images; an image that cannot be read is reported, and leaves the base colour.
+     * Returns the scene with maps from its images. An image that cannot be read is reported, and the base colour is
+     * taken.
      *
-     * @param srgb whether the images' values are made linear, as the scene's colours
+     * @param srgb whether the values of images are sRGB and are made linear
      */
     public static Scene read(Scene scene, boolean srgb, Consumer<String> warnings) {
         SurfaceMaps maps = new SurfaceMaps(srgb, warnings);
@@ -60,7 +61,9 @@ public final class SurfaceMaps {
                 : Optional.of(raster(maps, files, base, most));
     }
 
-    /** Images of one quantity are brought to one size, which may have far more pixels than any of them. */
+    /**
+     * Whether the images of one quantity, brought to one size, have too many pixels: more than any of them may have.
+     */
     private boolean isTooLarge(Surface surface, List<ImageFile> files) {
         long pixels = (long) width(files) * height(files);
         if (pixels > ImageFile.MOST_PIXELS) {
@@ -91,7 +94,11 @@ public final class SurfaceMaps {
         });
     }
 
-    /** As large as the largest of the images. */
+    /**
+     * Combines the images of one quantity in a map as wide and as high as the largest of them.
+     *
+     * @param most largest value of the map
+     */
     private Raster raster(List<ImageMap> maps, List<ImageFile> files, Rgb base, double most) {
         int width = width(files);
         int height = height(files);
@@ -111,7 +118,9 @@ public final class SurfaceMaps {
         return new Raster(width, height, rgb, maps.get(0).wrapU(), maps.get(0).wrapV(), base);
     }
 
-    /** Several images for one quantity, as of colour and of diffuse, vary it by their product. */
+    /**
+     * Applies an image to a value: several images for one quantity, as colour and diffuse, vary it by their product.
+     */
     private static double varied(ImageMap map, double before, double base, int channel, double image) {
         double value = map.negative() ? 1 - image : image;
         double alone = (1 - map.opacity()) * base + map.opacity() * map.scale().channel(channel) * value;

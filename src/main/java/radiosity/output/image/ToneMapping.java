@@ -8,25 +8,23 @@ import radiosity.scene.Units;
 import radiosity.solution.Solution;
 
 /**
- * From radiosity in W/m² to what a screen shows: an exposure, then a curve.
+ * Maps radiosity in W/m² to the linear light of a screen: an exposure, then a curve.
  *
  * @param operator the curve
- * @param exposure what radiosity is multiplied with before, above 0
+ * @param exposure factor for radiosity before the curve, above 0
  */
 public record ToneMapping(Operator operator, double exposure) {
 
     /** The curves from exposed radiosity to linear light in [0, 1]. */
     public enum Operator {
-        /** Straight, then white. */
+        /** The exposed radiosity itself, cut off at 1. */
         LINEAR {
             @Override
             Rgb map(Rgb x) {
                 return x;
             }
         },
-        /**
-         * E. Reinhard and others, Photographic tone reproduction for digital images, 2002, equation 4: keeps hues.
-         */
+        /** E. Reinhard and others, Photographic tone reproduction for digital images, 2002, equation 4: keeps hues. */
         REINHARD {
             @Override
             Rgb map(Rgb x) {
@@ -42,7 +40,7 @@ public record ToneMapping(Operator operator, double exposure) {
             }
         };
 
-        /** The exposed luminance that becomes white. */
+        /** Exposed luminance that Reinhard's curve maps to 1. */
         public static final double WHITE = 4;
 
         abstract Rgb map(Rgb exposed);
@@ -52,9 +50,9 @@ public record ToneMapping(Operator operator, double exposure) {
         }
     }
 
-    /** The exposure brings the scene's log-average luminance here. */
+    /** The log-average luminance of a scene after automatic exposure. */
     private static final double MIDDLE = 0.18;
-    /** Darker than this, of the mean, counts as this in the log-average. */
+    /** Least luminance that an element counts with in the log-average, as a share of the mean. */
     private static final double DARK = 0.03;
 
     public ToneMapping {
@@ -64,15 +62,15 @@ public record ToneMapping(Operator operator, double exposure) {
     }
 
     /**
-     * The automatic choice for a solution, made brighter by some stops.
+     * Chooses the exposure for a solution, brighter by some stops.
      *
-     * @param stops EV, 0 for the choice itself
+     * @param stops EV, 0 for the automatic exposure itself
      */
     public static ToneMapping automatic(Operator operator, Solution solution, double stops) {
         return automatic(operator, LogAverageLuminance.of(solution), stops);
     }
 
-    /** The automatic choice for what a scene file holds, made brighter by some stops. */
+    /** Chooses the exposure for the meshes of a scene file, brighter by some stops. */
     public static ToneMapping automatic(Operator operator, List<Mesh> meshes, double stops) {
         return automatic(operator, LogAverageLuminance.of(meshes), stops);
     }
@@ -81,13 +79,13 @@ public record ToneMapping(Operator operator, double exposure) {
         return new ToneMapping(operator, brightness.exposure(MIDDLE, DARK) * StrictMath.pow(2, stops));
     }
 
-    /** Reinhard's curve, automatic exposure: walls keep their colour. */
+    /** Reinhard's curve, under which walls keep their colour, with automatic exposure. */
     public static ToneMapping automatic(Solution solution) {
         return automatic(Operator.REINHARD, solution, 0);
     }
 
     /**
-     * Linear light in [0, 1] per channel.
+     * Maps radiosity to linear light in [0, 1] per channel.
      *
      * @param radiosity W/m²
      */
@@ -95,17 +93,17 @@ public record ToneMapping(Operator operator, double exposure) {
         return operator.map(new Rgb(expose(radiosity.r()), expose(radiosity.g()), expose(radiosity.b()))).atMost(1);
     }
 
-    /** Light below 0 (of a solution stopped early) is none; far above white all is the same. */
+    /** Exposes a channel, within [0, 1e6]: light below 0 (of a solution stopped early) becomes black. */
     private double expose(double radiosity) {
         return Math.max(0, Math.min(1e6, radiosity * exposure));
     }
 
-    /** Y of linear sRGB (IEC 61966-2-1). */
+    /** Luminance Y of linear sRGB (IEC 61966-2-1), in the unit of the light. */
     public static double luminance(Rgb light) {
         return light.r() * Units.WEIGHTS.r() + light.g() * Units.WEIGHTS.g() + light.b() * Units.WEIGHTS.b();
     }
 
-    /** The sRGB code, 0 to 255, of linear light in [0, 1]. */
+    /** The sRGB code, 0 to 255, of linear light, which is clamped to [0, 1]. */
     public static int srgb(double light) {
         return (int) Math.round(255 * Math.max(0, Math.min(1, Srgb.code(light))));
     }
