@@ -9,22 +9,25 @@ import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.visibility.RadiosityBounds;
 
-/** What rays meet among the elements of a solution: their visible sides, and those of glass also from within. */
+/** Finds what rays meet among the elements of a solution: visible sides, and sides of glass also from within. */
 final class ElementRays {
 
-    /** What a ray may meet instead of a visible side. */
+    /** Results where a ray meets no visible side: no surface at all, or the back of one. */
     static final int NOTHING = -1;
     static final int BACK = -2;
 
-    /** In the hierarchy the scene has a diagonal of 1: no ray is longer. */
+    /** Length of rays in the bounding volume hierarchy, where the scene has a diagonal of 1. */
     private static final double FAR = 4;
-    /** How far from its surface a ray is looked for: more than its coordinates are rounded by. */
+    /** Distance of a ray's origin from its surface in the hierarchy: more than its coordinates are rounded by. */
     private static final double OFF = 1e-6;
 
     private final Solution solution;
     private final Vec3 centre;
     private final double scale;
-    /** By the triangles of the hierarchy; those from {@code #within} on are turned round: glass from within. */
+    /**
+     * The element of each triangle of the hierarchy; from {@code #within} on, turned round, elements of glass from
+     * within.
+     */
     private final int[] elements;
     private final int within;
     private final RadiosityBounds bounds;
@@ -51,21 +54,21 @@ final class ElementRays {
     }
 
     /**
-     * What a ray meets.
+     * The point where a ray meets an element.
      *
-     * @param point    scene units, as exactly as the element's corners give it
+     * @param point    scene units, as exact as the element's corners
      * @param v        weight of corner 1
      * @param w        weight of corner 2
-     * @param isWithin whether it comes from the back of glass
+     * @param isWithin whether the ray meets glass from within
      */
     record Hit(int element, Vec3 point, double v, double w, boolean isWithin) { }
 
     /**
-     * The first visible side along a ray, or null; it passes through backs.
+     * The first visible side along a ray, or null; the ray passes through backs.
      *
-     * @param from      on a surface, or in the air, scene units
-     * @param side      unit normal of that surface on the side to which the ray goes, so that the ray does not meet it
-     *                  again where it begins; zero in the air
+     * @param from      origin on a surface, or in the air, scene units
+     * @param side      unit normal of the origin's surface on the side to which the ray goes, so that the ray does not
+     *                  meet this surface where it begins; zero in the air
      * @param direction unit direction
      */
     Hit first(Vec3 from, Vec3 side, Vec3 direction) {
@@ -75,7 +78,7 @@ final class ElementRays {
         return found < 0 ? null : exact(elements[found], found >= within, from, direction);
     }
 
-    /** Where a ray meets an element, as its corners give it in double; one without area at a corner. */
+    /** The point where a ray meets the plane of an element, in double; corner 0 of an element without area. */
     Hit exact(int element, boolean isWithin, Vec3 from, Vec3 direction) {
         Vec3 a = Elements.corner(solution, element, 0);
         Vec3 ab = Elements.corner(solution, element, 1).minus(a);
@@ -90,11 +93,11 @@ final class ElementRays {
     }
 
     /**
-     * The first element along a ray whose visible side it meets, {@link #BACK} where it meets a back before, or
+     * The first element along a ray whose visible side the ray meets, {@link #BACK} if the ray meets a back before, or
      * {@link #NOTHING}.
      *
-     * @param from off the surfaces
-     * @param hit  modified: distance, weights of corners 1 and 2
+     * @param from origin off the surfaces, scene units
+     * @param hit  receives the distance, of the scene's diagonal, and the weights of corners 1 and 2
      */
     int element(Vec3 from, Vec3 direction, float[] hit) {
         int found = bounds.nearestFront(from.minus(centre).times(scale), direction, FAR, true, hit);
@@ -102,7 +105,7 @@ final class ElementRays {
                 : found >= within || Elements.cross(solution, found).dot(direction) >= 0 ? BACK : found;
     }
 
-    /** What an element reflects diffusely at a place, W/m². */
+    /** Radiosity that an element reflects diffusely at a point, W/m². */
     Rgb reflected(int element, double v, double w) {
         return irradiance(element, v, w).times(reflectance(element, v, w));
     }
@@ -114,7 +117,7 @@ final class ElementRays {
                 : solution.surface(element).reflectance();
     }
 
-    /** H between the vertices of an element, W/m². */
+    /** Irradiance H at a point of an element, interpolated between the vertices, W/m². */
     Rgb irradiance(int element, double v, double w) {
         int[] corners = solution.corners();
         return solution.irradianceAt(corners[3 * element]).times(1 - v - w)

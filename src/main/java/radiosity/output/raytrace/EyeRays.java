@@ -11,30 +11,31 @@ import radiosity.solution.Solution;
 import radiosity.util.Hash;
 
 /**
- * What the eye sees of a solution along a ray: at surfaces that shine the ray is divided, and goes on until it meets
- * what is diffuse (T. Whitted, An improved illumination model for shaded display, 1980; after a diffuse solution: J.
- * Wallace, M. Cohen, D. Greenberg, A two-pass solution to the rendering equation, 1987).
+ * Traces rays from the eye through a solution: a specular surface divides a ray into a mirrored and a transmitted ray,
+ * which go on until they meet diffuse surfaces (T. Whitted, An improved illumination model for shaded display, 1980;
+ * after a diffuse solution: J. Wallace, M. Cohen, D. Greenberg, A two-pass solution to the rendering equation, 1987).
  *
- * <p>Everything follows from the ray, its number and the solution: no thread or order has a part in it.
+ * <p>The light of a ray follows from the ray, its number and the solution alone, not from threads and their order.
  */
 public final class EyeRays {
 
-    /** A ray with less influence on what is seen is left out. */
+    /** Least weight in the light that is seen with which a ray is traced. */
     private static final double LEAST = 1e-4;
-    /** How often a ray goes on, at most. */
+    /** How often a ray goes on from a specular surface, at most. */
     private static final int DEEPEST = 64;
-    /** Rays that go on from a rough surface, where it is the first one on the way. */
+    /** Number of rays that go on from the first rough surface on a ray's way; from later rough surfaces one goes on. */
     private static final int BLURRED = 32;
 
     private final Solution solution;
     private final ElementRays rays;
-    /** Null where light between the mesh's vertices is taken. */
+    /** Null if light is interpolated between the mesh's vertices. */
     private final FinalGather gather;
     private final int gathered;
 
     /**
      * @param solution with T-junctions closed
-     * @param gathered rays by which the light at the end of a ray is gathered; 0: between the mesh's vertices
+     * @param gathered number of rays that gather light at the end of a ray; 0 to interpolate between the mesh's
+     *                 vertices
      */
     public EyeRays(Solution solution, int gathered) {
         this.solution = solution;
@@ -43,35 +44,36 @@ public final class EyeRays {
         gather = gathered == 0 ? null : new FinalGather(rays);
     }
 
-    /** Whether a picture of a solution needs these rays: something shines. */
+    /** Whether a surface of a solution is specular, so that a picture needs these rays. */
     public static boolean shines(Solution solution) {
         return solution.scene().surfaces().stream().anyMatch(surface -> surface.specular().isPresent());
     }
 
     /**
-     * What is seen of a place on an element: the radiosity of a diffuse surface that looks as bright, W/m².
+     * The light that is seen of an element along a ray: the radiosity of a diffuse surface that looks as bright, W/m².
      *
-     * @param eye       where the ray begins, scene units
-     * @param direction unit direction of the ray from the eye
-     * @param ray       its number in the picture
+     * @param eye       origin of the ray, scene units
+     * @param direction unit direction of the ray
+     * @param ray       number of the ray in the picture
      */
     public Rgb seen(int element, Vec3 eye, Vec3 direction, long ray) {
         return along(rays.exact(element, false, eye, direction), direction, 1, 0, new Way(0, ray, gathered, false));
     }
 
     /**
-     * The light that arrives at a place on an element, gathered anew, W/m².
+     * Irradiance at a point of an element, gathered anew, W/m²; only if the number of gathering rays is above 0.
      *
-     * @param first number of the first of the rays to the place
-     * @param count number of these rays
+     * @param first number of the first eye ray to the point
+     * @param count number of eye rays to the point
      */
     public Rgb irradiance(int element, Vec3 point, long first, int count) {
         return gather.irradiance(point, Elements.normal(solution, element), first * gathered, count * gathered);
     }
 
     /**
-     * The number of a pixel along a curve through all of them (G. Morton, 1966): those near each other have numbers
-     * near each other, so that their rays, numbered by pixels, are spread evenly, and what noise they have is fine.
+     * The number of a pixel along a curve through all pixels (G. Morton, A computer oriented geodetic data base and a
+     * new technique in file sequencing, 1966): pixels near each other have numbers near each other, so that gathering
+     * rays, numbered by pixels, are spread evenly over a neighbourhood, and their noise is fine.
      */
     public static long number(int column, int row) {
         long number = 0;
@@ -82,21 +84,21 @@ public final class EyeRays {
     }
 
     /**
-     * How a ray came here.
+     * The state of a ray on its way from the eye.
      *
-     * @param seed    of what is chosen on its way
-     * @param number  among those with the same seed
-     * @param end     rays to gather with where it ends
-     * @param blurred whether a rough surface was on its way
+     * @param seed    of the choices on the ray's way
+     * @param number  of the ray among rays with the same seed
+     * @param end     number of rays that gather light where the ray ends; 0 to interpolate
+     * @param blurred whether a rough surface was on the ray's way
      */
     private record Way(long seed, long number, int end, boolean blurred) {
 
-        /** By one of the normals of a rough surface. */
+        /** The way of ray k that goes on from a rough surface. */
         Way blurred(long k) {
             return new Way(Hash.mix(seed, k), 0, 0, true);
         }
 
-        /** Two numbers from 0 to 1. */
+        /** Two numbers in [0, 1) that choose the facet from which ray k goes on. */
         double[] choice(long k) {
             return new double[] {(PointSequence.u(k) + (seed >>> 40) * 0x1p-24) % 1,
                 (PointSequence.v(k) + (seed >>> 16 & 0xFFFFFF) * 0x1p-24) % 1};
@@ -119,7 +121,11 @@ public final class EyeRays {
                 : rough(place, direction, way));
     }
 
-    /** @param share of what is reflected diffusely that is seen */
+    /**
+     * Radiosity of a diffuse surface, W/m².
+     *
+     * @param share of the diffusely reflected light that is seen
+     */
     private Rgb diffuse(Hit hit, Vec3 normal, double share, Way way) {
         MaterialSample look = solution.scene().look(solution.faceOf()[hit.element()] >> 1, hit.point());
         if (look.reflectance().max() * share <= 0) {
@@ -131,10 +137,11 @@ public final class EyeRays {
     }
 
     /**
-     * Where a ray meets what shines.
+     * The point where a ray meets a specular surface.
      *
-     * @param normal on the side from which the ray comes
-     * @param weight of the ray
+     * @param normal unit normal on the side from which the ray comes
+     * @param weight of the ray in the light that is seen
+     * @param depth  how often the ray has gone on
      */
     private record Place(Hit hit, Specular specular, Vec3 normal, double weight, int depth) {
 
@@ -160,10 +167,10 @@ public final class EyeRays {
     }
 
     /**
-     * What a mirror shows, and what is behind it.
+     * Light from a mirrored ray and, if the surface transmits light, from a transmitted ray.
      *
-     * @param normal of the mirror: that of the surface, or of one of its facets
-     * @param facets null where it is smooth
+     * @param normal of the mirror: the normal of the surface or of a facet
+     * @param facets null if the surface is smooth
      */
     private Rgb divided(Place place, Vec3 direction, Vec3 normal, Microfacets facets, Way way) {
         Specular specular = place.specular;
@@ -180,11 +187,11 @@ public final class EyeRays {
     }
 
     /**
-     * What a ray that goes on brings.
+     * Light that a ray that goes on brings, W/m²; black if its weight is too small or it leaves on the wrong side.
      *
-     * @param share     of it that is seen
-     * @param direction unit direction, or null where none goes on
-     * @param side      1 back to where it came from, -1 beyond the surface
+     * @param share     of the ray's light that is seen
+     * @param direction unit direction; null if no ray goes on
+     * @param side      1 for a ray back to the side from which light was traced, -1 for a ray beyond the surface
      */
     private Rgb on(Place place, Rgb share, Vec3 direction, int side, Microfacets facets, Way way) {
         double weight = place.weight * share.max();

@@ -16,23 +16,28 @@ import radiosity.solution.Solution;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * The light that arrives at a point, found anew: from what is bright by rays to it, from all else by rays all round,
- * which find the solution at their ends (M. Reichert, A two-pass radiosity method driven by lights and viewer position,
- * 1992), and that of lights without geometry.
+ * Gathers the light that arrives at a point anew: emitted light and light that bright surfaces reflect by rays to these
+ * surfaces, other reflected light by rays in all directions, which find the solution at their ends (M. Reichert, A
+ * two-pass radiosity method driven by lights and viewer position, 1992), and the light of lights without geometry.
  *
- * <p>Bright is what emits, and what reflects much more than the mean, such as the inside of a lampshade: of rays all
- * round too few would meet it.
+ * <p>A surface is bright if it reflects much more than the mean, such as the inside of a lampshade: too few of the rays
+ * in all directions would meet emitting and bright surfaces.
  */
 final class FinalGather {
 
-    /** Pieces of what is bright: large surfaces are divided until there are at least so many, by area. */
+    /** Emitting and bright sides are divided until no piece has more than 1 / PIECES of their area. */
     private static final int PIECES = 256;
-    /** What reflects so many times the mean counts as bright, but no more sides than these. */
+    /**
+     * Sides that reflect this many times the mean radiosity are bright; only the brightest ones, up to a number, count.
+     */
     private static final double BRIGHT = 3;
     private static final int MOST_BRIGHT = 2048;
-    /** How far from its surface a ray begins or ends, of the scene's size. */
+    /** Distance from its surface at which a ray begins or ends, of the scene's size. */
     private static final double LIFT = 1e-5;
-    /** Least part of what a piece might send at best with which it is chosen, as it may be in view only in part. */
+    /**
+     * Least cosine at the receiving point in the influence of a piece, of which a part may be in view if its middle is
+     * not.
+     */
     private static final double LEAST = 1e-3;
 
     private final ElementRays rays;
@@ -42,7 +47,7 @@ final class FinalGather {
     private final LightSources lights;
     private final boolean hasSky;
     private final List<Piece> pieces = new ArrayList<>();
-    /** 1 per side of a triangle: whether its reflected light is that of pieces. */
+    /** 1 per side of a triangle: whether rays to pieces gather the side's reflected light. */
     private final boolean[] isBright;
 
     FinalGather(ElementRays rays) {
@@ -65,7 +70,7 @@ final class FinalGather {
         whole.stream().filter(piece -> piece.cross.length() > 0).forEach(piece -> divide(piece, area / PIECES));
     }
 
-    /** The sides of triangles that reflect much more than the mean. */
+    /** The sides of triangles that reflect much more than the mean, as one piece each. */
     private List<Piece> bright() {
         Solution solution = rays.solution();
         double[] area = new double[isBright.length];
@@ -109,13 +114,13 @@ final class FinalGather {
     }
 
     /**
-     * A part of a triangle that is bright.
+     * A part of an emitting or bright side of a triangle.
      *
-     * @param face      2 * triangle, + 1 for its back
-     * @param isReflected whether this is what it reflects, or what it emits
-     * @param a         its corners, counter-clockwise seen from the side that is bright, scene units
-     * @param radiosity in the mean, W/m²
-     * @param cross     at right angles to it, twice as long as its area is large
+     * @param face        2 * triangle, + 1 for its back
+     * @param isReflected whether the piece stands for the reflected light of the side, or for the emitted light
+     * @param a           corners a, b and c, counter-clockwise seen from the side that gives light, scene units
+     * @param radiosity   mean radiosity that is reflected or emitted, W/m²
+     * @param cross       vector normal to the piece, twice as long as the piece's area is large
      */
     private record Piece(int face, boolean isReflected, Vec3 a, Vec3 b, Vec3 c, Rgb radiosity, Vec3 cross) {
 
@@ -125,12 +130,12 @@ final class FinalGather {
     }
 
     /**
-     * Irradiance, W/m².
+     * Irradiance of one side of a surface at a point, W/m².
      *
      * @param point scene units
      * @param n     unit normal of the side that receives
      * @param first number of the first ray; near points are to have rays with near numbers
-     * @param count rays all round, and again to what is bright, at least 1
+     * @param count number of rays in all directions, and again of rays to pieces, at least 1
      */
     Rgb irradiance(Vec3 point, Vec3 n, long first, int count) {
         Vec3 above = point.plus(n.times(LIFT * faces.size()));
@@ -150,7 +155,10 @@ final class FinalGather {
         return h.length == 1 ? Rgb.grey(h[0]) : new Rgb(h[0], h[1], h[2]);
     }
 
-    /** Rays uniform in the circle below the hemisphere (W. Nusselt, 1928): each brings the same. */
+    /**
+     * Light from rays in all directions, uniform in the circle below the hemisphere (W. Nusselt, 1928): all weigh the
+     * same.
+     */
     private Rgb fromAround(Vec3 from, Vec3 n, long first, int count) {
         Vec3 u = n.perpendicular();
         Vec3 v = n.cross(u);
@@ -172,7 +180,7 @@ final class FinalGather {
         return sum.times(1.0 / count);
     }
 
-    /** Rays to places on what is bright, as many to each piece as it sends if nothing is in the way. */
+    /** Light from rays to points on pieces; each piece gets rays in proportion to its influence. */
     private Rgb fromBright(Vec3 point, Vec3 above, Vec3 n, long first, int count) {
         double[] upTo = new double[pieces.size()];
         double all = 0;
@@ -196,7 +204,7 @@ final class FinalGather {
         return sum;
     }
 
-    /** About what a piece sends. */
+    /** Estimate of the irradiance from a piece with nothing in the way, up to a constant factor. */
     private static double influence(Piece piece, Vec3 point, Vec3 n) {
         Vec3 cross = piece.cross();
         double height = point.minus(piece.a).dot(cross);
@@ -212,11 +220,11 @@ final class FinalGather {
     }
 
     /**
-     * What a place on a piece sends if all of the piece is like it.
+     * Irradiance from a piece if all of the piece is like one of its points, W/m².
      *
-     * @param above the point, off its surface
-     * @param r     where it is, from corner a, 0, to the opposite edge, 1
-     * @param s     and along that edge, from b to c
+     * @param above the receiving point, moved off its surface
+     * @param r     position of the point on the piece: 0 at corner a, 1 on the opposite edge
+     * @param s     position of the point parallel to that edge: 0 towards b, 1 towards c
      */
     private Rgb sample(Piece piece, Vec3 point, Vec3 above, Vec3 n, double r, double s) {
         Vec3 y = piece.a.times(1 - r).plus(piece.b.times(r * (1 - s))).plus(piece.c.times(r * s));

@@ -4,16 +4,16 @@ import radiosity.scene.Specular;
 import radiosity.scene.Vec3;
 
 /**
- * What becomes of a ray where the refractive index changes (W. Snell, 1621; A. Fresnel, 1823), light not polarised.
+ * Reflection and refraction of unpolarised light where the refractive index changes (W. Snell, 1621; A. Fresnel, 1823).
  *
- * <p>An index here is that of the side to which a ray goes over that of the side from which it comes.
+ * <p>An index is here the refractive index of the side to which a ray goes over that of the side from which it comes.
  */
 final class Fresnel {
 
     private Fresnel() { }
 
     /**
-     * F: reflected / arriving; 1 where all is reflected.
+     * F: reflected over arriving light; 1 at total reflection.
      *
      * @param cosine of the angle between the ray and the normal, from 0 to 1
      */
@@ -28,7 +28,7 @@ final class Fresnel {
         return (across * across + along * along) / 2;
     }
 
-    /** f = (F - F0) / (1 - F0): how far a surface has come from what it mirrors at right angles to all. */
+    /** f = (F - F0) / (1 - F0): 0 at right angles, 1 where the surface reflects all light; 0 for an index of 1. */
     static double rise(double cosine, double index) {
         if (index == 1) {
             return 0;
@@ -38,10 +38,10 @@ final class Fresnel {
     }
 
     /**
-     * The direction of a refracted ray, or null where all is reflected.
+     * The direction of a refracted ray, or null at total reflection.
      *
      * @param direction unit direction of the ray
-     * @param normal    unit normal on the side from which it comes
+     * @param normal    unit normal on the side from which the ray comes
      */
     static Vec3 refracted(Vec3 direction, Vec3 normal, double index) {
         double cosine = -direction.dot(normal);
@@ -50,7 +50,6 @@ final class Fresnel {
                 : direction.times(1 / index).plus(normal.times(cosine / index - Math.sqrt(beyond))).unit();
     }
 
-    /** The direction of a mirrored ray. */
     static Vec3 mirrored(Vec3 direction, Vec3 normal) {
         return direction.minus(normal.times(2 * direction.dot(normal))).unit();
     }

@@ -3,9 +3,9 @@ package radiosity.output.raytrace;
 import radiosity.scene.Vec3;
 
 /**
- * The small mirrors of which a rough surface is made (B. Walter and others, Microfacet models for refraction through
- * rough surfaces, 2007: GGX), sampled as they are seen (E. Heitz, Sampling the GGX distribution of visible normals,
- * 2018).
+ * The microfacets, small mirrors, of which a rough surface is made (B. Walter and others, Microfacet models for
+ * refraction through rough surfaces, 2007: GGX), sampled by how much of each the eye sees (E. Heitz, Sampling the GGX
+ * distribution of visible normals, 2018).
  */
 final class Microfacets {
 
@@ -13,13 +13,13 @@ final class Microfacets {
     private final Vec3 normal;
     private final Vec3 u;
     private final Vec3 v;
-    /** Towards the eye, stretched as the slopes are, along u, v and the normal. */
+    /** Unit direction to the eye, stretched by the width of the slopes; coordinates along u, v and the normal. */
     private final Vec3 stretched;
 
     /**
-     * @param normal    unit normal
+     * @param normal    unit normal of the surface
      * @param direction unit direction of a ray that comes from the eye
-     * @param roughness in (0, 1]
+     * @param roughness in (0, 1]; the width of the slopes is its square
      */
     Microfacets(Vec3 normal, Vec3 direction, double roughness) {
         width = roughness * roughness;
@@ -29,7 +29,7 @@ final class Microfacets {
         stretched = new Vec3(-width * direction.dot(u), -width * direction.dot(v), -direction.dot(normal)).unit();
     }
 
-    /** Unit normal of one of those that are seen, by two numbers from 0 to 1. */
+    /** Unit normal of a facet that the eye sees, chosen by two numbers in [0, 1]. */
     Vec3 normal(double first, double second) {
         double flat = Math.sqrt(stretched.x() * stretched.x() + stretched.y() * stretched.y());
         Vec3 a = flat > 0 ? new Vec3(-stretched.y() / flat, stretched.x() / flat, 0) : new Vec3(1, 0, 0);
@@ -42,7 +42,10 @@ final class Microfacets {
         return u.times(width * h.x()).plus(v.times(width * h.y())).plus(normal.times(Math.max(1e-9, h.z()))).unit();
     }
 
-    /** Share of those that are seen whose light leaves in a direction, not hidden by others (B. Smith, 1967). */
+    /**
+     * Share of the facets seen by the eye whose light leaves in a direction without meeting other facets (B. Smith,
+     * Geometrical shadowing of a random rough surface, 1967).
+     */
     double free(Vec3 direction) {
         double cosine = direction.dot(normal);
         double square = cosine * cosine;

@@ -1,5 +1,5 @@
 /**
- * The second pass over a diffuse solution: what the eye sees along a ray through mirrors and glass, and the light at a
- * point gathered anew.
+ * The second pass over a diffuse solution: light along rays from the eye through mirrors and glass, and light gathered
+ * anew at a point.
  */
 package radiosity.output.raytrace;
