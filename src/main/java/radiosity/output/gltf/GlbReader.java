@@ -16,7 +16,7 @@ import radiosity.input.file.FileSniffer;
 import radiosity.scene.SceneFormatException;
 import radiosity.solution.SavedState;
 
-/** Reads the container of a glTF binary; everything is checked before memory is taken for it. */
+/** Reads the container of a glTF binary. Lengths are checked before memory is taken for the content. */
 final class GlbReader implements Closeable {
 
     private static final ObjectMapper JSON = new ObjectMapper();
@@ -24,7 +24,7 @@ final class GlbReader implements Closeable {
     final String name;
     final JsonNode json;
     private final FileChannel channel;
-    /** Where the arrays begin, and how many bytes they are. */
+    /** Position of the first array in the file and length of all arrays, bytes. */
     private final long binStart;
     private final long binLength;
 
@@ -69,10 +69,11 @@ final class GlbReader implements Closeable {
     }
 
     /**
-     * The length of a chunk.
+     * Checks the head of a chunk and returns the length of its content in bytes.
      *
-     * @param head its first 8 bytes
-     * @param at where they stand
+     * @param head first 8 bytes of the chunk
+     * @param at   position of the chunk in the file, bytes
+     * @param type the only one that is allowed
      */
     private long chunk(ByteBuffer head, long at, int type, String what) throws IOException {
         long length = Integer.toUnsignedLong(head.getInt(0));
@@ -94,7 +95,7 @@ final class GlbReader implements Closeable {
         }
     }
 
-    /** Bytes of the file from {@code at} on, little endian. */
+    /** Reads bytes of the file from position {@code at} on, little endian. */
     private ByteBuffer read(long at, int length) throws IOException {
         if (at + length > channel.size()) {
             throw wrong("byte " + at, length + " bytes", channel.size() - at + " bytes");
@@ -108,7 +109,7 @@ final class GlbReader implements Closeable {
         return buffer.flip();
     }
 
-    /** The bytes of a buffer view that one array holds, little endian. */
+    /** Reads a buffer view that fits into one array, little endian. */
     ByteBuffer view(int index) throws IOException {
         Range range = range(index);
         if (range.length > Integer.MAX_VALUE - 8) {
@@ -118,14 +119,14 @@ final class GlbReader implements Closeable {
         return read(range.start, (int) range.length);
     }
 
-    /** A buffer view of any length, read in pieces; for one thread at a time. */
+    /** Reads a state from a buffer view of any length, in pieces; for one thread at a time. */
     SavedState state(int index) throws IOException {
         Range range = range(index);
         return SavedState.read(Channels.newInputStream(channel.position(range.start)), range.length);
     }
 
     /**
-     * Where a buffer view lies.
+     * Position of a buffer view.
      *
      * @param start  bytes from the beginning of the file
      * @param length bytes, all of them in the file

@@ -16,7 +16,7 @@ public final class GlbWriter {
     static final int VERSION = 2;
     static final int JSON = 0x4E4F534A;
     static final int BIN = 0x004E4942;
-    /** Bytes of a whole file: the container's lengths are unsigned 32 bit numbers. */
+    /** Largest length of a file, bytes: the container's lengths are unsigned 32-bit numbers. */
     static final long MOST = 0xFFFF_FFFFL;
 
     private final FileChannel channel;
@@ -27,16 +27,16 @@ public final class GlbWriter {
     }
 
     /**
-     * How long a file is, in bytes.
+     * Length of a file, bytes.
      *
      * @param json bytes of JSON
-     * @param bin  bytes of arrays, each padded
+     * @param bin  bytes of all arrays, each array padded to a multiple of 4
      */
     static long size(long json, long bin) {
         return 12 + 8 + padded(json) + (bin > 0 ? 8 + bin : 0);
     }
 
-    /** Fails where a file is longer than it can be. */
+    /** @throws IOException if a file is longer than the largest length, bytes */
     static void check(long size, long most) throws IOException {
         if (size > most) {
             throw new IOException("meshes and textures of " + size + " bytes, which are more than the " + most
@@ -45,11 +45,12 @@ public final class GlbWriter {
     }
 
     /**
-     * Writes a file of at most {@link #MOST} bytes.
+     * Writes a file.
      *
      * @param json   UTF-8
      * @param arrays float[], int[], short[], byte[] or {@link SavedState}; each begins at a multiple of 4 bytes; not
      *               modified
+     * @throws IOException if the file would be longer than {@link #MOST} bytes, before anything is written
      */
     public static void write(FileChannel channel, byte[] json, List<Object> arrays) throws IOException {
         long bin = arrays.stream().mapToLong(a -> padded(bytes(a))).sum();
@@ -71,7 +72,7 @@ public final class GlbWriter {
         return bytes + 3 & ~3L;
     }
 
-    /** How long an array is in the file, without padding. */
+    /** Length of an array in the file without padding, bytes. */
     static long bytes(Object array) {
         if (array instanceof float[] floats) {
             return 4L * floats.length;

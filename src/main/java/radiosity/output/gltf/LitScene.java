@@ -23,22 +23,22 @@ import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 
 /**
- * What one walks through: surfaces with the light on them, and from where to begin.
+ * A scene to walk through: meshes with the light on them, and a camera to begin with.
  *
- * @param meshes   one per side of a surface
- * @param origin   what to add to the meshes' positions, scene units
- * @param camera   the scene's, or one chosen for it
- * @param lamps    whose light can be mixed anew; empty where the meshes have no layers
- * @param textures the same with its light in textures, if they were made
- * @param progress what has been calculated so far, in a few words
+ * @param meshes   one per object and side of a surface
+ * @param origin   to be added to the positions of all meshes, scene units
+ * @param camera   the camera of the scene or, if the scene has none, a view chosen for it
+ * @param lamps    in the order of the meshes' layers, to be mixed anew; empty if the meshes have no layers
+ * @param textures the same surfaces with their light in textures, if the file has textures
+ * @param progress number of shots, for the user
  */
 public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp> lamps,
                        Optional<Textures> textures, String progress) {
 
     /**
-     * Light in textures.
+     * Surfaces with their light in textures.
      *
-     * @param toneMapping how radiosity became their colours
+     * @param toneMapping from radiosity to the colours of the textures
      * @param meshes      one per side of a surface
      */
     public record Textures(ToneMapping toneMapping, List<TexturedMesh> meshes) {
@@ -47,9 +47,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
         }
     }
 
-    /** From where the shade of an unlit scene comes. */
+    /** Direction from which surfaces of an unlit scene are shaded. */
     private static final Vec3 SHADE_FROM = new Vec3(0.4, 0.8, 0.45).unit();
-    /** The least shade of a surface. */
+    /** Shade of a surface that faces away from that direction, of 1 towards it. */
     private static final double DARKEST = 0.4;
     private static final EnergyLedger NO_LEDGER = new EnergyLedger(new double[3], new double[3], new double[3],
             new double[3], new double[3]);
@@ -60,9 +60,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     }
 
     /**
-     * The same scene with its lamps dimmed or coloured.
+     * The scene with its lamps dimmed or coloured.
      *
-     * @param factors of each lamp's light, at least 0
+     * @param factors for the light of each lamp, each channel at least 0
      */
     public LitScene mixed(List<Rgb> factors) {
         return new LitScene(meshes.stream().map(mesh -> mesh.mixed(lamps, factors)).toList(), origin, camera, lamps,
@@ -70,9 +70,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     }
 
     /**
-     * Reads the light of a scene file.
+     * Reads a scene file.
      *
-     * @throws radiosity.scene.SceneFormatException if it is not one, is cut off, or is of a newer program
+     * @throws radiosity.scene.SceneFormatException if the file is no scene file, is cut off, or is of a newer program
      */
     public static LitScene read(Path path) throws IOException {
         try (SceneFile file = SceneFile.open(path)) {
@@ -83,7 +83,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
         }
     }
 
-    /** What a solution shows, from a camera of choice to begin with. */
+    /** The scene of a solution, seen from a given camera to begin with. */
     public static LitScene of(Solution solution, Camera camera) {
         Solution closed = TJunctions.close(solution);
         Vec3 origin = Aabb.of(closed.positions()).centre();
@@ -91,7 +91,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
                 solution.shots() + " shots");
     }
 
-    /** The same as a solution, for pictures: images of surfaces are there in the mean only. */
+    /**
+     * The scene as a solution, for pictures; reflectance that varies over a surface is replaced by the surface's mean.
+     */
     public Solution solution() {
         return new MergedMeshes(meshes, origin).solution(progress, 0, 0, 0, NO_LEDGER, Optional.of(camera));
     }
@@ -103,9 +105,9 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     }
 
     /**
-     * A scene before any light is calculated: surfaces in the colour of their reflectance (the mean of their images on
-     * each triangle), lamps white. So that edges can be seen, what faces up and to the right is shown brighter. Meant
-     * for an exposure of 1, without a curve.
+     * A scene before any light is calculated: surfaces in the colour of their reflectance (on each triangle the mean of
+     * its image), lamps white. Surfaces that face up and to the right are brighter, so that edges can be seen. Meant
+     * for a linear tone mapping with an exposure of 1.
      */
     public static LitScene unlit(Scene scene) {
         List<Surface> surfaces = scene.surfaces().stream().map(LitScene::unlit).toList();
@@ -121,7 +123,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
                 new Surface.Maps(Optional.empty(), surface.maps().reflectance()));
     }
 
-    /** Each side of each triangle is an element with vertices of its own. */
+    /** A solution whose elements are the sides of triangles, with vertices of their own and the shade as irradiance. */
     private static Solution shaded(Scene scene) {
         int[] faces = faces(scene);
         double[] positions = new double[9 * faces.length];

@@ -21,12 +21,12 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** The JSON of a scene file and the arrays that it names, in the order in which they are written. */
+/** The JSON of a scene file and the arrays that the JSON refers to, in the order in which the arrays are written. */
 final class SceneDocument {
 
     /*
-     * Written with Jackson's tree, not with a glTF library: jgltf 2.0.4 builds the whole file in memory twice, counts
-     * its bytes in an int and keeps a node's translation in floats.
+     * The JSON is made with Jackson's tree, not with a glTF library: jgltf 2.0.4 builds the whole file in memory twice,
+     * counts its bytes in an int and keeps a node's translation in floats.
      */
 
     private static final int LINEAR = 9729;
@@ -38,19 +38,19 @@ final class SceneDocument {
     private final GltfLists lists = new GltfLists(root);
     private final ObjectNode top;
     private long binLength;
-    /** Top node of the second scene; null where there is none. */
+    /** Top node of the second scene; null without textures. */
     private ObjectNode textures;
     final List<Object> arrays = new ArrayList<>();
-    /** 1 per node of the hierarchy. */
+    /** The file's nodes, 1 per node of the hierarchy. */
     private final List<ObjectNode> objects = new ArrayList<>();
-    /** Meshes of each, by number. */
+    /** Numbers of the meshes at each node of the hierarchy. */
     private final List<List<Integer>> meshesOf = new ArrayList<>();
-    /** Numbers of materials, by surface and side. */
+    /** Number of the material of each side. */
     private final Map<Side, Integer> materials = new HashMap<>();
 
     private record Side(Surface surface, boolean back) { }
 
-    /** @param origin where the file's positions count from; becomes the translation of the one top node */
+    /** @param origin subtracted from all positions of the file; becomes the translation of the one top node */
     SceneDocument(String sceneName, String generator, Vec3 origin, Hierarchy hierarchy) {
         root.putObject("asset").put("version", "2.0").put("generator", generator);
         root.putArray("extensionsUsed").add(UNLIT);
@@ -63,7 +63,10 @@ final class SceneDocument {
         hierarchy.nodes().forEach(this::object);
     }
 
-    /** An object of the input: not placed, as all positions count from the origin; its place stands in its extras. */
+    /**
+     * Adds the node of an object. All positions count from the origin, so the node is not placed; the placement that
+     * the object had in the input stands in the node's extras.
+     */
     private void object(SceneNode of) {
         ObjectNode parent = of.parent() < 0 ? top : objects.get(of.parent());
         ObjectNode node = child(parent).put("name", of.name());
@@ -75,7 +78,7 @@ final class SceneDocument {
         meshesOf.add(new ArrayList<>(1));
     }
 
-    /** Puts the meshes so far on the nodes of their objects: one alone on the node itself, several each below it. */
+    /** Puts the only mesh of an object on the object's node, several meshes on nodes below it. */
     void placeMeshes() {
         for (int n = 0; n < objects.size(); n++) {
             List<Integer> meshes = meshesOf.get(n);
@@ -87,12 +90,12 @@ final class SceneDocument {
         }
     }
 
-    /** Bytes of all arrays so far. */
+    /** Length of all arrays so far, bytes. */
     long binLength() {
         return binLength;
     }
 
-    /** UTF-8. */
+    /** The JSON in UTF-8. */
     byte[] json() throws IOException {
         if (binLength > 0) {
             root.putArray("buffers").addObject().put("byteLength", binLength);
@@ -101,9 +104,9 @@ final class SceneDocument {
     }
 
     /**
-     * The asset's extras.
+     * Sets an entry of the asset's extras.
      *
-     * @param content of JSON's types, or records of them
+     * @param content values of JSON's types, or records of such values
      */
     void extras(String name, Map<String, ?> content) {
         ObjectNode extras = root.withObjectProperty("asset").putObject("extras");
@@ -136,7 +139,7 @@ final class SceneDocument {
         }
     }
 
-    /** Begins a second scene, in which light is in textures; its sides follow. */
+    /** Begins a second scene, to which {@link #texture} adds sides with their light in textures. */
     void beginTextures(Vec3 origin) {
         textures = list("nodes").addObject().put("name", "textures");
         list("scenes").addObject().put("name", "textures").putArray("nodes").add(lists.last("nodes"));
@@ -147,7 +150,7 @@ final class SceneDocument {
                 .put("wrapT", CLAMP);
     }
 
-    /** Adds a side to the second scene; of its texture only the encoded image is kept. */
+    /** Adds a side to the second scene. Only the encoded image of its texture is kept. */
     void texture(TextureBake.Baked side, ToneMapping toneMapping) throws IOException {
         textures.withArrayProperty("children").add(list("nodes").size());
         list("nodes").addObject().put("mesh", list("meshes").size());
@@ -195,7 +198,10 @@ final class SceneDocument {
         return accessor;
     }
 
-    /** Linear, 16 bit normalised, red, green, blue, opaque: 8 bits would show bands, VEC3 would not be aligned. */
+    /**
+     * Adds tone-mapped vertex colours as an accessor and returns its number: linear RGBA, opaque, 16-bit normalised,
+     * because 8 bits would show bands and three components would not be aligned.
+     */
     private int colours(Mesh mesh, ToneMapping toneMapping) {
         short[] colours = new short[4 * mesh.vertices()];
         float[] b = mesh.radiosity();
@@ -213,9 +219,9 @@ final class SceneDocument {
     }
 
     /**
-     * Adds an array that no accessor names; returns its buffer view.
+     * Adds an array and returns the number of its buffer view.
      *
-     * @param array as {@link GlbWriter} takes it
+     * @param array of a type that {@link GlbWriter} writes
      */
     int view(Object array) {
         long bytes = GlbWriter.bytes(array);
@@ -226,7 +232,9 @@ final class SceneDocument {
     }
 
     /**
-     * @param near   distance of the near plane, above 0
+     * Adds a camera below the top node.
+     *
+     * @param near   distance of the near plane, scene units, above 0
      * @param origin as in the constructor
      */
     void camera(Camera camera, double near, Vec3 origin) {

@@ -28,28 +28,28 @@ import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 
 /**
- * The scene file: a glTF 2.0 binary that any glTF viewer opens, with everything that was computed (docs/FORMATS.md).
+ * The scene file: a glTF 2.0 binary that any glTF viewer opens, with all results of a calculation (docs/FORMATS.md).
  *
- * <p>Writing is a call; reading opens the file, checks it and its version, and fetches meshes and state when they are
- * asked for. An open file stays the one that was opened, also when a render replaces it.
+ * <p>A static method writes a file. To read, {@link #open} checks a file and its version; meshes and state are read
+ * when the caller asks for them. An open file stays the same, even if a render replaces it meanwhile.
  */
 public final class SceneFile implements Closeable {
 
-    /** Written into every file; one with a higher number is refused. */
+    /** Version of the format, which stands in every file; files of a higher version are refused. */
     public static final int FORMAT_VERSION = 1;
-    /** What a file can be long. */
+    /** Largest length of a file, bytes. */
     public static final long MOST_BYTES = GlbWriter.MOST;
-    /** Three corners. */
+    /** Bytes for the three corners of an element. */
     public static final int BYTES_PER_ELEMENT = 12;
-    /** Position, normal, irradiance, radiosity and colour. */
+    /** Bytes for position, normal, irradiance, radiosity and colour of a vertex. */
     public static final int BYTES_PER_VERTEX = 56;
-    /** Irradiance that is one lamp's, per vertex. */
+    /** Bytes for the irradiance from one lamp, per vertex. */
     public static final int BYTES_PER_LAYER = 12;
-    /** Positions count from the middle of the scene where it lies more than this times its size from the origin. */
+    /** Positions count from the scene's middle if one of its coordinates exceeds this many diagonals of the scene. */
     private static final double FAR = 4;
-    /** Bytes of JSON that say where the state is, at most: a name of 255 bytes, and numbers. */
+    /** Largest number of bytes of JSON that say where the state is: a name of 255 bytes, and numbers. */
     private static final long STATE_IN_JSON = 1024;
-    /** The camera's near plane, of the scene's size. */
+    /** Distance of the camera's near plane, of the scene's diagonal. */
     private static final double NEAR = 1e-3;
 
     private final GlbReader glb;
@@ -71,23 +71,28 @@ public final class SceneFile implements Closeable {
     }
 
     /**
-     * Writes a solution, T-junctions closed, in place of what the file was before.
+     * Writes a solution with T-junctions closed; the file replaces an older one.
      *
-     * @param extras of JSON's types, for the asset's extras.radiosity: "commandLine", "errorBound" and so on
-     * @param camera from where to look at it
+     * @param extras      values of JSON's types for the asset's extras.radiosity: "commandLine", "errorBound" and so on
+     * @param camera      from which viewers begin
+     * @param toneMapping from radiosity to the vertex colours
      */
     public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
                              ToneMapping toneMapping) throws IOException {
         write(file, solution, extras, camera, toneMapping, OptionalDouble.empty());
     }
 
-    /** @param samples of textures besides, per scene unit; empty for none */
+    /**
+     * Writes a solution as {@link #write(Path, Solution, Map, Optional, ToneMapping)} does, if wanted with textures.
+     *
+     * @param samples texels of additional textures per scene unit; empty for no textures
+     */
     public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
                              ToneMapping toneMapping, OptionalDouble samples) throws IOException {
         write(file, solution, extras, camera, toneMapping, samples, GlbWriter.MOST);
     }
 
-    /** @param most bytes of a scene file: a state that does not fit stands in a file beside it */
+    /** @param most largest length of a scene file, bytes: a state that does not fit is written to a file beside it */
     static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
                       ToneMapping toneMapping, OptionalDouble samples, long most) throws IOException {
         Solution closed = TJunctions.close(solution);
@@ -117,9 +122,10 @@ public final class SceneFile implements Closeable {
     }
 
     /**
-     * Puts the state into the document, or into a file beside it, and where it is into the content.
+     * Puts the state into the document or, if it does not fit, into a file beside the scene file; adds to the content
+     * where the state is.
      *
-     * @return name of the file beside it, or an empty text
+     * @return name of the file beside the scene file, or an empty text
      */
     private static String state(Path file, SavedState state, Map<String, Object> content, SceneDocument document,
                                 long most) throws IOException {
@@ -137,7 +143,9 @@ public final class SceneFile implements Closeable {
         return name;
     }
 
-    /** Zero, or a point near the middle whose coordinates are floats, so that viewers add them exactly. */
+    /**
+     * Zero or, far from zero, a point near the middle whose coordinates are floats, so that viewers add them exactly.
+     */
     private static Vec3 origin(Aabb box) {
         Vec3 c = box.centre();
         boolean far = Math.max(Math.abs(c.x()), Math.max(Math.abs(c.y()), Math.abs(c.z()))) > FAR * box.diagonal();
@@ -166,9 +174,9 @@ public final class SceneFile implements Closeable {
     }
 
     /**
-     * Opens a scene file and reads what stands in its JSON.
+     * Opens a scene file and reads its JSON.
      *
-     * @throws radiosity.scene.SceneFormatException if it is not one, is cut off, or is of a newer program
+     * @throws radiosity.scene.SceneFormatException if the file is no scene file, is cut off, or is of a newer program
      */
     public static SceneFile open(Path file) throws IOException {
         GlbReader glb = new GlbReader(file);
@@ -180,17 +188,17 @@ public final class SceneFile implements Closeable {
         }
     }
 
-    /** One mesh per object and side of a surface, in the order of the file. */
+    /** Reads the meshes, one per object and side of a surface, in the order of the file. */
     public List<Mesh> meshes() throws IOException {
         return meshes.read();
     }
 
-    /** The objects of the input, each after its parent; empty where it named none. */
+    /** The objects of the input, each after its parent; empty if the input named none. */
     public List<SceneNode> objects() throws IOException {
         return meshes.objects();
     }
 
-    /** Whose light is kept apart in layers; empty where it is not. */
+    /** The lamps whose light is kept apart, in the order of the layers; empty if no light is kept apart. */
     public List<Lamp> lamps() throws IOException {
         List<Lamp> lamps = new ArrayList<>();
         for (JsonCursor lamp : radiosity.list("lamps")) {
@@ -200,12 +208,12 @@ public final class SceneFile implements Closeable {
         return lamps;
     }
 
-    /** The sides of surfaces with their light in textures; empty where it was written without. */
+    /** Reads the sides of surfaces with their light in textures; empty if the file has no textures. */
     public List<TexturedMesh> textures() throws IOException {
         return meshes.readTextured();
     }
 
-    /** How radiosity became the colours of the textures; empty where there are none. */
+    /** The tone mapping from radiosity to the colours of the textures; empty if the file has no textures. */
     public Optional<ToneMapping> textureToneMapping() throws IOException {
         Optional<JsonCursor> textures = radiosity.optional("textures");
         if (textures.isEmpty()) {
@@ -219,7 +227,7 @@ public final class SceneFile implements Closeable {
         }
     }
 
-    /** What to add to the meshes' positions, scene units. */
+    /** The vector to be added to the positions of all meshes, scene units. */
     public Vec3 origin() throws IOException {
         return meshes.origin();
     }
@@ -233,7 +241,6 @@ public final class SceneFile implements Closeable {
         return new ObjectMapper().convertValue(radiosity.node(), new TypeReference<>() { });
     }
 
-    /** Where the light went. */
     public EnergyLedger ledger() throws IOException {
         JsonCursor ledger = radiosity.at("ledger");
         int channels = ledger.at("emitted").size();
@@ -242,12 +249,17 @@ public final class SceneFile implements Closeable {
                 ledger.at("unshot").numbers(channels));
     }
 
-    /** Whether the file has what resuming needs. */
+    /** Whether the file has a state, from which a calculation can go on. */
     public boolean hasState() {
         return radiosity.optional("state").isPresent();
     }
 
-    /** Reads what resuming needs; empty where the file has none. For one thread at a time. */
+    /**
+     * Reads the state, from which a calculation can go on; empty if the file has none. For one thread at a time.
+     *
+     * @throws radiosity.scene.SceneFormatException if the state's SHA-256 is not that of the JSON, or its file is
+     *         missing
+     */
     public SavedState state() throws IOException {
         Optional<JsonCursor> place = radiosity.optional("state");
         if (place.isEmpty()) {
@@ -264,8 +276,8 @@ public final class SceneFile implements Closeable {
     }
 
     /**
-     * The file as a solution whose original triangles are its elements: for pictures and values at points, not for
-     * resuming.
+     * The file as a solution without state, whose original triangles are its elements: for pictures and light at
+     * points.
      */
     public Solution solution() throws IOException {
         int shots = radiosity.at("shots").integer();

@@ -27,18 +27,18 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 
-/** What a scene file holds, in lines of text. Nothing but its JSON is read. */
+/** Describes a scene file in lines of text. Only the JSON of the file is read. */
 public final class SceneInfo {
 
-    /** Keys of extras.radiosity that have a line of their own. */
+    /** Keys of extras.radiosity that {@link #rest} leaves out, because they have lines of their own. */
     private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
             "ledger", "state", "channels", "lamps", "certificate");
 
-    /** What figures of a certificate are called, in the order in which they are listed. */
+    /** Labels of a certificate's figures, in the order of the lines. */
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
 
     private static final int MOST_NAMES = 20;
-    /** Other numbers are written with an exponent. */
+    /** Numbers whose absolute values are outside these limits are written with an exponent. */
     private static final double LEAST_PLAIN = 1e-4;
     private static final double MOST_PLAIN = 1e7;
 
@@ -63,7 +63,7 @@ public final class SceneInfo {
         root = file.root();
     }
 
-    /** The lines that {@code --info} prints. */
+    /** Returns the lines that {@code --info} prints. */
     public static List<String> lines(Path path) throws IOException {
         try (SceneFile file = SceneFile.open(path)) {
             SceneInfo info = new SceneInfo(file);
@@ -142,7 +142,7 @@ public final class SceneInfo {
         return root.at("accessors").at(index.integer());
     }
 
-    /** The least and the most of three components over accessors. */
+    /** Minimum and maximum of three components over several accessors. */
     private static final class Range {
 
         final double[] low = new double[3];
@@ -177,7 +177,7 @@ public final class SceneInfo {
         return value(flux) + " W";
     }
 
-    /** Of the file's certificate, what is about the whole. */
+    /** Adds the lines of the certificate's figures for the whole scene; figures of single surfaces are left out. */
     private void certificate() {
         if (file.extras().get("certificate") instanceof Map<?, ?> certificate) {
             Map<String, Object> whole = new TreeMap<>();
@@ -219,7 +219,7 @@ public final class SceneInfo {
         });
     }
 
-    /** A value of the extras as text: real numbers to five digits, lists and arrays by what they contain. */
+    /** A value of the extras as text: real numbers with five digits, lists and arrays by their members. */
     private static String value(Object value) {
         if (value instanceof Map<?, ?> map) {
             return map.entrySet().stream().map(entry -> entry.getKey() + "=" + value(entry.getValue()))

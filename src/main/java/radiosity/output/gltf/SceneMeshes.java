@@ -24,18 +24,18 @@ import radiosity.scene.Specular;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** Reads the default scene of a scene file: what is below its one top node. */
+/** Reads the meshes, objects and camera of a scene file: the nodes below the one top node of its default scene. */
 final class SceneMeshes {
 
     private final GlbReader glb;
     private final List<Lamp> lamps;
     private final JsonCursor root;
     private final JsonCursor top;
-    /** All, each after its parent. */
+    /** The top node and all nodes below it, each after its parent. */
     private final List<Placed> nodes = new ArrayList<>();
     private final List<SceneNode> objects = new ArrayList<>();
 
-    /** @param lamps whose light is kept apart */
+    /** @param lamps whose light is kept apart, one per layer */
     SceneMeshes(GlbReader glb, List<Lamp> lamps) throws IOException {
         this.glb = glb;
         this.lamps = lamps;
@@ -48,12 +48,15 @@ final class SceneMeshes {
     /**
      * A node of the file.
      *
-     * @param number its place in the file's list
-     * @param object index of the object that it is or is a part of, or -1
+     * @param number index in the file's list of nodes; -1 for the top node
+     * @param object index of the object that the node is or is a part of; -1 without an object
      */
     private record Placed(JsonCursor node, int number, int object) { }
 
-    /** Walks through the nodes, as far as their parents let it in the file's order; meeting one twice is an error. */
+    /**
+     * Collects the nodes, in the file's order as far as each comes after its parent. A node with several parents is an
+     * error.
+     */
     private void collect() throws IOException {
         Queue<Placed> ahead = new PriorityQueue<>(Comparator.comparingInt(Placed::number));
         ahead.add(new Placed(top, -1, -1));
@@ -131,7 +134,7 @@ final class SceneMeshes {
         return List.copyOf(meshes.values());
     }
 
-    /** The second scene, if there is one. */
+    /** Reads the meshes of the second scene; none if there is only one scene. */
     List<TexturedMesh> readTextured() throws IOException {
         List<TexturedMesh> meshes = new ArrayList<>();
         if (root.at("scenes").size() > 1) {
@@ -202,7 +205,7 @@ final class SceneMeshes {
                 specular.isOn("thin")));
     }
 
-    /** @param vertices how many there must be, or -1 for any number */
+    /** @param vertices expected number of vertices, or -1 for any number */
     private float[] floats(JsonCursor accessor, int vertices) throws IOException {
         return floats(accessor, "VEC3", 3, vertices);
     }
@@ -234,7 +237,11 @@ final class SceneMeshes {
         return corners;
     }
 
-    /** The bytes of an accessor whose components are 4 bytes long. */
+    /**
+     * Reads an accessor whose components are 4 bytes long, and checks that it is as this program writes it.
+     *
+     * @param count expected number of values, or -1 for any number
+     */
     private ByteBuffer bytes(JsonCursor index, int componentType, String type, int components, int count)
             throws IOException {
         JsonCursor accessor = root.at("accessors").at(index.integer());

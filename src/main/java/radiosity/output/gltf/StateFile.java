@@ -13,11 +13,11 @@ import radiosity.scene.SceneFormatException;
 import radiosity.solution.SavedState;
 
 /**
- * The file beside a scene file that holds the state where both together are larger than a glTF binary can be.
+ * The file beside a scene file that holds the state if both together are longer than a glTF binary can be.
  *
- * <p>Its name is that of the scene file, the first digits of the state's SHA-256 and {@code .state}: a new state never
- * overwrites the one that the present scene file names, so that a scene file and its state belong together whatever
- * ends the program between writing the one and the other.
+ * <p>Its name is made of the name of the scene file, the first digits of the state's SHA-256 and {@code .state}. A new
+ * state therefore never overwrites the state that the present scene file names: a scene file and its state belong
+ * together even if the program ends between writing one and the other.
  */
 final class StateFile {
 
@@ -26,9 +26,9 @@ final class StateFile {
     private StateFile() { }
 
     /**
-     * Writes the state of a scene file that is written next.
+     * Writes a state, before the scene file that will name it.
      *
-     * @return the file's name, which the scene file keeps
+     * @return name of the state file, which is to be written into the scene file
      */
     static String write(Path scene, SavedState state) throws IOException {
         Path target = AtomicFile.target(scene);
@@ -38,9 +38,9 @@ final class StateFile {
     }
 
     /**
-     * Deletes the state files of what the scene file was before.
+     * Deletes the state files of earlier versions of a scene file.
      *
-     * @param kept name of the file that stays, or an empty text where the scene file has its state inside
+     * @param kept name of the state file that stays, or an empty text if the scene file itself holds its state
      */
     static void deleteOthers(Path scene, String kept) throws IOException {
         Path target = AtomicFile.target(scene);
@@ -63,9 +63,10 @@ final class StateFile {
     /**
      * Reads the state of a scene file.
      *
-     * @param name   as {@link #write} gave it
-     * @param length of the state in bytes
-     * @throws SceneFormatException where the file is missing or has another length
+     * @param name   of the state file as {@link #write} returned it
+     * @param length of the state, bytes
+     * @throws SceneFormatException if the name is not that of a state file, or the file is missing or has another
+     *         length
      */
     static SavedState read(Path scene, String name, long length) throws IOException {
         if (!name.matches("[^/\\\\]+\\.[0-9a-f]{" + DIGITS + "}\\.state")) {

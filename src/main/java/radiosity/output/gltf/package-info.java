@@ -1,6 +1,5 @@
 /**
- * The scene file, a glTF 2.0 binary: written, read and described.
- *
- * <p>Starts from a {@link radiosity.solution.Solution} and changes nothing in it.
+ * The scene file, a glTF 2.0 binary: written from a {@link radiosity.solution.Solution}, which is not modified, read
+ * and described.
  */
 package radiosity.output.gltf;

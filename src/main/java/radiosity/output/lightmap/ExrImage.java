@@ -32,7 +32,7 @@ public final class ExrImage {
     /**
      * Encodes a picture as the bytes of an OpenEXR file.
      *
-     * @param scale factor for every value; the products are clamped to [0, {@value #LARGEST}]
+     * @param scale factor for every value; the products are clamped to [0, 65504]
      */
     public static byte[] of(Picture picture, double scale) {
         byte[] header = header(picture.width(), picture.height());

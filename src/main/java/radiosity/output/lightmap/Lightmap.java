@@ -47,7 +47,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
     /**
      * Bakes the lightmap of a solution.
      *
-     * @param samples texels per scene unit, above 0; if empty, about {@value #USUAL_TEXELS} texels are covered
+     * @param samples texels per scene unit, above 0; if empty, as many as cover about 600,000 texels
      * @throws IOException if the lightmap would be wider or higher than {@value #LARGEST} texels
      */
     public static Lightmap of(Solution solution, OptionalDouble samples) throws IOException {
