@@ -23,15 +23,15 @@ import radiosity.output.lightmap.Lightmap;
 import radiosity.scene.Affine;
 
 /**
- * Writes a model as it was, with a further set of texture coordinates and a lightmap of irradiance: as half floats
- * beside the file, and as RGBM in it, to which "extras" of materials refer (docs/RECIPES.md).
+ * Writes a model with an additional set of texture coordinates and a lightmap of irradiance: as half floats in a file
+ * beside the model, and as an RGBM image in the model, which the "extras" of materials describe (docs/RECIPES.md).
  *
- * <p>Vertices that lie at several places of the lightmap are repeated; a mesh that stands at several nodes becomes one
- * for each, as their light differs.
+ * <p>A vertex that lies at several places of the lightmap is repeated. A mesh that stands at several nodes is copied
+ * for each node, because its light differs from node to node.
  */
 public final class LightmapModel {
 
-    /** Half floats lose digits below, and end above, W/m². */
+    /** Limits of the largest irradiance that half floats hold as it is, W/m²: they lose digits below, and end above. */
     private static final double LEAST_RANGE = 1;
     private static final double MOST_RANGE = 60000;
     private static final int TRIANGLES = 4;
@@ -42,7 +42,7 @@ public final class LightmapModel {
     private final Lightmap lightmap;
     private final ObjectMapper mapper = new ObjectMapper();
     private final VertexCopier copier;
-    /** Which set of texture coordinates is the lightmap's: the first that no mesh has. */
+    /** Number of the lightmap's set of texture coordinates: the first that no mesh has. */
     private final int set;
 
     private LightmapModel(GltfModel model, Lightmap lightmap) {
@@ -54,9 +54,9 @@ public final class LightmapModel {
     }
 
     /**
-     * Where the lightmap of a file lies: room-lightmap.exr of room.glb.
+     * The file of a model's lightmap: room-lightmap.exr for room.glb.
      *
-     * @param file whose name ends in .glb
+     * @param file of the model; its name must end in .glb
      */
     public static Path beside(Path file) {
         String name = file.getFileName().toString();
@@ -64,10 +64,11 @@ public final class LightmapModel {
     }
 
     /**
-     * Writes both files.
+     * Writes the model and, beside it, its lightmap; both replace older files.
      *
-     * @param model    of the scene; changed
-     * @param exposure with which radiosity becomes linear light of a screen, for who shows the model
+     * @param file     of the model; its name must end in .glb
+     * @param model    of the scene that the lightmap belongs to; modified
+     * @param exposure factor from radiosity to linear light of a screen, for programs that show the model
      */
     public static void write(Path file, GltfModel model, Lightmap lightmap, double exposure) throws IOException {
         double range = lightmap.range();
@@ -104,7 +105,10 @@ public final class LightmapModel {
         return free;
     }
 
-    /** The sets of a primitive must be without gaps: those that it lacks before the lightmap's are the lightmap's. */
+    /**
+     * Adds the lightmap's coordinates to a primitive. The sets of a primitive must be without gaps, so the lightmap's
+     * coordinates also take the place of sets before them that the primitive lacks.
+     */
     private void addSets(ObjectNode attributes, int accessor) {
         for (int s = 0; s <= set; s++) {
             if (!attributes.has("TEXCOORD_" + s)) {
@@ -113,6 +117,7 @@ public final class LightmapModel {
         }
     }
 
+    /** A place where a mesh stands: a node, or an instance at a node (null for a node without instances). */
     private record Standing(int node, Affine instance) { }
 
     private void placeTriangles() throws IOException {
@@ -143,7 +148,7 @@ public final class LightmapModel {
         return (ObjectNode) json.get("nodes").get(number);
     }
 
-    /** A node of its own for an instance, below the node that had instances. */
+    /** Adds a node for an instance, below the node that had instances. */
     private ObjectNode instance(Standing at) {
         ObjectNode parent = node(at.node);
         parent.remove("mesh");
@@ -160,7 +165,7 @@ public final class LightmapModel {
         return node;
     }
 
-    /** Takes instances off the lists of extensions where no node has them any more. */
+    /** Removes the extension for instances from the lists of extensions if no node has instances any more. */
     private void removeInstances() {
         for (JsonNode node : json.get("nodes")) {
             if (node.path("extensions").has(INSTANCES)) {
@@ -180,7 +185,7 @@ public final class LightmapModel {
         }
     }
 
-    /** Gives a primitive its places in the lightmap. */
+    /** Gives a primitive its coordinates in the lightmap. */
     private void place(GltfModel.Place place, ObjectNode primitive) throws IOException {
         int count = json.get("accessors").get(primitive.get("attributes").get("POSITION").asInt()).get("count").asInt();
         VertexSplit split = new VertexSplit(count, place, lightmap.places());
@@ -226,7 +231,7 @@ public final class LightmapModel {
         return textures.size() - 1;
     }
 
-    /** Every material, also the one of primitives that have none. */
+    /** Describes the lightmap in the extras of all materials; primitives that have no material get one. */
     private void describeLightmap(Map<String, Object> description) {
         ArrayNode materials = json.withArrayProperty("materials");
         for (JsonNode node : json.get("nodes")) {

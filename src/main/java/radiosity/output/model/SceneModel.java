@@ -25,10 +25,12 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** A scene that was no glTF file as one: its original triangles under its nodes, with its surfaces as materials. */
+/**
+ * Makes a glTF model of a scene from another format: original triangles under the scene's nodes, surfaces as materials.
+ */
 public final class SceneModel {
 
-    /** The camera's near plane, of the scene's size. */
+    /** Distance of the camera's near plane, of the square root of the scene's area. */
     private static final double NEAR = 1e-3;
     private static final String STRENGTH = "KHR_materials_emissive_strength";
 
@@ -37,7 +39,7 @@ public final class SceneModel {
             new ArrayList<>());
     private final ObjectNode json = model.json();
     private final Map<Integer, Integer> materials = new HashMap<>();
-    /** From the nodes' own space to the scene's; the identity where there is no way back. */
+    /** 1 per node of the hierarchy: the map from the node's space to the scene's; the identity if it has no inverse. */
     private final List<Affine> worlds = new ArrayList<>();
 
     private SceneModel(Scene scene) {
@@ -182,7 +184,11 @@ public final class SceneModel {
         }
     }
 
-    /** @return number of a texture that a picture's light times a factor is */
+    /**
+     * Adds a texture and returns its number.
+     *
+     * @param factor for the light of the raster
+     */
     private int texture(Raster raster, double factor) throws IOException {
         byte[] png = PictureFormat.png(new Picture(raster.width(), raster.height(), raster.rgb()),
                 light -> light.times(factor));

@@ -11,13 +11,15 @@ import java.util.Map;
 import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 
-/** Copies arrays of vertices byte by byte, some vertices repeated. What is in them the reader has checked. */
+/**
+ * Copies arrays of vertices byte by byte and repeats some vertices. The model's reader has already checked the arrays.
+ */
 final class VertexCopier {
 
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
 
     private final GltfModel model;
-    /** Copies that were made already: of an accessor with the same vertices. */
+    /** Accessors of copies that were made already. */
     private final Map<Copy, Integer> copies = new HashMap<>();
 
     private record Copy(int accessor, int rows, int hash) { }
@@ -27,9 +29,9 @@ final class VertexCopier {
     }
 
     /**
-     * The number of an accessor like another.
+     * Copies an accessor, unless the same copy exists, and returns the number of the copy.
      *
-     * @param rows which of its elements, 1 for each of the new ones; not modified
+     * @param rows element of the accessor that each element of the copy repeats; not modified
      */
     int copy(int accessor, int[] rows) {
         Copy copy = new Copy(accessor, rows.length, Arrays.hashCode(rows));
@@ -67,7 +69,11 @@ final class VertexCopier {
         return model.json().withArrayProperty(name);
     }
 
-    /** All elements of an accessor, close together. */
+    /**
+     * All elements of an accessor, without gaps.
+     *
+     * @param size of an element, bytes
+     */
     private byte[] elements(JsonNode accessor, int size) {
         int count = accessor.get("count").asInt();
         byte[] all = new byte[size * count];
@@ -100,7 +106,7 @@ final class VertexCopier {
         }
     }
 
-    /** The bytes from a place in a view on. */
+    /** The bytes of the model from an offset in a buffer view on, little endian. */
     private ByteBuffer view(JsonNode view, long offset) {
         long at = view.path("byteOffset").asLong() + offset;
         for (byte[] array : model.arrays()) {

@@ -10,7 +10,7 @@ final class VertexSplit {
 
     private final int count;
     private final int[] corners;
-    /** Vertices beyond the primitive's own: whom each repeats, and where it lies. */
+    /** Numbers of the repeated vertices, which follow the primitive's own, by the vertex repeated and the place. */
     private final Map<Key, Integer> more = new HashMap<>();
     private int[] repeated = new int[16];
     private float[] coordinates;
@@ -18,8 +18,9 @@ final class VertexSplit {
     private record Key(int vertex, float u, float v) { }
 
     /**
-     * @param count  vertices of the primitive
-     * @param places in the lightmap, 6 per triangle of the scene
+     * @param count  number of the primitive's vertices
+     * @param place  the primitive at a node, with the scene's triangles of its corners
+     * @param places u, v in the lightmap of each corner of the scene's triangles, 6 per triangle; not modified
      */
     VertexSplit(int count, GltfModel.Place place, float[] places) {
         this.count = count;
@@ -63,7 +64,7 @@ final class VertexSplit {
         return number;
     }
 
-    /** Whom each vertex repeats; the primitive's own come first, each as itself. */
+    /** The vertex that each vertex repeats. The primitive's own vertices come first, each as itself. */
     int[] rows() {
         int[] rows = new int[count + more.size()];
         for (int i = 0; i < rows.length; i++) {
@@ -72,12 +73,12 @@ final class VertexSplit {
         return rows;
     }
 
-    /** u, v of each vertex. */
+    /** u, v in the lightmap, 2 per vertex. */
     float[] coordinates() {
         return Arrays.copyOf(coordinates, 2 * (count + more.size()));
     }
 
-    /** 3 vertices per triangle. */
+    /** The vertices of the primitive's triangles, 3 per triangle. */
     int[] corners() {
         return corners;
     }
