@@ -13,18 +13,22 @@ import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
 /**
- * The light that arrives at points in the air, where a meter would be held.
+ * Calculates the light that arrives at points in the air, where a light meter would be held.
  *
- * <p>What surfaces emit arrives by the contour formula (Lambert) times the part of rays that is free; what they reflect
- * by rays uniform in the circle below the hemisphere (W. Nusselt, 1928), each of which finds the radiosity at its end.
+ * <p>Emitted light is the factor of the contour formula (Lambert) times the fraction of rays to the lamp that are free.
+ * Reflected light is gathered by rays uniform in the circle below the hemisphere (W. Nusselt, 1928), each of which
+ * finds the radiosity at its end.
  */
 final class FreeIrradiance {
 
-    /** Rays along each side of the square that becomes the circle. */
+    /** Number of rays along each side of the square that is mapped to the circle. */
     private static final int SIDE = 64;
-    /** Rays to a lamp that fills the hemisphere; at least one to any. */
+    /**
+     * Number of rays to a lamp that fills the hemisphere; other lamps get a part, their form factor, but at least one
+     * ray.
+     */
     private static final int LAMP_RAYS = 1024;
-    /** Of the scene's size. */
+    /** How far before a lamp a ray ends, and how far rays reach, of the scene's size. */
     private static final double LIFT = 1e-5;
     private static final float FAR = 4;
 
@@ -46,7 +50,13 @@ final class FreeIrradiance {
         lights = new LightSources(faces, bounds);
     }
 
-    /** Irradiance of a side at a point; not a number inside a solid, and where nothing lies behind: out of a room. */
+    /**
+     * Irradiance at a point on the side of a normal, W/m². NaN inside a solid, and outside of rooms, where a ray
+     * against the normal meets no visible side.
+     *
+     * @param point scene units
+     * @param n     unit normal
+     */
     Rgb at(Vec3 point, Vec3 n) {
         Vec3 x = faces.unit(point);
         if (solids.hold(x, n) || look(x, n.times(-1), false) == null) {
@@ -80,10 +90,10 @@ final class FreeIrradiance {
     }
 
     /**
-     * What a ray finds: reflected radiosity, W/m².
+     * The reflected radiosity that a ray finds, W/m².
      *
-     * @param valued whether that is asked for; otherwise black
-     * @return null where it finds nothing, or a back side
+     * @param valued false if only the existence of a surface is asked for; the result then is black
+     * @return null if the ray meets nothing, or the back of a one-sided surface
      */
     private Rgb look(Vec3 x, Vec3 d, boolean valued) {
         float[] hit = new float[3];
@@ -101,7 +111,12 @@ final class FreeIrradiance {
         return Double.isNaN(irradiance.r()) ? Rgb.BLACK : irradiance.times(scene.look(t, at).reflectance());
     }
 
-    /** What a side of a triangle emits that arrives. */
+    /**
+     * Irradiance from the emitted light of one side of a triangle, W/m².
+     *
+     * @param side 0 for the front, 1 for the back
+     * @param x    receiving point in the scene brought to size 1
+     */
     private Rgb emitted(int t, int side, Vec3 x, Vec3 n) {
         Vec3[] c = {faces.unit(scene.corner(t, 0)), faces.unit(scene.corner(t, 1 + side)),
             faces.unit(scene.corner(t, 2 - side))};

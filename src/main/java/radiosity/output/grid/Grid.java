@@ -15,32 +15,35 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 
 /**
- * Illuminance, or irradiance, on a grid of points, and what EN 12464-1 asks of it.
+ * Illuminance (irradiance in radiometric scenes) on a grid of points, and the figures that EN 12464-1 asks for.
  *
- * @param where    what it lies on
- * @param rows     x, y, z, nx, ny, nz and the illuminance of each point
+ * @param where    the surface or plane of the grid, as the user named it
+ * @param rows     x, y, z, nx, ny, nz and illuminance of each point: 7 numbers
  * @param mean     average illuminance
- * @param minimum  illuminance
- * @param maximum  illuminance
+ * @param minimum  least illuminance
+ * @param maximum  largest illuminance
  * @param left     number of points left out: inside solids, or outside of rooms
- * @param quantity what they are called, and their unit
+ * @param quantity name of the quantity, and its unit
  */
 public record Grid(String where, double[][] rows, double mean, double minimum, double maximum, int left,
                    String[] quantity) {
 
     /**
-     * Whether there can be such a grid, to know before a long render.
+     * Checks that a grid can be made, before a long render.
      *
-     * @throws IllegalArgumentException where there is no such surface, or no point on it, or too many
+     * @throws IllegalArgumentException if there is no surface of the name, the plane is outside the scene, or there are
+     *         too many points
      */
     public static void check(Scene scene, String where, double spacing) {
         GridPlaces.of(scene, where, spacing);
     }
 
     /**
-     * @param where   the name of a surface, whose visible side is meant; or a plane, x, y or z = a number, whose side
-     *                towards larger numbers is meant, or with - before it the other one
-     * @param spacing about the distance of neighbouring points, scene units, above 0
+     * Calculates a grid.
+     *
+     * @param where   the name of a surface, for its visible side; or a plane, x, y or z = a number, for its side
+     *                towards larger numbers, or with - before it for the other side
+     * @param spacing approximate distance of neighbouring points, scene units, above 0
      * @throws IllegalArgumentException as {@link #check}
      */
     public static Grid of(Solution solution, String where, double spacing) {
@@ -63,19 +66,19 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
                 quantity);
     }
 
-    /** Uniformity U0, minimum / average; 0 where all is dark. */
+    /** Uniformity U0: minimum over average; 0 if all is dark. */
     public double uniformity() {
         return mean > 0 ? minimum / mean : 0;
     }
 
-    /** The figures in a line. */
+    /** The figures in one line of text. */
     public String summary() {
         return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
                 + " points", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length)
                 + (left > 0 ? " (" + left + " inside solids or outside are left out)" : "");
     }
 
-    /** Writes a table: a line per point, after lines that begin with # and have the figures of all. */
+    /** Writes a table: lines that begin with # and have the figures of the grid, a header, then one line per point. */
     public void write(Path file) throws IOException {
         StringBuilder text = new StringBuilder();
         text.append("# ").append(where.replaceAll("\\p{Cntrl}", " ")).append('\n');

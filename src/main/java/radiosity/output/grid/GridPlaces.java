@@ -15,30 +15,36 @@ import radiosity.scene.Vec3;
 import radiosity.util.Aabb;
 
 /**
- * Where a grid's points lie: in the middle of cells of about one size, in rows and columns.
+ * The points of a grid: middles of cells of about one size, in rows and columns.
  *
- * <p>On a surface they lie on its triangles, plane by plane, at least one; on a plane like {@code y=0.85} all over the
- * scene's box.
+ * <p>On a surface, the points lie on its triangles, plane by plane, at least one point in all; on a plane like {@code
+ * y=0.85}, all over the scene's box.
  *
- * @param onSurface whether they lie on a surface; otherwise in the air
+ * @param onSurface whether the points lie on a surface; otherwise in the air
  * @param points    scene units
- * @param normals   unit directions of the side whose light is meant, one per point
+ * @param normals   unit normals of the side whose light is asked for, one per point
  */
 record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
 
     private static final Pattern PLANE = Pattern.compile("([+-]?)([xyz])=([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)");
     private static final int MOST = 1_000_000;
-    /** Cosine above which triangles lie in one direction; distance below which in one plane, of the scene's size. */
+    /**
+     * Normals, and offsets of planes over the root of the scene's area, are equal if they round to the same multiple of
+     * this.
+     */
     private static final double PLANE_ROUNDING = 1e-4;
 
-    /** Triangles in one plane. */
+    /** The triangles of a surface that lie in one plane. */
     private record Plane(Vec3 normal, double offset, List<Integer> triangles) { }
 
     /**
-     * @param where   a surface's name, or a plane: x, y or z = a number, with - before it if its light from below is
-     *                meant
-     * @param spacing about the distance of neighbouring points, scene units, above 0
-     * @throws IllegalArgumentException where there is no such surface or plane, or more than a million points
+     * Places the points of a grid.
+     *
+     * @param where   a surface's name, or a plane: x, y or z = a number, with - before it for the side towards smaller
+     *                numbers
+     * @param spacing approximate distance of neighbouring points, scene units, above 0
+     * @throws IllegalArgumentException if there is no surface of the name, the plane is outside the scene, or there
+     *         would be more than a million points
      */
     static GridPlaces of(Scene scene, String where, double spacing) {
         Matcher plane = PLANE.matcher(where);
@@ -117,7 +123,12 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
         fill(n.times(plane.offset), u, v, extent, spacing, n, scene, plane);
     }
 
-    /** @param plane on whose triangles points must lie; null for none */
+    /**
+     * Adds the middles of cells.
+     *
+     * @param extent least and largest coordinate along u, then along v, scene units
+     * @param plane  on whose triangles points must lie; null if points lie anywhere
+     */
     private void fill(Vec3 origin, Vec3 u, Vec3 v, double[] extent, double spacing, Vec3 normal, Scene scene,
                       Plane plane) {
         double columns = Math.max(1, Math.rint((extent[1] - extent[0]) / spacing));

@@ -1,4 +1,4 @@
 /**
- * The light on a grid of points, on a surface or on a plane in the air, as a table with its mean and uniformity.
+ * The light on a grid of points, on a surface or on a plane in the air, as a table with its average and uniformity.
  */
 package radiosity.output.grid;
