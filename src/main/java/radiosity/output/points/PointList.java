@@ -13,11 +13,11 @@ import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 
 /**
- * Points on surfaces, each with the direction of the side that is meant, from a text file of columns.
+ * Reads points on surfaces, each with the normal of the side that is meant, from a text file of columns.
  *
- * <p>A header may name the columns x, y, z, nx, ny, nz in any order among others; without one they are the first six.
- * Separated by commas, semicolons or tabs; lines before the numbers that are none, empty lines and lines that begin
- * with # are left out.
+ * <p>A header may name the columns x, y, z, nx, ny, nz in any order, among others; without a header they are the first
+ * six. Columns are separated by commas, semicolons or tabs. Other lines before the numbers, empty lines and lines that
+ * begin with # are left out.
  */
 final class PointList {
 
@@ -34,7 +34,7 @@ final class PointList {
         this.taker = taker;
     }
 
-    /** Who takes the points, one after the other. */
+    /** Is given the points, one after the other. */
     interface Taker {
 
         /** @param point x, y, z, nx, ny, nz */
@@ -42,7 +42,7 @@ final class PointList {
     }
 
     /**
-     * Reads any number of points, of which none is kept.
+     * Reads any number of points and keeps none of them.
      *
      * @throws SceneFormatException for a line that is not six numbers with a normal, and for a file without points
      */

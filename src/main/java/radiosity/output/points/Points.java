@@ -20,7 +20,7 @@ import radiosity.solution.Solution;
 import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
-/** The light at points on surfaces, interpolated on the element that is there on the side that is asked for. */
+/** The light at points on surfaces, interpolated on the element that lies at the point on the side that is meant. */
 public final class Points {
 
     private static final String HEADER = "x,y,z,nx,ny,nz,H_r,H_g,H_b,B_r,B_g,B_b\n";
@@ -30,7 +30,7 @@ public final class Points {
     private final Faces faces;
     private final Solids solids;
 
-    /** @param solution T-junctions are closed here, as in the scene file */
+    /** @param solution its T-junctions are closed here, as in the scene file; not modified */
     public Points(Solution solution) {
         this.solution = TJunctions.close(solution);
         search = new ElementSearch(this.solution);
@@ -39,18 +39,21 @@ public final class Points {
     }
 
     /**
-     * Reads a file of points as {@link #write} does, to know before a long render whether it can.
+     * Reads a file of points as {@link #write} does, to check it before a long render.
      *
-     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
+     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers with a normal, and for a file
+     *         without points
      */
     public static void check(Path in) throws IOException {
         PointList.read(in, point -> { });
     }
 
     /**
-     * Irradiance and radiosity at a point. Inside a solid no light arrives, though a floor's element may reach there.
+     * Irradiance and radiosity at a point, NaN without an element there. Irradiance is 0 inside a solid, into which the
+     * element of a floor may extend.
      *
-     * @param normal of any length but 0; says which side is meant
+     * @param point  scene units
+     * @param normal of any length but 0, on the side that is meant
      */
     public Light at(Vec3 point, Vec3 normal) {
         int element = search.find(point, normal.unit());
@@ -70,7 +73,12 @@ public final class Points {
         return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
     }
 
-    /** Irradiance on a surface; not a number inside of a solid, and where no element is. */
+    /**
+     * Irradiance at a point of a surface, W/m²; NaN inside a solid, and without an element at the point.
+     *
+     * @param point  scene units
+     * @param normal of any length but 0, on the side that is meant
+     */
     public Rgb outsideSolids(Vec3 point, Vec3 normal) {
         return isInSolid(point, normal.unit()) ? Rgb.grey(Double.NaN) : at(point, normal).irradiance();
     }
@@ -80,7 +88,7 @@ public final class Points {
     }
 
     /**
-     * The light at a point; not a number where no element is.
+     * The light at a point; NaN without an element there.
      *
      * @param irradiance H, W/m²
      * @param radiosity  B, W/m²
@@ -89,11 +97,12 @@ public final class Points {
     }
 
     /**
-     * Reads points (columns x, y, z, nx, ny, nz) and writes them with the light at each, in the same order; any number
-     * of them, as each is written before the next is read.
+     * Reads points (columns x, y, z, nx, ny, nz) and writes them with the light at each, in the same order. Any number
+     * of points is possible, because each is written before the next is read.
      *
-     * @return how many of them lie on no surface; their light is written as nan
-     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers
+     * @return number of points that lie on no surface; their light is written as nan
+     * @throws radiosity.scene.SceneFormatException for a line that is not six numbers with a normal, and for a file
+     *         without points
      */
     public long write(Path in, Path out) throws IOException {
         long[] missed = {0};
