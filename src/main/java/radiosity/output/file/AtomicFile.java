@@ -10,19 +10,19 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Writes a file wholly or not at all: into a new file beside it, through to the disk, then renamed onto it.
+ * Writes a file whole or not at all: into a new file in the same directory, forced to the disk, then renamed.
  *
- * <p>Whatever ends the program, the old file or the new one is there under its name. The new files that killed programs
- * left in a directory are deleted when the next one is written there.
+ * <p>Whatever ends the program, its name then stands for the old file or the new one. New files that killed programs
+ * left in a directory are deleted when the next file is written there.
  */
 public final class AtomicFile {
 
-    /** End of the names of files that are being written. */
+    /** Extension of the names of files that are being written. */
     private static final String PART = "part";
     /** A chain of more symbolic links counts as a circle, as in Linux. */
     private static final int MOST_LINKS = 40;
 
-    /** What writes the content. */
+    /** Writes the content of a file. */
     public interface Content {
         void writeTo(FileChannel channel) throws IOException;
     }
@@ -30,7 +30,11 @@ public final class AtomicFile {
     private AtomicFile() {
     }
 
-    /** Replaces a file, or makes it. */
+    /**
+     * Replaces a file, or creates it if there is none.
+     *
+     * @throws IOException if there is something else than a regular file, or the content cannot be written
+     */
     public static void write(Path file, Content content) throws IOException {
         Path target = target(file);
         if (Files.exists(target) && !Files.isRegularFile(target)) {
@@ -44,7 +48,7 @@ public final class AtomicFile {
         syncDirectory(target.getParent());
     }
 
-    /** Replaces a file by one with this content, or makes it; the content is not modified. */
+    /** Replaces a file by a file with the given bytes, or creates it; the bytes are not modified. */
     public static void write(Path file, byte[] bytes) throws IOException {
         write(file, channel -> {
             for (ByteBuffer rest = ByteBuffer.wrap(bytes); rest.hasRemaining();) {
@@ -54,9 +58,9 @@ public final class AtomicFile {
     }
 
     /**
-     * A new file in the directory of a target, whose own name may be as long as names can be.
+     * Creates a new file in the directory of a target; the target's name may be as long as names can be.
      *
-     * @param target see {@link #target}
+     * @param target as {@link #target} returns it
      */
     public static LockedFile beside(Path target) throws IOException {
         LockedFile.sweep(target.getParent(), PART);
@@ -64,9 +68,10 @@ public final class AtomicFile {
     }
 
     /**
-     * Where a file is, or will be made: symbolic links are followed, also those to files that do not exist yet.
+     * The path at which a file is, or will be created. Symbolic links are followed, even to files that do not exist
+     * yet.
      *
-     * @return a real path, but for its last name where there is no such file
+     * @return a real path, except for its last name if there is no file
      * @throws IOException for a directory that does not exist, and for links that lead to themselves
      */
     public static Path target(Path file) throws IOException {
@@ -84,7 +89,9 @@ public final class AtomicFile {
         return absolute.getParent().toRealPath().resolve(absolute.getFileName());
     }
 
-    /** So that the new name survives a power failure; Windows knows no such thing and needs none. */
+    /**
+     * Forces a directory to the disk, so that a new name survives a power failure. Windows cannot do so and need not.
+     */
     private static void syncDirectory(Path directory) {
         try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
             channel.force(true);

@@ -20,24 +20,24 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A file with a unique name that one process has made for itself and holds locked until it closes it.
+ * A file with a unique name that one process creates for itself and keeps locked until it closes the file.
  *
- * <p>The lock ends with the process, however that ends. So other processes can tell a file in use from one that a
- * killed process left behind, and delete the latter. Where the file system has no locks, files of others are left
- * alone.
+ * <p>The lock ends with the process, whatever ends the process. Other processes can thereby distinguish a file in use
+ * from a file that a killed process left, and delete the latter. Where the file system has no locks, processes leave
+ * the files of others alone.
  */
 public final class LockedFile implements Closeable {
 
     private static final String PREFIX = ".radiosity-";
     private static final Pattern OWNER = Pattern.compile(Pattern.quote(PREFIX) + "(\\d{1,18})-.*");
-    /** Added to the file's name for {@link #folder}. */
+    /** Added to the file's name to name its {@link #folder}. */
     private static final String FOLDER = ".d";
-    /** Position of the byte that is locked: behind all content, since Windows lets nobody else read locked bytes. */
+    /** Position of the locked byte: behind all content, because on Windows no other process can read locked bytes. */
     private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
 
     /**
-     * Files of this process. It never opens one of them a second time: under POSIX, closing any descriptor of a file
-     * ends all locks that the process has on it.
+     * Files of this process. The process never opens one of them a second time: under POSIX, closing any descriptor of
+     * a file ends all locks that the process has on the file.
      */
     private static final Set<Path> OWN = ConcurrentHashMap.newKeySet();
 
@@ -50,11 +50,11 @@ public final class LockedFile implements Closeable {
     }
 
     /**
-     * Makes a file, empty and locked.
+     * Creates an empty file and locks it.
      *
-     * @param directory of it; a real path
-     * @param kind      end of its name, of letters, digits and hyphens
-     * @throws IOException where the directory does not exist or takes no new files
+     * @param directory of the file; a real path
+     * @param kind      extension of the name, of letters, digits and hyphens
+     * @throws IOException if the directory does not exist or takes no new files
      */
     public static LockedFile create(Path directory, String kind) throws IOException {
         while (true) {
@@ -74,7 +74,7 @@ public final class LockedFile implements Closeable {
             if (Files.exists(path)) {
                 return file;
             }
-            file.close(); // another process took it for abandoned before it was locked
+            file.close(); // another process took the file for abandoned, and deleted it, before it was locked
         }
     }
 
@@ -82,16 +82,16 @@ public final class LockedFile implements Closeable {
         try {
             channel.lock(LOCKED_BYTE, 1, false);
         } catch (IOException noLocks) {
-            return; // nobody else gets a lock there either, and so nobody deletes the file
+            return; // no other process gets a lock there either, and so none deletes the file
         }
     }
 
     /**
-     * Deletes the files of a kind that processes left in a directory when they were killed.
+     * Deletes the files of a kind that killed processes left in a directory.
      *
-     * @param directory a real path; one that must not be listed counts as empty
-     * @param kind      end of the names
-     * @return process numbers of the owners of those that are in use, this process among them
+     * @param directory a real path; a directory that must not be listed counts as empty
+     * @param kind      extension of the names
+     * @return ids of the processes whose files are in use, this process among them if it has files there
      */
     public static List<Long> sweep(Path directory, String kind) throws IOException {
         List<Long> owners = new ArrayList<>();
@@ -110,7 +110,7 @@ public final class LockedFile implements Closeable {
         return owners;
     }
 
-    /** Whether a file is locked; deletes it where it is not. */
+    /** Whether a file is locked; a file that is not locked is deleted. */
     private static boolean isInUse(Path file) {
         if (OWN.contains(file)) {
             return true;
@@ -125,7 +125,7 @@ public final class LockedFile implements Closeable {
             }
             return lock == null;
         } catch (IOException e) {
-            return false; // deleted meanwhile, of another user, or without locks: nothing is known of it
+            return false; // the file was deleted meanwhile or belongs to another user, or there are no locks
         }
     }
 
@@ -146,17 +146,17 @@ public final class LockedFile implements Closeable {
         return path;
     }
 
-    /** For its content; closed with the file. */
+    /** The channel for the file's content, which is closed with the file. */
     public FileChannel channel() {
         return channel;
     }
 
-    /** Makes a directory beside the file, which is deleted with it. It may hold files, but no directories. */
+    /** Creates a directory beside the file, for files only, which is deleted with the file. */
     public Path folder() throws IOException {
         return Files.createDirectory(path.resolveSibling(path.getFileName() + FOLDER));
     }
 
-    /** Deletes the file where it still has its name, and ends the lock. */
+    /** Deletes the file, if it still has its name, with its folder, and releases the lock. */
     @Override
     public void close() throws IOException {
         try (channel) {

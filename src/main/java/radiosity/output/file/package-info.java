@@ -1,6 +1,4 @@
 /**
- * Files written whole or not at all.
- *
- * <p>A file is replaced as a whole or not at all.
+ * Files that are written whole or not at all, and files that their process holds locked.
  */
 package radiosity.output.file;
