@@ -3,13 +3,15 @@ package radiosity.gltf;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
-/** A camera's rotation as glTF has it: a unit quaternion x, y, z, w that turns -z to forward and +y to up. */
+/**
+ * Converts a camera's rotation from and to glTF's: a unit quaternion x, y, z, w that turns -z to forward and +y to up.
+ */
 public final class CameraPose {
 
     private CameraPose() {
     }
 
-    /** From a rotation matrix: K. Shoemake, Quaternions, 1994; the largest component is taken from a square root. */
+    /** The quaternion of a camera's rotation matrix, from its largest component: K. Shoemake, Quaternions, 1994. */
     public static double[] quaternion(Camera camera) {
         Vec3 z = camera.forward().times(-1).unit();
         Vec3 x = camera.up().cross(z).unit();
@@ -44,7 +46,13 @@ public final class CameraPose {
         return new double[] {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
     }
 
-    /** @param rotation x, y, z, w of any length but 0; not modified */
+    /**
+     * The camera at a position with a rotation.
+     *
+     * @param rotation x, y, z, w of any length but 0; not modified
+     * @param yfov     whole vertical angle of view, radians
+     * @param aspect   width over height
+     */
     public static Camera camera(Vec3 position, double[] rotation, double yfov, double aspect) {
         double[] q = unit(rotation);
         Vec3 v = new Vec3(q[0], q[1], q[2]);

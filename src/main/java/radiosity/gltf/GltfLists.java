@@ -9,13 +9,13 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 
 /**
- * The lists of a glTF file that is being written, whose members name each other by their places.
+ * The lists of a glTF file that is being written, whose members refer to each other by index.
  *
- * @param root of the file's JSON; lists are added to it when something is put into them
+ * @param root of the file's JSON; a list is added to the root when its first member is added
  */
 public record GltfLists(ObjectNode root) {
 
-    /** Types of the components of accessors. */
+    /** Component types of accessors. */
     public static final int FLOAT = 5126;
     public static final int UNSIGNED_INT = 5125;
     public static final int UNSIGNED_SHORT = 5123;
@@ -23,26 +23,25 @@ public record GltfLists(ObjectNode root) {
     public static final int VERTICES = 34962;
     public static final int INDICES = 34963;
 
-    /** A list, which is made where there is none yet. */
+    /** A list, which is created if there is none yet. */
     public ArrayNode list(String name) {
         return root.withArrayProperty(name);
     }
 
-    /** The place of what was put into a list last. */
+    /** The index of the last member of a list. */
     public int last(String name) {
         return list(name).size() - 1;
     }
 
-    /** A member of a list. */
     public ObjectNode get(String name, int place) {
         return (ObjectNode) list(name).get(place);
     }
 
     /**
-     * Adds an accessor of a whole buffer view.
+     * Adds an accessor of a whole buffer view and returns its index.
      *
-     * @param target of the view, as vertices or indices
-     * @return its place
+     * @param target of the view, {@link #VERTICES} or {@link #INDICES}
+     * @param count  number of elements
      */
     public int accessor(int view, int target, int componentType, int count, String type) {
         get("bufferViews", view).put("target", target);
@@ -51,7 +50,11 @@ public record GltfLists(ObjectNode root) {
         return last("accessors");
     }
 
-    /** Says in an accessor from where to where its three components go; values has three per element, at least one. */
+    /**
+     * Sets minimum and maximum of an accessor of three components.
+     *
+     * @param values 3 per element, at least one element; not modified
+     */
     public void range(int accessor, float[] values) {
         ArrayNode min = get("accessors", accessor).putArray("min");
         ArrayNode max = get("accessors", accessor).putArray("max");
@@ -68,10 +71,10 @@ public record GltfLists(ObjectNode root) {
     }
 
     /**
-     * Adds a camera, and makes a node the place from which it looks.
+     * Adds a camera, and gives a node the camera's name, position and rotation.
      *
-     * @param at   its position in the space of the node's parent
-     * @param near distance of the near plane, above 0
+     * @param at   position of the camera in the space of the node's parent
+     * @param near distance of the near plane, scene units, above 0
      */
     public void camera(ObjectNode node, Camera camera, Vec3 at, double near) {
         list("cameras").addObject().put("type", "perspective").putObject("perspective")
@@ -81,7 +84,7 @@ public record GltfLists(ObjectNode root) {
         put(node.putArray("translation"), at);
     }
 
-    /** Gives a node the matrix of a placement, column by column. */
+    /** Sets the matrix of a node, column by column. */
     public static void matrix(ObjectNode node, Affine placement) {
         ArrayNode matrix = node.putArray("matrix");
         for (int i = 0; i < 16; i++) {

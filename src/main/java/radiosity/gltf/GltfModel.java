@@ -8,34 +8,34 @@ import java.util.Optional;
 import radiosity.scene.Affine;
 
 /**
- * A glTF file in memory, and which triangles of a scene stand where in it.
+ * A glTF file in memory, and where the triangles of a scene stand in it.
  *
- * @param json   without "buffers": all buffer views lie in one, whose bytes are the arrays
- * @param arrays bytes, each of which begins at a multiple of 4; not to be modified, but more may be added
- * @param places of all triangles that the scene shows
+ * @param json   without "buffers": all buffer views lie in one buffer, which consists of the arrays
+ * @param arrays bytes, each array at a multiple of 4 bytes; arrays are not to be modified, but more may be added
+ * @param places where all triangles of the scene stand
  */
 public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places) {
 
     /**
-     * A primitive of a mesh where a node shows it.
+     * A primitive of a mesh at a node.
      *
-     * @param node      in the file's list
-     * @param primitive of its mesh
-     * @param instance  where it stands within the node, if the node has instances (EXT_mesh_gpu_instancing)
+     * @param node      index in the file's list of nodes
+     * @param primitive index in the node's mesh
+     * @param instance  placement within the node, if the node has instances (EXT_mesh_gpu_instancing)
      * @param vertices  of the primitive, 3 per triangle
-     * @param triangles of the scene, 1 per triangle; -1 where the scene has none, as it has no area
+     * @param triangles index among the scene's triangles, 1 per triangle; -1 if the scene has none, as its area is 0
      * @param reversed  whether corners 1 and 2 are swapped in the scene
      */
     public record Place(int node, int primitive, Optional<Affine> instance, int[] vertices, int[] triangles,
                         boolean reversed) {
 
-        /** The corner of the scene's triangle that corner k (0, 1 or 2) is. */
+        /** The corner of the scene's triangle that corresponds to corner k (0, 1 or 2) of the primitive's triangle. */
         public int corner(int k) {
             return reversed ? (3 - k) % 3 : k;
         }
     }
 
-    /** Adds bytes; returns the number of their buffer view. */
+    /** Adds an array of bytes and returns the index of its buffer view. */
     public int add(byte[] bytes) {
         json.withArrayProperty("bufferViews").addObject().put("buffer", 0).put("byteOffset", length())
                 .put("byteLength", bytes.length);
@@ -43,12 +43,16 @@ public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places
         return json.get("bufferViews").size() - 1;
     }
 
-    /** Adds bytes and an accessor of all of them; returns its number. */
+    /** Adds an array of bytes with an accessor of the whole array and returns the accessor's index. */
     public int accessor(byte[] bytes, int target, int componentType, int count, String type) {
         return lists().accessor(add(bytes), target, componentType, count, type);
     }
 
-    /** Adds floats and an accessor of all of them; returns its number. */
+    /**
+     * Adds floats with an accessor of all of them and returns the accessor's index.
+     *
+     * @param components number of floats per element, 2 to 4; the array is not modified
+     */
     public int accessor(float[] values, int components) {
         ByteBuffer bytes = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.asFloatBuffer().put(values);
@@ -60,7 +64,7 @@ public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places
         return new GltfLists(json);
     }
 
-    /** Bytes of all arrays so far, each padded to a multiple of 4. */
+    /** Length of all arrays so far, each padded to a multiple of 4, bytes. */
     public long length() {
         return arrays.stream().mapToLong(array -> array.length + 3 & ~3).sum();
     }

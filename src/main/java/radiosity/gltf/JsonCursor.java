@@ -8,11 +8,11 @@ import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 
 /**
- * A place in a glTF file's JSON: what is not there, or not as it should be, is said with its path.
+ * A value in a glTF file's JSON. Messages about a missing or wrong value have the path to the value.
  *
  * @param file the file's name
- * @param path from the root to here
- * @param node what stands here
+ * @param path from the root to the value
+ * @param node the value
  */
 public record JsonCursor(String file, String path, JsonNode node) {
 
@@ -39,41 +39,41 @@ public record JsonCursor(String file, String path, JsonNode node) {
         return Optional.ofNullable(node.get(key)).map(child -> new JsonCursor(file, path + "/" + key, child));
     }
 
-    /** An extension of what stands here. */
+    /** An extension of the value; empty if there is none. */
     public Optional<JsonCursor> extension(String name) {
         return optional("extensions").flatMap(extensions -> extensions.optional(name));
     }
 
-    /** A number, or another where there is none. */
+    /** The number under a key, or another if there is none. */
     public double number(String key, double otherwise) throws SceneFormatException {
         Optional<JsonCursor> there = optional(key);
         return there.isPresent() ? there.get().number() : otherwise;
     }
 
-    /** Numbers, or others, as many, where there are none. */
+    /** The numbers under a key, or others if there are none; their number must be equal. */
     public double[] numbers(String key, double... otherwise) throws SceneFormatException {
         Optional<JsonCursor> there = optional(key);
         return there.isPresent() ? there.get().numbers(otherwise.length) : otherwise;
     }
 
-    /** An index, or -1 where there is none. */
+    /** The index under a key, or -1 if there is none. */
     public int index(String key) throws SceneFormatException {
         Optional<JsonCursor> there = optional(key);
         return there.isPresent() ? there.get().integer() : -1;
     }
 
-    /** A text, or another where there is none. */
+    /** The text under a key, or another if there is none. */
     public String text(String key, String otherwise) throws SceneFormatException {
         Optional<JsonCursor> there = optional(key);
         return there.isPresent() ? there.get().text() : otherwise;
     }
 
-    /** Whether a switch is on; it is off where there is none. */
+    /** Whether a switch under a key is on; a missing switch is off. */
     public boolean isOn(String key) {
         return node.path(key).booleanValue();
     }
 
-    /** The members of a list; none where there is no list. */
+    /** The members of the list under a key; empty if there is no list. */
     public List<JsonCursor> list(String key) throws SceneFormatException {
         Optional<JsonCursor> list = optional(key);
         List<JsonCursor> members = new ArrayList<>();
@@ -87,17 +87,18 @@ public record JsonCursor(String file, String path, JsonNode node) {
         return node.size();
     }
 
+    /** The value as a whole number from 0 to 2³¹ - 1. */
     public int integer() throws SceneFormatException {
         require(node.isIntegralNumber() && node.canConvertToInt() && node.intValue() >= 0, "a whole number");
         return node.intValue();
     }
 
-    /** A whole number of any size, -1 where it is none. */
+    /** The value as a whole number of any size, or -1 if it is something else. */
     public long unchecked() {
         return node.isIntegralNumber() && node.canConvertToLong() ? node.longValue() : -1;
     }
 
-    /** A whole number of any size, 0 where there is none, -1 where something else stands there. */
+    /** The whole number of any size under a key: 0 if there is no value, -1 if the value is something else. */
     public long unchecked(String key) {
         return optional(key).map(JsonCursor::unchecked).orElse(0L);
     }
@@ -112,7 +113,7 @@ public record JsonCursor(String file, String path, JsonNode node) {
         return node.textValue();
     }
 
-    /** @param count how many numbers there must be */
+    /** @param count expected number of numbers */
     public double[] numbers(int count) throws SceneFormatException {
         require(node.isArray() && node.size() == count, count + " numbers");
         double[] numbers = new double[count];

@@ -1,5 +1,5 @@
 /**
- * What reading and writing of glTF share: a place in a file's JSON that says what is wrong there, the lists that are
- * written, a camera's rotation.
+ * What readers and writers of glTF share: a cursor in a file's JSON that says what is wrong there, the lists of a file
+ * that is written, a camera's rotation.
  */
 package radiosity.gltf;
