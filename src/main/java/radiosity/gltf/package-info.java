@@ -1,5 +1,4 @@
 /**
- * What readers and writers of glTF share: a cursor in a file's JSON that says what is wrong there, the lists of a file
- * that is written, a camera's rotation.
+ * What readers and writers of glTF share: a cursor in a file's JSON, the lists of a written file, a camera's pose.
  */
 package radiosity.gltf;

@@ -49,7 +49,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
 
     /** Direction from which surfaces of an unlit scene are shaded. */
     private static final Vec3 SHADE_FROM = new Vec3(0.4, 0.8, 0.45).unit();
-    /** Shade of a surface that faces away from that direction, of 1 towards it. */
+    /** Shade of a surface that faces away from {@link #SHADE_FROM}; a surface that faces it has a shade of 1. */
     private static final double DARKEST = 0.4;
     private static final EnergyLedger NO_LEDGER = new EnergyLedger(new double[3], new double[3], new double[3],
             new double[3], new double[3]);

@@ -63,10 +63,7 @@ final class SceneDocument {
         hierarchy.nodes().forEach(this::object);
     }
 
-    /**
-     * Adds the node of an object. All positions count from the origin, so the node is not placed; the placement that
-     * the object had in the input stands in the node's extras.
-     */
+    /** Adds the node of an object: not placed, as positions count from the origin; its placement is in its extras. */
     private void object(SceneNode of) {
         ObjectNode parent = of.parent() < 0 ? top : objects.get(of.parent());
         ObjectNode node = child(parent).put("name", of.name());

@@ -82,11 +82,7 @@ public final class SceneFile implements Closeable {
         write(file, solution, extras, camera, toneMapping, OptionalDouble.empty());
     }
 
-    /**
-     * Writes a solution as {@link #write(Path, Solution, Map, Optional, ToneMapping)} does, if wanted with textures.
-     *
-     * @param samples texels of additional textures per scene unit; empty for no textures
-     */
+    /** @param samples texels of additional textures per scene unit; empty for no textures */
     public static void write(Path file, Solution solution, Map<String, ?> extras, Optional<Camera> camera,
                              ToneMapping toneMapping, OptionalDouble samples) throws IOException {
         write(file, solution, extras, camera, toneMapping, samples, GlbWriter.MOST);
@@ -122,8 +118,8 @@ public final class SceneFile implements Closeable {
     }
 
     /**
-     * Puts the state into the document or, if it does not fit, into a file beside the scene file; adds to the content
-     * where the state is.
+     * Puts the state into the document or, if it does not fit, into a file beside the scene file, and its place into
+     * the content.
      *
      * @return name of the file beside the scene file, or an empty text
      */
@@ -275,10 +271,7 @@ public final class SceneFile implements Closeable {
         return state;
     }
 
-    /**
-     * The file as a solution without state, whose original triangles are its elements: for pictures and light at
-     * points.
-     */
+    /** The file as a solution without state whose triangles are its elements: for pictures and light at points. */
     public Solution solution() throws IOException {
         int shots = radiosity.at("shots").integer();
         int rounds = radiosity.at("rounds").integer();

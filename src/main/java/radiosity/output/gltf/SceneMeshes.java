@@ -53,10 +53,7 @@ final class SceneMeshes {
      */
     private record Placed(JsonCursor node, int number, int object) { }
 
-    /**
-     * Collects the nodes, in the file's order as far as each comes after its parent. A node with several parents is an
-     * error.
-     */
+    /** Collects the nodes, in the file's order as far as each comes after its parent; several parents are an error. */
     private void collect() throws IOException {
         Queue<Placed> ahead = new PriorityQueue<>(Comparator.comparingInt(Placed::number));
         ahead.add(new Placed(top, -1, -1));
@@ -237,11 +234,7 @@ final class SceneMeshes {
         return corners;
     }
 
-    /**
-     * Reads an accessor whose components are 4 bytes long, and checks that it is as this program writes it.
-     *
-     * @param count expected number of values, or -1 for any number
-     */
+    /** Reads an accessor of 4-byte components as this program writes them; a count of -1 stands for any count. */
     private ByteBuffer bytes(JsonCursor index, int componentType, String type, int components, int count)
             throws IOException {
         JsonCursor accessor = root.at("accessors").at(index.integer());

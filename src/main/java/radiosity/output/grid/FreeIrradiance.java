@@ -24,8 +24,7 @@ final class FreeIrradiance {
     /** Number of rays along each side of the square that is mapped to the circle. */
     private static final int SIDE = 64;
     /**
-     * Number of rays to a lamp that fills the hemisphere; other lamps get a part, their form factor, but at least one
-     * ray.
+     * Number of rays to a lamp that fills the hemisphere; in proportion to the form factor, at least one, to others.
      */
     private static final int LAMP_RAYS = 1024;
     /** How far before a lamp a ray ends, and how far rays reach, of the scene's size. */
@@ -51,11 +50,7 @@ final class FreeIrradiance {
     }
 
     /**
-     * Irradiance at a point on the side of a normal, W/m². NaN inside a solid, and outside of rooms, where a ray
-     * against the normal meets no visible side.
-     *
-     * @param point scene units
-     * @param n     unit normal
+     * Irradiance at a point on the side of a unit normal, W/m²; NaN inside a solid, or if no visible side is behind.
      */
     Rgb at(Vec3 point, Vec3 n) {
         Vec3 x = faces.unit(point);
@@ -111,12 +106,7 @@ final class FreeIrradiance {
         return Double.isNaN(irradiance.r()) ? Rgb.BLACK : irradiance.times(scene.look(t, at).reflectance());
     }
 
-    /**
-     * Irradiance from the emitted light of one side of a triangle, W/m².
-     *
-     * @param side 0 for the front, 1 for the back
-     * @param x    receiving point in the scene brought to size 1
-     */
+    /** Irradiance from the emitted light of one side of a triangle, 0 for the front or 1 for the back, W/m². */
     private Rgb emitted(int t, int side, Vec3 x, Vec3 n) {
         Vec3[] c = {faces.unit(scene.corner(t, 0)), faces.unit(scene.corner(t, 1 + side)),
             faces.unit(scene.corner(t, 2 - side))};

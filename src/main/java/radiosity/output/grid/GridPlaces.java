@@ -28,10 +28,7 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
 
     private static final Pattern PLANE = Pattern.compile("([+-]?)([xyz])=([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)");
     private static final int MOST = 1_000_000;
-    /**
-     * Normals, and offsets of planes over the root of the scene's area, are equal if they round to the same multiple of
-     * this.
-     */
+    /** Normals, and offsets over the root of the scene's area, are equal if they round to the same multiple. */
     private static final double PLANE_ROUNDING = 1e-4;
 
     /** The triangles of a surface that lie in one plane. */
@@ -123,12 +120,7 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
         fill(n.times(plane.offset), u, v, extent, spacing, n, scene, plane);
     }
 
-    /**
-     * Adds the middles of cells.
-     *
-     * @param extent least and largest coordinate along u, then along v, scene units
-     * @param plane  on whose triangles points must lie; null if points lie anywhere
-     */
+    /** @param plane on whose triangles points must lie; null if points lie anywhere */
     private void fill(Vec3 origin, Vec3 u, Vec3 v, double[] extent, double spacing, Vec3 normal, Scene scene,
                       Plane plane) {
         double columns = Math.max(1, Math.rint((extent[1] - extent[0]) / spacing));

@@ -99,10 +99,7 @@ public final class DefaultCamera {
     }
 
     /**
-     * A camera at the distance from a centre at which all corners of the box are in the picture.
-     *
-     * @param corners of the box, relative to the centre
-     * @param back    unit direction from the centre to the camera
+     * A camera in direction {@code back} from a centre, so far away that all corners, relative to the centre, are seen.
      */
     private static Camera outside(Vec3 centre, List<Vec3> corners, Vec3 back) {
         Camera camera = looking(centre, back.times(-1), OUTSIDE);

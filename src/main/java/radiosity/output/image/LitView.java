@@ -25,10 +25,7 @@ final class LitView {
     /** How far behind a surface a ray goes on, and how far off a surface a lit place lies, of the scene's diagonal. */
     private static final double STEP = 1e-5;
     private static final double OFF = 1e-4;
-    /**
-     * A view keeps its score while its largest object fills at most OBJECT of it; LEFT of the score remains at
-     * LARGE_OBJECT.
-     */
+    /** A view keeps its score while its largest object fills at most OBJECT of it, and LEFT of it at LARGE_OBJECT. */
     private static final double OBJECT = 0.2;
     private static final double LARGE_OBJECT = 1.0 / 3;
     private static final double LEFT = 0.1;

@@ -35,10 +35,7 @@ final class RoomViews {
         return views;
     }
 
-    /**
-     * Middles of rooms, one per room: points half way between lit surfaces and what is opposite, then between the
-     * walls.
-     */
+    /** Middles of rooms, one per room: half way between lit surfaces and opposite surfaces, then between the walls. */
     private static List<Vec3> middles(LitView view) {
         List<Vec3> middles = new ArrayList<>();
         LitView.Hit hit = new LitView.Hit();

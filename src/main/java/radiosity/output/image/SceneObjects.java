@@ -43,9 +43,7 @@ final class SceneObjects {
     }
 
     /**
-     * The scene's corners, each point replaced by the first point at the same place.
-     *
-     * @param cells number of distinct coordinates per scene unit
+     * The scene's corners, each point replaced by the first point that rounds to the same cell; cells per scene unit.
      */
     private static int[] welded(Scene scene, double cells) {
         int[] first = PointNumbers.of(Arrays.stream(scene.points()).map(x -> Math.rint(x * cells)).toArray());

@@ -65,13 +65,10 @@ public final class Snapshot {
         /** Draws a picture from the solution alone, to the end. */
         public static final Drawing PLAIN = new Drawing(0, done -> true);
 
-        /** Decides whether drawing goes on. */
+        /** Decides whether drawing goes on; otherwise the drawing ends with a {@link CancellationException}. */
         public interface Progress {
 
-            /**
-             * @param done part of the pixels, in (0, 1]
-             * @return false to end drawing with a {@link CancellationException}
-             */
+            /** @param done part of the pixels, in (0, 1] */
             boolean goesOn(double done);
         }
     }
@@ -271,13 +268,7 @@ public final class Snapshot {
         return seen;
     }
 
-    /**
-     * Gathers light once for all rays of a pixel that meet the same side of the same triangle as a given ray.
-     *
-     * @param ray   the given ray in the pixel
-     * @param first number of the pixel's first ray in the picture
-     * @param seen  receives the light of these rays
-     */
+    /** Gathers light once for all rays of a pixel that meet the same side of the same triangle as a given ray. */
     private void gather(int[] element, float[][] hit, int ray, long first, Rgb[] seen) {
         int face = solution.faceOf()[element[ray]];
         int[] same = IntStream.range(ray, element.length)

@@ -94,11 +94,7 @@ public final class SurfaceMaps {
         });
     }
 
-    /**
-     * Combines the images of one quantity in a map as wide and as high as the largest of them.
-     *
-     * @param most largest value of the map
-     */
+    /** Combines the images of one quantity in a map as wide and as high as the largest of them. */
     private Raster raster(List<ImageMap> maps, List<ImageFile> files, Rgb base, double most) {
         int width = width(files);
         int height = height(files);

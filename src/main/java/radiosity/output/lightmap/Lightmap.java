@@ -177,10 +177,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
             }
         }
 
-        /**
-         * Keeps extrapolated light at least 0 and no farther beyond the range of the corners' light than the range is
-         * wide.
-         */
+        /** Clamps extrapolated light to at least 0, and to the range of the corners' light, three times as wide. */
         private static Rgb within(Rgb[] h, Rgb light) {
             double[] channels = new double[3];
             Arrays.setAll(channels, c -> {

@@ -76,16 +76,13 @@ public final class TJunctions {
         return BoxTree.ofPoints(points);
     }
 
-    /**
-     * Returns the same light on elements that meet corner to corner. Vertices keep their ids, elements may get others.
-     * The given solution is not modified.
-     */
+    /** Returns the same light on elements that meet corner to corner. Vertices keep their ids, elements may not. */
     public static Solution close(Solution solution) {
         return new TJunctions(solution).closed();
     }
 
     /**
-     * Gives all open vertices that are one point but for rounding the same position to the last bit.
+     * Gives open vertices that are one point but for rounding the same position to the last bit.
      *
      * @param open the vertices at the ends of open edges, ascending; not modified
      */
@@ -190,8 +187,6 @@ public final class TJunctions {
     /**
      * Vertices of the edge's part at given points of the edge ab. A vertex is created where the part has none, and at
      * all points if the part's vertices there are not those of elements across the edge.
-     *
-     * @param inside position along the edge, ascending, and the vertex that represents the point
      */
     private int[] vertices(int a, int b, TreeMap<Double, Integer> inside) {
         double[] t = inside.keySet().stream().mapToDouble(Double::doubleValue).toArray();
@@ -225,11 +220,9 @@ public final class TJunctions {
     }
 
     /**
-     * Whether the part's vertices on the edge ab belong to smaller elements across the edge: open edges then lead from
-     * a over these vertices to b. Elements behind a wall that stands on the edge end in vertices of their own instead
-     * of a and b.
-     *
-     * @param found vertices of the part at the points of the edge, from a to b; -1 where the part has none
+     * Whether the part's vertices on the edge ab, -1 where it has none, belong to smaller elements across the edge:
+     * open edges then lead from a over these vertices to b. Elements behind a wall that stands on the edge end in
+     * vertices of their own.
      */
     private boolean isAcross(int a, int[] found, int b) {
         int last = a;
@@ -242,13 +235,7 @@ public final class TJunctions {
         return last == a || open.contains(last, b);
     }
 
-    /**
-     * Creates a vertex between two vertices of a part, with irradiance interpolated between the two.
-     *
-     * @param share position between the two vertices, 0 at the first and 1 at the second
-     * @param at    vertex whose position the new vertex gets
-     * @return id of the new vertex
-     */
+    /** Creates a vertex at the position of {@code at}, its irradiance interpolated between two vertices. */
     private int add(int from, int to, double share, int at) {
         double[] vertex = Arrays.copyOf(point(at), 3 + solution.channels());
         for (int c = 0; c < solution.channels(); c++) {

@@ -24,14 +24,16 @@ import radiosity.scene.Affine;
 
 /**
  * Writes a model with an additional set of texture coordinates and a lightmap of irradiance: as half floats in a file
- * beside the model, and as an RGBM image in the model, which the "extras" of materials describe (docs/RECIPES.md).
+ * beside it, and as an RGBM image in it, which the "extras" of materials describe (docs/RECIPES.md).
  *
  * <p>A vertex that lies at several places of the lightmap is repeated. A mesh that stands at several nodes is copied
  * for each node, because its light differs from node to node.
  */
 public final class LightmapModel {
 
-    /** Limits of the largest irradiance that half floats hold as it is, W/m²: they lose digits below, and end above. */
+    /**
+     * Limits of the largest irradiance that half floats hold as it is, W/m²: digits are lost below, floats end above.
+     */
     private static final double LEAST_RANGE = 1;
     private static final double MOST_RANGE = 60000;
     private static final int TRIANGLES = 4;

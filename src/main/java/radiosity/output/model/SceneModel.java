@@ -184,11 +184,7 @@ public final class SceneModel {
         }
     }
 
-    /**
-     * Adds a texture and returns its number.
-     *
-     * @param factor for the light of the raster
-     */
+    /** Adds a texture, the raster's light times a factor, and returns its number. */
     private int texture(Raster raster, double factor) throws IOException {
         byte[] png = PictureFormat.png(new Picture(raster.width(), raster.height(), raster.rgb()),
                 light -> light.times(factor));

@@ -69,11 +69,7 @@ final class VertexCopier {
         return model.json().withArrayProperty(name);
     }
 
-    /**
-     * All elements of an accessor, without gaps.
-     *
-     * @param size of an element, bytes
-     */
+    /** All elements of an accessor, each of {@code size} bytes, without gaps. */
     private byte[] elements(JsonNode accessor, int size) {
         int count = accessor.get("count").asInt();
         byte[] all = new byte[size * count];

@@ -52,7 +52,6 @@ public final class Points {
      * Irradiance and radiosity at a point, NaN without an element there. Irradiance is 0 inside a solid, into which the
      * element of a floor may extend.
      *
-     * @param point  scene units
      * @param normal of any length but 0, on the side that is meant
      */
     public Light at(Vec3 point, Vec3 normal) {
@@ -73,12 +72,7 @@ public final class Points {
         return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
     }
 
-    /**
-     * Irradiance at a point of a surface, W/m²; NaN inside a solid, and without an element at the point.
-     *
-     * @param point  scene units
-     * @param normal of any length but 0, on the side that is meant
-     */
+    /** Irradiance as {@link #at} gives it, W/m², but NaN inside a solid. */
     public Rgb outsideSolids(Vec3 point, Vec3 normal) {
         return isInSolid(point, normal.unit()) ? Rgb.grey(Double.NaN) : at(point, normal).irradiance();
     }

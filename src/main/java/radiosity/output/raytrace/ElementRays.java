@@ -24,10 +24,7 @@ final class ElementRays {
     private final Solution solution;
     private final Vec3 centre;
     private final double scale;
-    /**
-     * The element of each triangle of the hierarchy; from {@code #within} on, turned round, elements of glass from
-     * within.
-     */
+    /** The element of each triangle of the hierarchy; from {@code #within} on, elements of glass, seen from within. */
     private final int[] elements;
     private final int within;
     private final RadiosityBounds bounds;

@@ -34,10 +34,7 @@ final class FinalGather {
     private static final int MOST_BRIGHT = 2048;
     /** Distance from its surface at which a ray begins or ends, of the scene's size. */
     private static final double LIFT = 1e-5;
-    /**
-     * Least cosine at the receiving point in the influence of a piece, of which a part may be in view if its middle is
-     * not.
-     */
+    /** Least cosine at the point in the influence of a piece, which may be in view in part if its middle is not. */
     private static final double LEAST = 1e-3;
 
     private final ElementRays rays;
@@ -156,8 +153,7 @@ final class FinalGather {
     }
 
     /**
-     * Light from rays in all directions, uniform in the circle below the hemisphere (W. Nusselt, 1928): all weigh the
-     * same.
+     * Light from rays that are uniform in the circle below the hemisphere (W. Nusselt, 1928): all rays weigh the same.
      */
     private Rgb fromAround(Vec3 from, Vec3 n, long first, int count) {
         Vec3 u = n.perpendicular();
