@@ -12,22 +12,22 @@ import java.util.stream.Collectors;
 import radiosity.mesh.face.Faces;
 import radiosity.util.ExactSum;
 
-/** What a partition says after a round: its best candidates for the next one, and its part of the ledger. */
+/** The answer of a partition after a round: its best candidates for the next one, and its part of the energy ledger. */
 public final class Answer {
 
-    /** Largest unshot flux first. */
+    /** Shooters for the next round, largest unshot flux first. */
     public final List<Shot> candidates = new ArrayList<>();
-    /** One per layer: sum of |U| A over elements and colours, W. */
+    /** One per layer: sum of |U| A over the elements and the layer's colours, W. */
     public final ExactSum[] unshotFlux;
-    /** One per channel, W: what arrived. */
+    /** One per channel: flux that arrived at the elements, W. */
     public final ExactSum[] received;
-    /** One per channel, W: the part of it that was not reflected. */
+    /** One per channel: the part of {@link #received} that was not reflected, W. */
     public final ExactSum[] absorbed;
-    /** One per channel, W: signed. */
+    /** One per channel: signed sum of U A over the elements, W. */
     public final ExactSum[] unshot;
     public int elements;
 
-    /** @param scale flux that is emitted, W */
+    /** @param scale about the flux that is emitted, W: the scale of all {@link ExactSum}s */
     public Answer(Faces faces, double scale) {
         int channels = faces.channels();
         unshotFlux = sums(faces.layers(), scale);
@@ -36,7 +36,7 @@ public final class Answer {
         unshot = sums(channels, scale);
     }
 
-    /** The same sums, without candidates. */
+    /** Shares the sums of another answer; has no candidates. */
     private Answer(Answer other) {
         unshotFlux = other.unshotFlux.clone();
         received = other.received;
@@ -55,7 +55,7 @@ public final class Answer {
         return List.of(unshotFlux, received, absorbed, unshot);
     }
 
-    /** Adds other partitions' answers; keeps the best candidates of all. */
+    /** Adds the answers of other partitions; keeps up to {@code most} candidates, those with the largest flux. */
     public void add(List<Answer> others, int most) {
         others.forEach(other -> {
             candidates.addAll(other.candidates);
@@ -67,7 +67,7 @@ public final class Answer {
         }
     }
 
-    /** The same without those candidates whose place is that of one of these. */
+    /** A copy of this answer without the candidates that are also among the given shooters. */
     public Answer without(List<Shot> shots, Faces faces, double scale) {
         Set<Shot.Place> places = shots.stream().map(Shot::place).collect(Collectors.toSet());
         Answer rest = new Answer(faces, scale);
@@ -76,7 +76,7 @@ public final class Answer {
         return rest;
     }
 
-    /** The sums of this answer, with the unshot flux of another. */
+    /** The sums of this answer, but the unshot flux of {@code other}; without candidates. */
     public Answer withUnshotFlux(Answer other) {
         Answer answer = new Answer(this);
         for (int i = 0; i < unshotFlux.length; i++) {
@@ -85,6 +85,7 @@ public final class Answer {
         return answer;
     }
 
+    /** Adds the sums and the number of elements of another answer, not its candidates. */
     public void addSums(Answer other) {
         for (int q = 0; q < sums().size(); q++) {
             for (int i = 0; i < sums().get(q).length; i++) {
@@ -109,6 +110,7 @@ public final class Answer {
         out.writeLong(sum.low());
     }
 
+    /** Fills this answer, which must be empty, from what {@link #write} wrote. */
     public void read(DataInputStream in) throws IOException {
         candidates.addAll(Wire.shots(in));
         for (ExactSum[] sums : sums()) {

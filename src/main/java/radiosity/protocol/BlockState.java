@@ -10,9 +10,10 @@ import java.util.BitSet;
 import radiosity.mesh.RadiosityNodes;
 
 /**
- * A block as bytes. For each subtree, nodes in preorder: for an inner one the number under which it was split; for an
- * element -1, then what it has shot at its corners, and for each corner whose vertex was not met before a byte of flags
- * (buried, set aside), what it has received, and where it gathers anew what was set aside.
+ * Writes the state of a block as bytes and restores it. The state lists the nodes of each subtree in preorder. An inner
+ * node is the number of the split that divided it. An element is -1, the radiosity that it has shot at its corners, and
+ * for each corner whose vertex was not listed before: a byte of flags (buried, set aside), the vertex's irradiance, and
+ * with the second flag the irradiance that was set aside while the vertex gathers anew. All values are W/m².
  */
 public final class BlockState {
 
@@ -21,6 +22,7 @@ public final class BlockState {
 
     private BlockState() { }
 
+    /** @param tops top nodes of the block's subtrees, in the block's order */
     public static byte[] write(RadiosityNodes nodes, int[] tops) {
         BitSet met = new BitSet(nodes.vertices());
         return Wire.bytes(out -> {
@@ -58,6 +60,13 @@ public final class BlockState {
         }
     }
 
+    /**
+     * Restores a block whose subtrees are as in the initial mesh, or are divided no deeper than in the state.
+     *
+     * @param nodes modified: divided as in the state, with the light of the state
+     * @param tops  top nodes of the block's subtrees, in the block's order
+     * @throws UncheckedIOException where the state is too short
+     */
     public static void restore(RadiosityNodes nodes, int[] tops, byte[] state) {
         BitSet met = new BitSet(nodes.vertices());
         ByteBuffer in = ByteBuffer.wrap(state);

@@ -9,18 +9,18 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Blocks for a new owner: what they were at a checkpoint, and what was done since.
+ * Blocks for a new owner: their states at the last checkpoint, and the orders given since.
  *
- * @param states by id; empty for one that is as in the initial mesh
- * @param orders to be done again on all of them, in their order; some are answered
- * @param leave  blocks that it gives up
+ * @param states state of each block by its id; empty for a block that is as in the initial mesh
+ * @param orders orders to carry out again on all of these blocks, in this order; some of them ask for answers
+ * @param leave  ids of the blocks that the receiver of this message gives up
  */
 public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, List<Integer> leave) {
 
-    /** What stands for a block as it is in the initial mesh. */
+    /** The state of a block that is as in the initial mesh. */
     public static final byte[] INITIAL = new byte[0];
 
-    /** Whether all states are given: as the log has them, either all are or none. */
+    /** Whether no block is as in the initial mesh; states from one log are either all given or all empty. */
     public boolean isWhole() {
         return states.values().stream().noneMatch(state -> state.length == 0);
     }
@@ -29,7 +29,7 @@ public record BlockTakeover(Map<Integer, byte[]> states, List<byte[]> orders, Li
         return orders.isEmpty() && isWhole();
     }
 
-    /** Writes more bytes than one array may hold, where states are large. */
+    /** Writes to a stream, as large states may be more bytes than one array can hold. */
     public void write(DataOutputStream out) throws IOException {
         out.writeInt(states.size());
         for (Map.Entry<Integer, byte[]> state : states.entrySet()) {

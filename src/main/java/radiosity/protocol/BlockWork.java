@@ -5,12 +5,12 @@ import java.io.DataOutput;
 import java.io.IOException;
 
 /**
- * What a block holds, and what a round took of it.
+ * The size of a block, and the work on it since the last report.
  *
- * @param elements that it has now
- * @param points   receiving points that it has now
- * @param gathered points at which was gathered; one that several blocks of a host share counts for one of them
- * @param seconds  processor time
+ * @param elements number of elements of the block
+ * @param points   number of receiving points of the block
+ * @param gathered number of receiving points that gathered; a point of several blocks of a host counts for one of them
+ * @param seconds  processor time spent on the block, s
  */
 public record BlockWork(int elements, int points, int gathered, float seconds) {
 

@@ -5,13 +5,13 @@ import java.io.IOException;
 import radiosity.rmi.Build;
 
 /**
- * Who a host is.
+ * A host's description of itself.
  *
- * @param version    of its program
- * @param build      of its program, see {@link Build}
- * @param processors threads that it computes with
- * @param memory     that it may use, bytes
- * @param busy       for whom and since when it works; empty where it is free
+ * @param version    version of the host's program
+ * @param build      digest of the program's classes, see {@link Build#id}
+ * @param processors number of threads with which the host computes
+ * @param memory     largest heap of the host's program, bytes
+ * @param busy       text that names the master that uses the host, and since when; empty where the host is free
  */
 public record Greeting(String version, String build, int processors, long memory, String busy) {
 

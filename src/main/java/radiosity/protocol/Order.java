@@ -10,148 +10,148 @@ import radiosity.prediction.CoarseSystem;
 import radiosity.worker.ShotHistory;
 
 /**
- * What every partition does in a round, or in a part of one.
+ * An order that every partition carries out in a round, or in a part of a round.
  *
- * @param kind     what it is
- * @param number   counts the rounds of a calculation from 1
- * @param begun    whether a part of the round is done: the ambient light has been received
- * @param more     whether the rest of the round follows
- * @param shots    who shoots, in the order in which it is applied
- * @param rules    how points gather and elements are divided
+ * @param kind     kind of the round
+ * @param number   number of the round in the calculation, from 1; 0 before the round has begun
+ * @param begun    whether an earlier part of the round is done, in which vertices have received the ambient light
+ * @param more     whether more parts of the round follow
+ * @param shots    light of the shooters, in the order in which it is gathered
+ * @param rules    how vertices gather and elements are divided
  * @param question what partitions answer
  */
 public record Order(Kind kind, int number, boolean begun, boolean more, List<Shot> shots, Rules rules,
                     Question question) {
 
     private static final double[] NONE = {};
-    /** What stands for a question without candidates where their number is written. */
+    /** Values written in place of the number of candidates, for the questions that ask for none. */
     private static final int NOTHING = -1;
     private static final int GHOST_VALUES = -2;
 
     /**
-     * How points gather and elements are divided.
+     * How vertices gather and elements are divided.
      *
-     * @param tolerance how much one ray may carry, see {@link radiosity.formfactor.RayCaster}
-     * @param weight    what a W/m² counts for in that, see {@link radiosity.mesh.Weights}
-     * @param meshError how much interpolation on one element may add to the error of the whole, relative to its mean
-     * @param ambient   channels per closed room, see {@link radiosity.mesh.UniformRadiosity}; empty: none. W/m²
-     * @param givenBack one per channel, or empty: part of what each vertex has received that it receives besides
-     * @param sparing   whether what carries little gets a ray at some points only, see
-     *                  {@link radiosity.formfactor.RayCaster}; rays are others then than in all other rounds
-     * @param anew      weight, in (0, 1], of the light that was gathered anew where it is averaged with older light
+     * @param tolerance largest weighted irradiance that one ray may carry, see {@link radiosity.formfactor.RayCaster};
+     *                  infinite: no limit
+     * @param weight    weight of a W/m² of each channel, m²/W, see {@link radiosity.mesh.Weights}
+     * @param meshError error that interpolation on one element may add to the whole, relative to the mean radiosity
+     * @param ambient   channels per closed room, W/m², see {@link radiosity.mesh.UniformRadiosity}; empty: 0
+     * @param givenBack one per channel: part of its irradiance by which each vertex's irradiance grows; empty: 0
+     * @param sparing   whether a shooter that carries little gets a ray at some vertices only, see
+     *                  {@link radiosity.formfactor.RayCaster#sparing}; the rays are then not those of any other round
+     * @param anew      weight in (0, 1] of the newly gathered light in its average with older light
      */
     public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack,
                         boolean sparing, double anew) {
 
-        /** A ray for each shooter at every point. */
+        /** Rules under which every vertex casts a ray to every shooter. */
         public Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
             this(tolerance, weight, meshError, ambient, givenBack, false, 1);
         }
 
         private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
 
-        /** Every shooter by its own form factors, all channels alike: the paper's schedule. */
+        /** Rules of the paper's schedule: each shooter by its own form factors, all channels with the same weight. */
         public static Rules exact(int channels) {
             double[] weight = new double[channels];
             Arrays.fill(weight, 1);
             return new Rules(Double.POSITIVE_INFINITY, weight, 0, NONE, NONE);
         }
 
-        /** The same rules, and all receive this part of what they have besides. */
+        /** These rules with another {@link #givenBack}. */
         Rules givingBack(double[] part) {
             return new Rules(tolerance, weight, meshError, ambient, part, sparing, anew);
         }
     }
 
-    /** What partitions answer to an order. */
+    /** The question that partitions answer when they have carried out an order. */
     public sealed interface Question {
 
-        /** Nobody reads the answer. */
+        /** No answer is read. */
         record Nothing() implements Question { }
 
         /**
-         * Gather only where other hosts need it, and say what has arrived there; elsewhere points gather by {@link
-         * Kind#REST}.
+         * Gather only at vertices whose irradiance other hosts need, and answer that irradiance; the other vertices
+         * gather by an order of {@link Kind#REST}.
          */
         record GhostValues() implements Question { }
 
         /**
          * Name candidates for the next round.
          *
-         * @param most how many, at least 0
-         * @param flux unshot flux that a candidate has at least, W
+         * @param most largest number of candidates, at least 0
+         * @param flux least unshot flux of a candidate, W
          */
         record Candidates(int most, double flux) implements Question { }
 
         Question NOTHING = new Nothing();
         Question GHOST_VALUES = new GhostValues();
 
-        /** Name candidates, however little flux they have. */
+        /** Name up to {@code most} candidates, however little flux they have. */
         static Question candidates(int most) {
             return new Candidates(most, 0);
         }
     }
 
-    /** The kinds of round. */
+    /** The kinds of round. "Mark" means: count the radiosity of the shots as shot on the elements that shoot it. */
     public enum Kind {
-        /** Say who could shoot. */
+        /** Change nothing; only answer the question. */
         ASK,
-        /** Mark who shoots, gather at every vertex; at the end subdivide by the paper's rule where that is on. */
+        /** Mark the shots, gather at every vertex; at the end subdivide by the paper's rule if that is on. */
         SHOOT,
-        /** Subdivide where interpolation errs; new vertices are dark. */
+        /** Subdivide where the error of interpolation is too large; new vertices have gathered nothing yet. */
         SPLIT,
-        /** Gather at the vertices that the round before has made: nobody is marked. */
+        /** Gather at the vertices that the previous round has made; mark nothing. */
         GATHER,
-        /** Mark who shoots, and set aside what all vertices have received: they are dark until they have gathered. */
+        /** Mark the shots, and set aside the irradiance of all vertices, which have gathered nothing then. */
         RENEW,
-        /** Gather at all vertices what was ever shot, along other rays than before: nobody is marked. */
+        /** Gather at all vertices all light that was ever shot, along other rays than before; mark nothing. */
         REGATHER,
-        /** Average what was gathered anew with what was set aside, where that is not negative. */
+        /** Average the newly gathered irradiance with the one set aside, except where the latter is negative. */
         AVERAGE,
-        /** Give all vertices back what rays have lost, see {@link Rules#givenBack}. */
+        /** Increase the irradiance of all vertices by the part that rays have lost, see {@link Rules#givenBack}. */
         BALANCE,
-        /** Say what was ever shot. */
+        /** Answer the radiosity that each shooter has shot in total. */
         TOTALS,
-        /** Say what is unshot, rounded toward zero; no corner is to have shot less than nothing. */
+        /** Answer the unshot radiosity, rounded up, with which the total shot at each corner becomes 0 or more. */
         UNSHOT,
-        /** Say how all trees are divided. */
+        /** Answer the trees of all shooters without radiosities. */
         TREES,
-        /** Say who could shoot, on the patches of the coarse mesh: their means. */
+        /** As {@link #ASK}, but each candidate has its mean radiosities over the patches of the coarse mesh. */
         MEANS,
-        /** Say, for the coarse mesh's vertices, how much of each patch they see: rows of a {@link CoarseSystem}. */
+        /** Answer how much each vertex of the coarse mesh sees of each patch: rows of a {@link CoarseSystem}. */
         ROWS,
-        /** Gather where an order for {@link Question.GhostValues} has not: where no other host needs it. */
+        /** Gather where the last order for {@link Question.GhostValues} did not: at vertices that no other host has. */
         REST,
-        /** Gather anew, of all that was ever shot, at vertices that have received less than nothing. In one step. */
+        /** At vertices of negative irradiance, gather all light ever shot anew; not to be cut into parts. */
         MEND;
 
-        /** Whether points gather all that was ever shot: hosts know it, and are not sent it. */
         boolean gathersTotals() {
             return this == GATHER || this == REGATHER || this == MEND;
         }
     }
 
-    /** A round that is not begun yet; it gets its number when it is. */
+    /** An order for a round that has not begun; {@link #numbered} gives the round its number. */
     public Order(Kind kind, List<Shot> shots, Rules rules, Question question) {
         this(kind, 0, false, false, shots, rules, question);
     }
 
-    /** An order without shots. */
+    /** An order without shots, of a kind that needs no rules. */
     public static Order plain(Kind kind, Question question) {
         return new Order(kind, List.of(), Rules.UNUSED, question);
     }
 
-    /** An order without shots that names candidates, or answers something else. */
+    /** An order without shots, for up to {@code most} candidates or for the answer that its kind defines. */
     public static Order asking(Kind kind, int most) {
         return plain(kind, Question.candidates(most));
     }
 
-    /** The same order as a round of its own. @param lost is given back: one per channel, or empty */
+    /** This order as round number {@code round}, with another {@link Rules#givenBack}. */
     public Order numbered(int round, double[] lost) {
         return new Order(kind, round, begun, more, shots, rules.givingBack(lost), question);
     }
 
-    /** The first shots of this round; candidates are named when it ends. */
+    /** The part of this order with its first shots; only the last part of a round asks for candidates. */
     public Order first(int size) {
         boolean all = size == shots.size();
         return new Order(kind, number, begun, !all, shots.subList(0, size), rules,
@@ -159,12 +159,12 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
                         : new Question.Candidates(0, asked.flux));
     }
 
-    /** What is left of this round without its first shots. */
+    /** The part of this order that follows its first shots. */
     public Order after(int size) {
         return new Order(kind, number, true, more, shots.subList(size, shots.size()), rules, question);
     }
 
-    /** All of it, in parts of up to this number of shots. */
+    /** All of this order, in parts of up to {@code size} shots. */
     public List<Order> parts(int size) {
         List<Order> parts = new ArrayList<>();
         Order rest = this;
@@ -176,48 +176,47 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         return parts;
     }
 
-    /** Whether elements are others afterwards: what is not asked only, and is to be done again for a lost block. */
+    /** Whether the order changes elements, so that it must be carried out again on a block that was lost. */
     public boolean changes() {
         return gathers() || kind == Kind.SPLIT || kind == Kind.RENEW || kind == Kind.AVERAGE
                 || kind == Kind.BALANCE;
     }
 
-    /** Whether points gather. */
     public boolean gathers() {
         return kind == Kind.SHOOT || gathersTotals();
     }
 
-    /** Whether points gather all that was ever shot: hosts know it, and are not sent it. */
+    /** Whether vertices gather all light that was ever shot: hosts have it, so the master does not send it. */
     public boolean gathersTotals() {
         return kind.gathersTotals();
     }
 
-    /** Whether what is shot counts as shot from now on. */
+    /** Whether the radiosity of the shots counts as shot afterwards. */
     public boolean marks() {
         return kind == Kind.SHOOT || kind == Kind.RENEW;
     }
 
-    /** The same order with another question. */
+    /** This order with another question. */
     public Order asking(Question other) {
         return new Order(kind, number, begun, more, shots, rules, other);
     }
 
-    /** The same order with other shots. */
+    /** This order with other shots. */
     public Order shooting(List<Shot> others) {
         return new Order(kind, number, begun, more, others, rules, question);
     }
 
-    /** Whether the state of the elements is asked for. */
+    /** Whether the order asks for an {@link Answer}. */
     public boolean isAnswered() {
         return question instanceof Question.Candidates;
     }
 
-    /** Whether points gather only where other hosts need it. */
+    /** Whether vertices gather only where other hosts need the irradiance. */
     public boolean givesGhosts() {
         return question instanceof Question.GhostValues;
     }
 
-    /** How many candidates to name. */
+    /** Largest number of candidates to name; 0 where the question asks for none. */
     public int most() {
         return question instanceof Question.Candidates asked ? asked.most : 0;
     }
@@ -226,7 +225,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         return Wire.bytes(out -> write(out, true));
     }
 
-    /** For who has {@link ShotHistory}: what was shot is left out where it is all that was ever shot. */
+    /** For receivers that keep a {@link ShotHistory}: without radiosities where the shots are all light ever shot. */
     public byte[] encodeShort() {
         return Wire.bytes(out -> write(out, !gathersTotals()));
     }

@@ -6,24 +6,24 @@ import java.io.IOException;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * What the radiosities of a tree are counted in, so that each fits into a byte: a power of two for each channel of some
- * neighbouring nodes, as what is dark keeps its digits beside what is bright.
+ * The units in which the radiosities of a tree are counted, so that each fits into a byte: powers of two, one for each
+ * channel of each run of consecutive nodes, so that a dark node keeps its digits beside a bright one.
  *
- * @param unit channels per run of nodes, W/m²; 0 where there is nothing
+ * @param unit channels per run of nodes, W/m²; 0 where all radiosities of the run are 0
  */
 record Quantizer(int channels, double[] unit) {
 
-    /** Binary digits of the largest of a run: with its sign it fits into a byte. */
+    /** Binary digits of the largest radiosity of a run, counted in units: with a sign it fits into a byte. */
     private static final int DIGITS = 7;
-    /** The number of nodes in a run, as a power of two; the four parts of a triangle are in the same. */
+    /** Binary logarithm of the number of nodes in a run; four siblings are always in the same run. */
     private static final int RUN = 4;
 
-    /** Where nothing is counted in them. */
+    /** Units of 0. */
     static Quantizer none(int nodes, int channels) {
         return new Quantizer(channels, new double[channels * ((nodes + 2 >> RUN) + 1)]);
     }
 
-    /** @param radiosity of a tree, 3 x channels per node */
+    /** @param radiosity radiosities of a tree, 3 x channels per node, W/m²; not modified */
     static Quantizer of(double[] radiosity, int channels) {
         int perNode = 3 * channels;
         Quantizer units = none(radiosity.length / perNode, channels);
@@ -43,12 +43,13 @@ record Quantizer(int channels, double[] unit) {
         return units;
     }
 
+    /** The least power of two for which {@code largest} divided by it, rounded up, is at most 127. */
     private static double unit(double largest) {
         double unit = Math.max(Double.MIN_NORMAL, Math.scalb(1.0, Math.getExponent(largest) - DIGITS + 1));
         return Math.ceil(largest / unit) < 1 << DIGITS ? unit : 2 * unit;
     }
 
-    /** Where a node's units are, one per channel. */
+    /** Index of the first of a node's units, of which there is one per channel. */
     private int run(int node) {
         return channels * (node + 3 >> RUN);
     }
@@ -57,7 +58,7 @@ record Quantizer(int channels, double[] unit) {
         return unit[run(node) + channel];
     }
 
-    /** Multiples. @param rounding of a number of units to a whole one */
+    /** The radiosities as multiples of the units. @param rounding rounds a number of units to a whole number */
     double[] rounded(double[] radiosity, DoubleUnaryOperator rounding) {
         double[] rounded = new double[radiosity.length];
         int perNode = 3 * channels;
@@ -73,7 +74,7 @@ record Quantizer(int channels, double[] unit) {
         return rounded;
     }
 
-    /** Whether these are multiples. */
+    /** Whether all radiosities are whole multiples of the units. */
     boolean fit(double[] radiosity) {
         double[] rounded = rounded(radiosity, Math::rint);
         for (int i = 0; i < rounded.length; i++) {

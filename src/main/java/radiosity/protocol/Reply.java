@@ -7,13 +7,13 @@ import radiosity.partition.GhostVertices;
 import radiosity.partition.Partition;
 
 /**
- * What a host answers to a round.
+ * The reply of a host to one order.
  *
- * @param answer  as a {@link Partition} gives it
- * @param cpu     processor time that the round took, s
- * @param seconds wall time that the round took
- * @param work    1 per block that the host owns, in the order of their ids
- * @param given   for other hosts, see {@link GhostVertices}; or empty
+ * @param answer  the answer of the host's {@link Partition}, as bytes
+ * @param cpu     processor time that the order took, s
+ * @param seconds wall time that the order took, s
+ * @param work    1 per block that the host owns, in the order of the blocks' ids
+ * @param given   ghost values for other hosts, see {@link GhostVertices#give}; empty where the order asks for none
  */
 public record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work, byte[] given) {
 

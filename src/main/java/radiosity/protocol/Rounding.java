@@ -6,32 +6,34 @@ import java.util.stream.DoubleStream;
 import radiosity.mesh.PatchTree;
 
 /**
- * Radiosities to be shot, as they are sent: with fewer digits they take less room, and what rounding leaves over is not
- * shot and so not lost.
+ * Rounds the radiosities of shots, so that fewer bytes are sent. The remainder is not lost: it is not shot, and so
+ * remains unshot.
  *
- * @param exact    whether what is left over would show: among white surfaces it would be a part of what is emitted
- * @param together whether neighbours are counted in one unit: many of them, which are shot again if need be.
- *                 Not where lamps are to be mixed: each alone is then as it is among others to the digits of a float
+ * @param exact    whether nothing is rounded: between white surfaces the remainder would become visible
+ * @param together whether neighbouring nodes are rounded to multiples of one unit, see {@link Quantizer}; else numbers
+ *                 are rounded to a float's digits. False with a layer per lamp: to the digits of a float, the light of
+ *                 a lamp is then the same alone and among others
  */
 public record Rounding(boolean exact, boolean together) {
 
-    /** Below this a float has fewer digits, or is about to; above its inverse it is about to overflow. */
+    /** Smaller numbers come near those at which a float has fewer digits; above the inverse a float may overflow. */
     private static final double LEAST = 1e-30;
-    /** Digits that a double has more than a float. */
+    /** Binary digits that a double has more than a float. */
     private static final int SPARE = 29;
-    /** Below this a double that is counted in units has fewer digits; above its inverse it is about to overflow. */
+    /** The same limit for doubles that are counted in units. */
     private static final double LEAST_UNITS = 1e-290;
 
+    /** The shot with each radiosity rounded to the nearest number that can be sent. */
     public Shot of(Shot shot) {
         return exact ? shot : together ? rounded(shot, tree -> together(tree, Math::rint)) : finely(shot);
     }
 
-    /** No element shoots less than is given, nor takes back more: what is not negative in the end stays so. */
+    /** The shot with radiosities rounded up where neighbours share a unit: totals that are 0 or more stay so. */
     public Shot upward(Shot shot) {
         return exact || !together ? shot : rounded(shot, tree -> together(tree, Math::ceil));
     }
 
-    /** Of what is nearly all that will ever be shot, and is said of few elements. */
+    /** The shot with radiosities rounded to a float's digits, for the few large elements of a predicted shot. */
     public Shot finely(Shot shot) {
         return exact ? shot : rounded(shot, tree -> DoubleStream.of(tree.radiosity()).map(Rounding::toFloat).toArray());
     }
@@ -41,7 +43,7 @@ public record Rounding(boolean exact, boolean together) {
                 values.apply(tree))).toList(), shot.flux());
     }
 
-    /** To the 24 digits of a float, half to even, also where a float has not the range: all scales are alike. */
+    /** Rounds to a float's 24 binary digits, half to even, also outside a float's range: any scale is treated alike. */
     private static double toFloat(double x) {
         if (isNear(Math.abs(x), LEAST)) {
             return (float) x;
@@ -51,11 +53,12 @@ public record Rounding(boolean exact, boolean together) {
         return Double.longBitsToDouble(bits + (1L << SPARE - 1) - 1 + even & -1L << SPARE);
     }
 
-    /** Whether neither a size nor its inverse is below the least. */
+    /** Whether neither {@code size} nor its inverse is below {@code least}. */
     private static boolean isNear(double size, double least) {
         return size >= least && size <= 1 / least;
     }
 
+    /** The tree's radiosities in units; unchanged where the largest of them is too small or too large for units. */
     private static double[] together(PatchTree tree, DoubleUnaryOperator rounding) {
         double[] values = tree.radiosity();
         double largest = 0;

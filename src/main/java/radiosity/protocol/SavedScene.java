@@ -11,17 +11,17 @@ import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 
-/** The scene and the settings of a saved calculation, at the end of its state. */
+/** Writes and reads the part of a saved calculation's state that holds its scene and settings: the state's end. */
 public final class SavedScene {
 
-    /** What the last four bytes of a state with a scene are. */
+    /** The last four bytes of a state that ends with a scene: SCN1 in ASCII. */
     private static final int MARK = 0x53434e31;
-    /** Length and mark. */
+    /** Bytes behind the compressed scene: the number of its bytes and the mark. */
     private static final int TAIL = 8;
 
     private SavedScene() { }
 
-    /** @param scene as {@link SceneBytes} writes it */
+    /** Compresses a scene for the end of a state. @param scene as {@link SceneBytes} writes it */
     public static byte[] write(byte[] scene) {
         Deflater quick = new Deflater(Deflater.BEST_SPEED);
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
@@ -42,9 +42,10 @@ public final class SavedScene {
     /**
      * Reads the scene at the end of a state.
      *
-     * @param state  opened anew each time
-     * @param length of the state, bytes
-     * @return nothing where the state has none, as those of older programs
+     * @param state  opens the state at its first byte, once per call
+     * @param length bytes of the state
+     * @return empty where the state ends without a scene, as states of older versions of the program do
+     * @throws IOException where the scene cannot be read
      */
     public static Optional<SceneBytes.Task> read(Supplier<InputStream> state, long length) throws IOException {
         if (length < TAIL) {

@@ -21,17 +21,18 @@ import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 
 /**
- * What a host must know of a scene, and the settings, as bytes: original triangles, which object each is of,
- * surfaces with what has become of their images, and lights. Names and the camera stay with the master.
+ * Encodes the part of a scene that a host needs, and the settings: the original triangles, the object to which each
+ * belongs, surfaces with their images as rasters of numbers, and lights. Names and the camera stay with the master.
  */
 public final class SceneBytes {
 
+    /** Bytes of a surface without images, and of a light without luminaire. */
     private static final int SURFACE_BYTES = 51;
     private static final int LIGHT_BYTES = 146;
 
     private SceneBytes() { }
 
-    /** A scene and how to compute it. */
+    /** A scene and the settings with which its light is calculated. */
     public record Task(Scene scene, RadiositySettings settings) { }
 
     public static byte[] write(Scene scene, RadiositySettings settings) {

@@ -3,17 +3,17 @@ package radiosity.protocol;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
-/** How some numbers are written: in the shortest form that loses nothing. */
+/** The forms in which the radiosities of a tree are written; the shortest form that loses nothing is chosen. */
 enum ShortestNumbers {
     DOUBLES(0, Double.BYTES), FLOATS(1, Float.BYTES),
-    /** Multiples of {@link Quantizer}. */
+    /** Whole multiples of the units of a {@link Quantizer}. */
     BYTES(3, Byte.BYTES),
-    /** That are left out. */
+    /** The radiosities are left out. */
     NONE(4, 0);
 
-    /** As it is written; 2 stood for shorts, which saved calculations may still have. */
+    /** Number that stands for this form in files; saved calculations may still have 2, which stood for shorts. */
     final int form;
-    /** Of each. */
+    /** Bytes per number. */
     final int bytes;
 
     ShortestNumbers(int form, int bytes) {
@@ -21,7 +21,7 @@ enum ShortestNumbers {
         this.bytes = bytes;
     }
 
-    /** For those. */
+    /** The shortest form that represents the numbers exactly. */
     static ShortestNumbers of(double[] numbers, Quantizer units) {
         if (units.fit(numbers)) {
             return BYTES;
@@ -34,7 +34,7 @@ enum ShortestNumbers {
         return FLOATS;
     }
 
-    /** As they were written. */
+    /** @throws IOException where no form has this number */
     static ShortestNumbers of(int form) throws IOException {
         for (ShortestNumbers numbers : values()) {
             if (numbers.form == form) {
@@ -44,6 +44,7 @@ enum ShortestNumbers {
         throw new IOException("shot: expected numbers in a form that this version writes, got form " + form);
     }
 
+    /** @param unit used by {@link #BYTES} only: size of which the number is a multiple; 0 where the number is 0 */
     void put(double x, double unit, ByteBuffer bytes) {
         switch (this) {
             case DOUBLES -> bytes.putDouble(x);

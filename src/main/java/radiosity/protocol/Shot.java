@@ -17,17 +17,18 @@ import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 
 /**
- * One shooter's light: the trees of elements of a patch, or of all patches of a block, and the unshot radiosity at
- * their corners. What goes over the wire, into the journal and into the scene file is this same record.
+ * The light of one shooter: the trees of elements of a patch, or of all patches of a cluster, and the radiosity to be
+ * shot at the elements' corners. The same record goes over the network, into the journal and into the scene file.
  *
- * @param trees at least one
+ * @param trees one per top node of the shooter, at least one
  * @param flux  sum of |U| A over elements and channels, W
  */
 public record Shot(List<PatchTree> trees, double flux) implements Comparable<Shot> {
 
-    /** What the smallest takes when written. */
+    /** Bytes of a written shot without any tree: the number of trees and the flux. */
     static final int LEAST_BYTES = 12;
 
+    /** @param tops top nodes of the shooter's trees; the first of them names the shooter */
     public static Shot of(RadiosityNodes nodes, int[] tops, double flux, PatchTree.Quantity quantity) {
         List<PatchTree> trees = new ArrayList<>(tops.length);
         for (int top : tops) {
@@ -36,20 +37,20 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
         return new Shot(trees, flux);
     }
 
-    /** Of a node, for a shot that of its first tree. */
+    /** The name of a node: its face and its path below the face. A shooter has the name of its first tree. */
     public record Place(int face, long path) { }
 
-    /** Tells shooters apart. */
+    /** The name of the shooter: no two shooters of a calculation have the same. */
     public Place place() {
         return new Place(trees.get(0).face(), trees.get(0).path());
     }
 
-    /** The same on as few elements, none larger than a patch of a mesh. */
+    /** The same radiosity on as few elements as can represent it, none larger than a patch of {@code mesh}. */
     public Shot pruned(Patcher mesh) {
         return new Shot(trees.stream().map(tree -> PrunedTree.of(tree, mesh.level(tree.face()))).toList(), flux);
     }
 
-    /** Its means on elements that are none smaller than a patch of a mesh. */
+    /** The mean radiosities over the patches of {@code mesh}, or over elements that are larger than these. */
     public Shot mean(Patcher mesh) {
         return new Shot(trees.stream().map(tree -> MeanTree.of(tree, mesh.level(tree.face()))).toList(), flux);
     }
@@ -59,9 +60,10 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
     }
 
     /**
-     * Adds what is shot to what was shot before, where these nodes own it.
+     * Adds the radiosities of this shot to the shot radiosities of the elements that are among some nodes.
      *
-     * @param parts tops of these nodes by the tree that they are parts of
+     * @param nodes modified: the shot radiosities
+     * @param parts top nodes that lie below the top of a larger tree, by the name of that tree
      */
     public void markShot(RadiosityNodes nodes, Map<Place, List<Integer>> parts) {
         for (PatchTree tree : trees) {
@@ -83,19 +85,19 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
         return new ShooterHierarchy(faces, trees, weights, ambient);
     }
 
-    /** U A summed over the elements, one per channel, of the scene's squared size; signed. */
+    /** Signed sum of U A over the elements, one per channel; areas are relative to the scene's squared size. */
     public double[] flux(Faces faces) {
         double[] sum = new double[faces.channels()];
         trees.forEach(tree -> tree.addFlux(faces, sum));
         return sum;
     }
 
-    /** What it takes at most when written. */
+    /** Estimate from above of the number of bytes that the shot takes when it is written. */
     public long bytes() {
         return trees.stream().mapToLong(tree -> TreeBytes.LEAST + (long) Double.BYTES * tree.radiosity().length).sum();
     }
 
-    /** Most flux first; what is equal, by id. */
+    /** Larger flux first; shooters of equal flux by face, then path. */
     @Override
     public int compareTo(Shot other) {
         PatchTree mine = trees.get(0);
@@ -113,7 +115,7 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
         out.writeDouble(flux);
     }
 
-    /** Without what is shot. */
+    /** Writes the trees without their radiosities. */
     void writeTrees(DataOutput out) throws IOException {
         out.writeInt(trees.size());
         for (PatchTree tree : trees) {
@@ -122,7 +124,7 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
         out.writeDouble(flux);
     }
 
-    /** Whether it says what is shot. */
+    /** Whether all trees have their radiosities. */
     boolean isWhole() {
         for (PatchTree tree : trees) {
             if (tree.radiosity().length == 0) {

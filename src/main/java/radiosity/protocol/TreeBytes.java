@@ -8,18 +8,20 @@ import radiosity.mesh.PatchTree;
 import radiosity.util.ArraySize;
 
 /**
- * A {@link PatchTree} as bytes: face, path, number of nodes, a bit for each that is divided, then the radiosities of
- * its elements, in the shortest {@link ShortestNumbers} that lose nothing, or not at all. Most of what goes between
- * hosts is this.
+ * A {@link PatchTree} as bytes: face, path, number of nodes, one bit per node that says whether the node is divided,
+ * then the radiosities of the elements in the shortest of {@link ShortestNumbers}, or none. Most of the bytes between
+ * hosts are of this kind.
  *
- * <p>What the four parts of a triangle have in common, the middles of its edges, is written once where it is the same.
+ * <p>The four parts of a triangle share the middles of its edges: if the parts have equal radiosities at all of these
+ * corners, each middle is written once.
  */
 final class TreeBytes {
 
+    /** Stands for a corner of an inner node. */
     private static final int INNER = -1;
-    /** Face, path, number of nodes. */
+    /** Bytes of face, path and number of nodes. */
     private static final int HEAD = 4 + 8 + 4;
-    /** What the smallest takes: one element that is grey. */
+    /** Bytes of the smallest tree: one element without radiosities. */
     static final int LEAST = 4 + 8 + 4 + 1 + 1;
 
     private TreeBytes() { }
@@ -48,7 +50,7 @@ final class TreeBytes {
         out.write(bytes.array());
     }
 
-    /** Without radiosities. */
+    /** Writes a tree without its radiosities. */
     static void writeTree(PatchTree tree, DataOutput out) throws IOException {
         writeShape(tree, out);
         out.writeByte(ShortestNumbers.NONE.form);
@@ -108,8 +110,9 @@ final class TreeBytes {
     /*---- Corners that elements have in common ----*/
 
     /**
-     * 3 per node: the corner that stands for it, one of the part in the middle or itself; {@link #INNER} of inner
-     * nodes. Parts are numbered as {@link radiosity.mesh.RadiosityNodes#split} does.
+     * 3 per node, one per corner: the corner with which it shares a written value, which is a corner of its middle
+     * sibling or itself; {@link #INNER} for inner nodes. Children are numbered as by
+     * {@link radiosity.mesh.RadiosityNodes#split}.
      */
     private static int[] same(int[] child) {
         int[] same = new int[3 * child.length];
@@ -125,6 +128,7 @@ final class TreeBytes {
         return same;
     }
 
+    /** Whether all corners have the radiosity of the corner with which they would share a value. */
     private static boolean isSame(double[] radiosity, int[] same, int channels) {
         for (int corner = 0; corner < same.length; corner++) {
             for (int c = 0; c < channels && same[corner] != INNER && same[corner] != corner; c++) {
@@ -140,7 +144,7 @@ final class TreeBytes {
         return same[corner] == corner || !once && same[corner] != INNER;
     }
 
-    /** How many are written. */
+    /** Number of corners whose radiosities are written. */
     private static int corners(int[] same, boolean once) {
         int count = 0;
         for (int corner = 0; corner < same.length; corner++) {
@@ -149,7 +153,7 @@ final class TreeBytes {
         return count;
     }
 
-    /** Breadth first: the next node that is divided has the next four as its children. */
+    /** Reads a bit per node, breadth first: each divided node has the next four nodes as its children. */
     private static int[] children(DataInputStream in, int nodes) throws IOException {
         if (nodes < 1 || nodes > Byte.SIZE * (long) in.available()) {
             throw new IOException("shot: expected nodes in " + in.available() + " bytes, got " + nodes);

@@ -13,14 +13,14 @@ import java.util.ArrayList;
 import java.util.List;
 import radiosity.settings.RadiositySettings;
 
-/** To bytes and back. */
+/** Encodes numbers, texts, shots and lists of byte arrays as bytes, and decodes and checks bytes that were received. */
 public final class Wire {
 
     private static final int MOST_CHANNELS = 3 * RadiositySettings.MOST_LAMPS;
 
     private Wire() { }
 
-    /** Writes to memory, which cannot fail. */
+    /** Writes a message; {@link #bytes(Writer)} lets it write to memory, which throws no exception of its own. */
     public interface Writer {
         void write(DataOutputStream out) throws IOException;
     }
@@ -55,6 +55,7 @@ public final class Wire {
         }
     }
 
+    /** Writes the trees of shots without their radiosities. */
     public static void writeTrees(List<Shot> shots, int channels, DataOutput out) throws IOException {
         out.writeInt(channels);
         out.writeInt(shots.size());
@@ -63,7 +64,7 @@ public final class Wire {
         }
     }
 
-    /** @throws EOFException where there are fewer bytes, before an array is made for them */
+    /** @throws EOFException where fewer bytes are available; thrown before memory for the bytes is allocated */
     public static byte[] exactly(DataInputStream in, long count) throws IOException {
         if (count > in.available()) {
             throw new EOFException("message: expected " + count + " bytes, got " + in.available());
@@ -73,7 +74,7 @@ public final class Wire {
         return bytes;
     }
 
-    /** A number of bytes, then the bytes. */
+    /** Writes the number of bytes, then the bytes. */
     public static void write(DataOutputStream out, byte[] bytes) throws IOException {
         out.writeInt(bytes.length);
         out.write(bytes);
@@ -85,12 +86,12 @@ public final class Wire {
         }
     }
 
-    /** What {@link #write} wrote. */
+    /** Reads a number of bytes, then the bytes, as {@link #write(DataOutputStream, byte[])} wrote them. */
     public static byte[] bytes(DataInputStream in) throws IOException {
         return exactly(in, count(in, 1));
     }
 
-    /** All of a message that is made of such. */
+    /** Decodes a message that consists of byte arrays with the number of bytes in front of each. */
     public static List<byte[]> list(byte[] message) throws IOException {
         List<byte[]> all = new ArrayList<>();
         for (DataInputStream in = input(message); in.available() > 0;) {
@@ -100,9 +101,10 @@ public final class Wire {
     }
 
     /**
-     * A count that was sent ahead of what it counts, before anything is made for it.
+     * Reads the number of items that follow, and checks it before memory for the items is allocated.
      *
-     * @param size bytes that one of them takes at least
+     * @param size least number of bytes of one item
+     * @throws IOException where the number is negative, or the bytes available are too few for this number of items
      */
     public static int count(DataInputStream in, int size) throws IOException {
         int count = in.readInt();
@@ -112,7 +114,7 @@ public final class Wire {
         return count;
     }
 
-    /** Shots with what they shoot. */
+    /** Reads shots; fails where one has no radiosities. */
     public static List<Shot> shots(DataInputStream in) throws IOException {
         List<Shot> shots = trees(in);
         for (Shot shot : shots) {
@@ -123,7 +125,7 @@ public final class Wire {
         return shots;
     }
 
-    /** Shots, or their trees only. */
+    /** Reads shots with or without radiosities. */
     public static List<Shot> trees(DataInputStream in) throws IOException {
         int channels = in.readInt();
         if (channels < 0 || channels > MOST_CHANNELS) {

@@ -1,4 +1,4 @@
 /**
- * What goes over the wire, into journals and into scene files, as values: shots, orders, answers, states of blocks.
+ * Values that go over the network, into journals and into scene files: shots, orders, answers, states of blocks.
  */
 package radiosity.protocol;
