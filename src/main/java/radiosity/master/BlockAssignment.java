@@ -17,51 +17,51 @@ import radiosity.protocol.Reply;
 import radiosity.setup.InitialMesh;
 
 /**
- * Which host owns which block (section 4.3 of the paper).
+ * The assignment of blocks to hosts (section 4.3 of the paper). Belongs to the thread of the {@link RemoteWorld}.
  *
- * <p>Blocks are dealt by longest processing time first (R. L. Graham, Bounds on multiprocessing timing anomalies,
- * 1969), in runs of neighbours, so that hosts share few vertices. When hosts have waited for each other as long as
- * moving blocks takes, the slowest host gives the fastest one the block that fits best, as long as that helps.
+ * <p>Runs of neighbouring blocks, so that hosts share few vertices, are dealt by longest processing time first
+ * (R. L. Graham, Bounds on multiprocessing timing anomalies, 1969). When hosts have waited for each other as long as
+ * moving blocks takes, the slowest host gives its best-fitting block to the fastest host, repeatedly while that helps.
  */
 final class BlockAssignment {
 
     /**
-     * Runs of neighbouring blocks that each host is dealt, so that each has some of what looks in every direction: who
-     * shoots at a time stands on few surfaces, and reaches only what looks there.
+     * Number of runs of neighbouring blocks per host. With several runs each host has elements that face in every
+     * direction: the shooters of one moment lie on few surfaces and reach only elements that face these.
      */
     private static final int RUNS = 8;
-    /** Blocks move where the slowest host takes longer than all on average by this part. */
+    /** Blocks move if the slowest host takes longer than the average host by more than this part. */
     private static final double WORTH = 0.03;
-    /** Shooters after which a measured time counts for an e-th: the last ones may all stand in one corner. */
+    /** Number of shooters after which a measured time has a weight of 1/e: a few may all lie in one corner. */
     private static final double MEMORY = 1000;
-    /** A move has to help the slowest host by this part of its time. */
+    /** A block moves only if the slower of both hosts then takes less, by this part, than the slowest takes now. */
     private static final double RELIEF = 2e-3;
-    /** What a host did in a round counts for when the next one is over. */
+    /** Factor by which the weight of a host's measured work falls with each step. */
     private static final double KEPT = 0.95;
-    /** Less time says nothing about a host's speed: who shoots in a few rounds may not be seen from its blocks. */
+    /** Measured time of a host below which its speed is not judged, s: few shooters may be invisible to its blocks. */
     private static final double LEAST_SECONDS = 0.2;
-    /** A host is as fast as was thought within this factor: blocks differ too, and theirs is measured on its own. */
+    /** A host keeps its assumed speed within this factor: smaller differences are measured as those of its blocks. */
     private static final double FACTOR = 2;
-    /** What a move is taken to cost at least, and before the first one per patch of a host, s. */
+    /** Least assumed cost of moving blocks, and the assumed cost of the first time per patch of a host, s. */
     private static final double LEAST_COST = 0.005;
     private static final double FIRST_COST_PER_PATCH = 4e-6;
 
-    /** 1 per block; null where the owner is lost. */
+    /** 1 per block: its owner; null before blocks are dealt and where the owner is lost. */
     private final Host[] owner;
-    /** 1 per block: receiving points; before it is known, patches. */
+    /** 1 per block: number of receiving points; before it is known, number of patches. */
     private final double[] points;
-    /** 1 per block, of the last rounds: time on a host of speed 1, s, and for how many pairs of point and shooter. */
+    /** 1 per block, weighted sums of the last rounds: time on a host of speed 1, s; pairs of point and shooter. */
     private final double[] time;
     private final double[] pairs;
-    /** How long hosts have waited for the slowest one since blocks moved, s. */
+    /** Time that the average host has waited for the slowest one since blocks moved last, s. */
     private double waited;
     /**
-     * What moving blocks took the last time, s; twice as much each time there was nothing to be moved. Before the first
-     * time a guess, as hosts make their meshes anew; 0 before blocks are dealt.
+     * Assumed cost of moving blocks, s: the time it took last, doubled whenever there was no block to move. An estimate
+     * before the first move, in which hosts make their meshes anew; 0 before blocks are dealt.
      */
     private double cost;
 
-    /** A block that shall go from one host to another. */
+    /** The move of a block from one host to another. */
     record Move(int block, Host from, Host to) { }
 
     BlockAssignment(InitialMesh mesh) {
@@ -81,7 +81,7 @@ final class BlockAssignment {
 
     /*---- Who owns what ----*/
 
-    /** The ids of a host's blocks, in their order; of the blocks without an owner where the host is null. */
+    /** The ids of a host's blocks, ascending; the ids of the blocks without an owner where {@code of} is null. */
     List<Integer> blocks(Host of) {
         List<Integer> blocks = new ArrayList<>();
         for (int b = 0; b < owner.length; b++) {
@@ -96,15 +96,15 @@ final class BlockAssignment {
         owner[block] = to;
     }
 
-    /** Takes its blocks from a host that is lost. */
+    /** Leaves the blocks of a lost host without an owner. */
     void lose(Host host) {
         blocks(host).forEach(b -> owner[b] = null);
     }
 
     /**
-     * Deals every block without an owner.
+     * Gives every block without an owner to one of the hosts.
      *
-     * @return those blocks
+     * @return the ids of the blocks that were given
      */
     List<Integer> deal(List<Host> hosts) {
         if (cost == 0) {
@@ -137,7 +137,7 @@ final class BlockAssignment {
         return blocks.stream().mapToDouble(b -> seconds[b]).sum();
     }
 
-    /** 1 per block: how long it takes per shooter on a host of speed 1, s; only relative before it was measured. */
+    /** 1 per block: time per shooter on a host of speed 1, s; in arbitrary units before anything was measured. */
     private double[] seconds() {
         double all = DoubleStream.of(time).sum();
         double mean = all > 0 ? all / DoubleStream.of(pairs).sum() : 1;
@@ -146,14 +146,14 @@ final class BlockAssignment {
         return seconds;
     }
 
-    /** 1 per host: how long it takes per shooter, s. */
+    /** 1 per host: time that its blocks take per shooter, s. */
     private double[] load(List<Host> hosts, double[] seconds) {
         return hosts.stream().mapToDouble(host -> sum(blocks(host), seconds) / host.speed).toArray();
     }
 
     /*---- What hosts do ----*/
 
-    /** @param shots of a round, or of a part of one, that hosts have done */
+    /** Learns from the replies of all hosts to a step. @param shots number of shots gathered in the step */
     void add(Map<Host, Reply> replies, int shots) {
         replies.forEach((host, reply) -> add(host, reply, shots));
         judge(replies.keySet());
@@ -181,7 +181,7 @@ final class BlockAssignment {
         }
     }
 
-    /** Speeds are relative: those of all together stay what they are. */
+    /** Corrects the assumed speeds of hosts by the measured ones, which are scaled to the same sum. */
     private void judge(Collection<Host> hosts) {
         if (hosts.stream().anyMatch(host -> host.seconds < LEAST_SECONDS)) {
             return;
@@ -197,41 +197,41 @@ final class BlockAssignment {
         }
     }
 
-    /** What to expect of a newcomer: as much as of the others. */
+    /** The speed assumed of a newcomer: the mean of the other hosts' speeds, or its own where it is the only host. */
     double speed(List<Host> others, Host newcomer) {
         return others.stream().mapToDouble(host -> host.speed).average().orElse(newcomer.speed);
     }
 
     /*---- Moving blocks ----*/
 
-    /** All hosts have waited for the slowest. */
+    /** Notes that all hosts have waited until the slowest was done. */
     void settle(Collection<Host> hosts) {
         waited += behind(hosts);
         hosts.forEach(host -> host.load.sinceWait = 0);
     }
 
-    /** How much longer the slowest has taken since the last wait than all on average, s. */
+    /** Time by which the slowest host has taken longer than the average since all hosts last waited, s. */
     private static double behind(Collection<Host> hosts) {
         double slowest = hosts.stream().mapToDouble(host -> host.load.sinceWait).max().orElse(0);
         return slowest - hosts.stream().mapToDouble(host -> host.load.sinceWait).average().orElse(0);
     }
 
-    /** Whether hosts have waited for each other as long as moving blocks takes. */
+    /** Whether hosts have waited for the slowest one as long as moving blocks takes. */
     boolean isDue(Collection<Host> hosts) {
         return waited + behind(hosts) >= cost;
     }
 
     /**
-     * They have moved, or there was nothing to be moved.
+     * Notes that blocks have moved, or that there was no block to move.
      *
-     * @param seconds that it took; 0 where there was nothing
+     * @param seconds time that moving took; 0 where there was no block to move
      */
     void moved(double seconds) {
         cost = seconds > 0 ? Math.max(LEAST_COST, seconds) : 2 * cost;
         waited = 0;
     }
 
-    /** What makes the slowest host faster; empty where too little is to be won. */
+    /** The moves that relieve the slowest hosts; empty where these would gain too little. */
     List<Move> moves(List<Host> hosts) {
         double[] seconds = seconds();
         double[] load = load(hosts, seconds);
@@ -249,7 +249,7 @@ final class BlockAssignment {
                 .mapToObj(b -> new Move(b, owner[b], after[b])).toList();
     }
 
-    /** The block of the slowest host that fits the fastest one best; null where giving it away does not help. */
+    /** The best move of a block from the slowest host to the fastest; null where no move helps enough. */
     private static Move relief(List<Host> hosts, double[] seconds, double[] load, Host[] owner) {
         int slow = 0;
         int fast = 0;

@@ -18,36 +18,37 @@ import radiosity.util.ArraySize;
 import radiosity.util.Hash;
 
 /**
- * Which host gathers at a vertex that several hosts have, and how the irradiance comes to the others: what {@link
- * GhostVertices} are for the master. It saves time, and nothing depends on it: a host that receives no ghost values
- * gathers itself.
+ * The master's side of {@link GhostVertices}: decides which host gathers at a vertex that several hosts have, and
+ * passes the irradiance on to the others. This saves time, and no result depends on it: a host that receives no ghost
+ * values gathers itself.
  */
 final class HaloExchange {
 
     /**
-     * The part of new elements up to which hosts need not agree before the new vertices gather: each gathers once at
-     * those that it has, which takes less time.
+     * Number of new elements, relative to all, up to which the new vertices gather without an agreement: each host
+     * gathers at all its new vertices, which takes less time than to agree.
      */
     private static final double FEW = 0.01;
 
     private final HostCalls calls;
     private final InitialMesh mesh;
+    /** Number of the last agreement, from 1. */
     private int agreement;
     private boolean isAgreed;
-    /** Whether hosts have gathered for each other, and the values have not been delivered. */
+    /** Whether hosts have gathered for each other, and the ghost values are not delivered yet. */
     private boolean isUndelivered;
-    /** How many elements there were at the last agreement, and are now. */
+    /** Number of elements of all hosts at the last agreement, and after the last step. */
     private double agreedElements;
     private double elements;
-    /** Per host: where the vertices come from that it takes, in its order. */
+    /** Per host: the sources of the ghost values that it takes, in the order in which the host expects them. */
     private final Map<Host, List<Source>> sources = new LinkedHashMap<>();
-    /** Per host: at how many vertices it gathers for others. */
+    /** Per host: the number of vertices at which it gathers for others. */
     private final Map<Host, Integer> given = new LinkedHashMap<>();
 
-    /** One of the border vertices of a host: its place among those that the host has named. */
+    /** A border vertex of a host: its place among the vertices that the host has named. */
     private record Holder(Host host, int place) { }
 
-    /** Where a ghost value comes from: its place among what a host gives. */
+    /** The source of a ghost value: its place among the values that a host gives. */
     private record Source(Host host, int place) { }
 
     HaloExchange(HostCalls calls, InitialMesh mesh) {
@@ -56,43 +57,43 @@ final class HaloExchange {
         elements = mesh.patcher.patches();
     }
 
-    /** Some hosts have other blocks now. */
+    /** Ends the agreement, as some hosts have other blocks now. */
     void forget() {
         isAgreed = false;
     }
 
-    /** Whether by an order some hosts gather for others. */
+    /** Whether some hosts gather for others when they carry out this order. */
     boolean isShared(Order order) {
         return order.gathers() && isAgreed && !given.isEmpty();
     }
 
-    /** Whether hosts have to agree before an order. */
+    /** Whether hosts have to agree before they carry out this order. */
     boolean isOpen(Order order) {
         double few = order.kind() == Order.Kind.GATHER ? FEW * agreedElements : 0;
         return mesh.gathersOnce() && order.gathers() && (!isAgreed || elements - agreedElements > few);
     }
 
-    /** Whether hosts have gathered for each other, and the values have not been delivered. */
+    /** Whether hosts have gathered for each other, and the ghost values are not delivered yet. */
     boolean isUndelivered() {
         return isUndelivered;
     }
 
-    /** Hosts were given this order. */
+    /** Notes that hosts were given this order. */
     void begun(Order order) {
         isUndelivered |= isShared(order);
     }
 
-    /** All hosts have done a step. */
+    /** Notes that all hosts have done a step. */
     void done(Step step) {
         elements = step.replies().values().stream().mapToInt(Reply::elements).sum();
     }
 
-    /** Whether nobody was lost since hosts have agreed, and no blocks have moved. */
+    /** Whether hosts have agreed, and since then no host was lost and no block has moved. */
     boolean isAgreed() {
         return isAgreed;
     }
 
-    /** Has all hosts agree; where one is lost meanwhile, they have not. */
+    /** Makes an agreement between all hosts; there is none if a host is lost meanwhile. */
     void agree(List<Host> hosts) {
         agreement++;
         agreedElements = elements;
@@ -106,10 +107,11 @@ final class HaloExchange {
     }
 
     /**
-     * A hash of the vertex says which of the hosts that have it gathers there.
+     * Chooses, by a hash of its key, the host that gathers at each vertex that several hosts have.
      *
-     * @param roles modified
-     * @return by key of each vertex that several hosts have
+     * @param keys  per host: keys of its border vertices, 8 bytes each
+     * @param roles modified; per host: the {@link Role} of each border vertex, one byte each
+     * @return the chosen host by the vertex's key
      */
     private static Map<Long, Holder> assign(Map<Host, byte[]> keys, Map<Host, byte[]> roles) {
         Map<Long, List<Holder>> holders = new LinkedHashMap<>();
@@ -134,7 +136,7 @@ final class HaloExchange {
         return ByteBuffer.wrap(keys).getLong(Long.BYTES * place);
     }
 
-    /** Hosts give and take in the order in which they have named vertices. */
+    /** Finds the source of each ghost value: hosts give and take values in the order in which they named vertices. */
     private void route(Map<Host, byte[]> keys, Map<Host, byte[]> roles, Map<Long, Holder> owners) {
         sources.clear();
         given.clear();
@@ -157,10 +159,10 @@ final class HaloExchange {
     }
 
     /**
-     * Gives to each host with its next order what others have gathered for it; nothing where a host is lost, or its
-     * values are not those that were agreed on.
+     * Appends to each host's next order the ghost values for this host. Delivers none where a host is lost, or where
+     * the values of a host do not belong to the agreement.
      *
-     * @param step whose replies bring what hosts have gathered for each other
+     * @param step a step whose replies contain ghost values
      */
     void deliver(Step step) {
         Map<Host, Reply> said = step.replies();
@@ -175,13 +177,13 @@ final class HaloExchange {
         return Double.BYTES * mesh.faces.channels();
     }
 
-    /** Whether a host has sent the values of all vertices at which it gathers for others. */
+    /** Whether a host's ghost values belong to the agreement and are those of all vertices at which the host gives. */
     private boolean isWhole(Host host, byte[] values) {
         long bytes = Integer.BYTES + (long) bytesPerVertex() * given.getOrDefault(host, 0);
         return values.length == bytes && ByteBuffer.wrap(values).getInt() == agreement;
     }
 
-    /** The ghost values for a host, from these sources. */
+    /** The message with the ghost values from some sources: number of the agreement, then the values. */
     private byte[] values(List<Source> from, Map<Host, Reply> said) {
         ByteBuffer values = ByteBuffer.allocate(ArraySize.of("bytes of ghost values",
                 Integer.BYTES + (long) bytesPerVertex() * from.size())).putInt(agreement);

@@ -21,11 +21,12 @@ import radiosity.rmi.HostLostException;
 import radiosity.solution.HostStatistics;
 
 /**
- * The hosts of a {@link RemoteWorld}, which may be lost and come back: every block has an owner that is there, and with
- * no host left this process is one.
+ * The hosts of a {@link RemoteWorld}. Hosts may be lost and come back; every block of a lost host gets another owner,
+ * and with no host left this process becomes a host. Belongs to the thread of the world.
  */
 final class Hosts {
 
+    /** Number of hosts failing at the same work at which the calculation ends. */
     private static final int MOST_FAILURES = 2;
 
     private final byte[] task;
@@ -36,18 +37,18 @@ final class Hosts {
     private final Work work;
     private final List<Host> present = new ArrayList<>();
     private final List<HostStatistics> gone = new ArrayList<>();
-    /** This process as a host, while there is no other. */
+    /** This process as a host; null while there are other hosts. */
     private Host alone;
     private int failures;
 
-    /** What hosts have to do. */
+    /** The parts of the master that act on hosts and their blocks. */
     record Work(HostCalls calls, InFlightSteps underWay, BlockAssignment assignment, ShotLog log) { }
 
     /**
-     * @param task        see {@link SceneBytes}
-     * @param fingerprint of the mesh that comes of it
-     * @param threads     to go on with in this process
-     * @param notices     gets one line for each thing that the user should know
+     * @param task        scene and settings, as {@link SceneBytes} writes them
+     * @param fingerprint fingerprint of the initial mesh of this scene
+     * @param threads     number of threads with which this process goes on if all hosts are lost
+     * @param notices     receives one line for each event that the user should know of
      */
     Hosts(byte[] task, String fingerprint, int threads, Consumer<String> notices, Work work) {
         this.task = task;
@@ -58,12 +59,12 @@ final class Hosts {
         finder = new HostFinder(task, fingerprint, notices);
     }
 
-    /** Those that are there; may change with every call. */
+    /** The hosts in use, as a view that changes when hosts come or are lost. */
     List<Host> present() {
         return present;
     }
 
-    /** @throws NoWorkerException where no host can be used */
+    /** Opens sessions with all hosts that can be used, and deals blocks. @throws NoWorkerException if there is none */
     void open(List<Link> links) throws IOException {
         present.addAll(finder.open(links));
         present.forEach(work.log()::welcome);
@@ -74,14 +75,14 @@ final class Hosts {
         adopt();
     }
 
-    /** All of them have done what they were to do. */
+    /** Notes that all hosts have done a step: failures in computation are counted anew. */
     void haveDone() {
         failures = 0;
     }
 
-    /*---- Who is lost ----*/
+    /*---- Lost hosts ----*/
 
-    /** Gives the blocks of lost hosts to others, until all of them have an owner that is there. */
+    /** Gives the blocks of lost hosts to other hosts, until every block has an owner that is in use. */
     void recover() throws IOException {
         while (work.calls().isAnyLost()) {
             Map<Host, HostLostException> now = work.calls().takeLost();
@@ -107,6 +108,7 @@ final class Hosts {
                 alone != null ? "this machine" : owners == 1 ? "1 host" : owners + " hosts", seconds);
     }
 
+    /** @throws IOException where computation, not the connection, has failed on too many hosts or in this process */
     private void lose(Host host, HostLostException why) throws IOException {
         host.abandon();
         work.underWay().lose(host);
@@ -128,7 +130,7 @@ final class Hosts {
         work.assignment().lose(host);
     }
 
-    /** @return how many hosts have got blocks that had no owner */
+    /** Deals the blocks without an owner. @return number of hosts that have got some and brought them up to date */
     private int adopt() throws IOException {
         if (present.isEmpty()) {
             goOnAlone();
@@ -156,18 +158,18 @@ final class Hosts {
         join(alone);
     }
 
-    /*---- Who comes ----*/
+    /*---- Hosts that come ----*/
 
-    /** Whether somebody waits to be admitted. */
+    /** Whether a host waits to be admitted. */
     boolean isAnyOutside() {
         return finder.hasCome();
     }
 
     /**
-     * Lets in who waits; they have no blocks yet.
+     * Admits the hosts that wait; they own no blocks yet.
      *
-     * @param speed to expect of a host
-     * @return whether anybody came
+     * @param speed gives the speed that is assumed of a new host
+     * @return whether a host was admitted
      */
     boolean admit(ToDoubleFunction<Host> speed) {
         boolean come = false;
@@ -190,7 +192,7 @@ final class Hosts {
         return alone != null;
     }
 
-    /** The process that went on alone gives its blocks, of which a checkpoint was taken, to hosts that have come. */
+    /** Gives the blocks of this process, of which a checkpoint was taken, to the hosts that have come. */
     void leaveAlone() throws IOException {
         remove(alone, "left");
         alone.close();
@@ -200,7 +202,7 @@ final class Hosts {
 
     /*---- Blocks ----*/
 
-    /** From host to host, as they are; what a lost host had stays its own until it is adopted. */
+    /** Moves blocks with their current states; blocks of a host that is lost meanwhile stay until {@link #recover}. */
     void move(List<BlockAssignment.Move> moves) {
         Map<Host, List<Integer>> from = new LinkedHashMap<>();
         Map<Host, Map<Integer, byte[]>> to = new LinkedHashMap<>();
@@ -218,7 +220,7 @@ final class Hosts {
                 host.take(new BlockTakeover(to.get(host), List.of(), from.getOrDefault(host, List.of()))));
     }
 
-    /** The states of all blocks, by id; fewer where a host is lost. */
+    /** The states of all blocks, by id; states are missing where a host is lost. */
     List<byte[]> states() {
         Map<Integer, byte[]> all = new TreeMap<>();
         work.calls().onAll(present, host -> host.blocks(work.assignment().blocks(host))).forEach((host, some) -> {
@@ -230,7 +232,7 @@ final class Hosts {
         return List.copyOf(all.values());
     }
 
-    /** Puts all blocks back to what is in the log. */
+    /** Puts all blocks back to their states in the log. */
     void restore() {
         work.calls().onAll(present, host -> host.take(work.log().adoption(work.assignment().blocks(host))));
     }

@@ -19,32 +19,32 @@ import radiosity.solution.HostStatistics;
 import radiosity.solution.WorldStatistics;
 
 /**
- * Steps that hosts were given and have not all done, and what those took that are done. No host waits for the others
- * between steps, and what a host needs next is on its way while it computes. The answers to a step belong to the caller
- * who gave it, see {@link Step}.
+ * The steps that hosts were given and that not all hosts have done yet; sums up the times of the steps that are done.
+ * No host waits for the others between steps, and the next step is on its way to a host while the host computes. The
+ * answers to a step are read by the caller who began the step, see {@link Step}.
  *
- * <p>Where a host is lost, its answers to steps that not all hosts have answered do not count any more: the host that
- * takes over its blocks answers again.
+ * <p>If a host is lost, its answers to steps that not all hosts have answered are dropped: the hosts that take over its
+ * blocks answer again.
  */
 final class InFlightSteps {
 
     private final HostCalls calls;
     private final ShotLog log;
     private final Deque<Step> steps = new ArrayDeque<>();
-    /** Questions that some hosts have answered, and others were lost: the last ones, in their order. */
+    /** The last steps with a question, in their order, to which answers are missing as hosts were lost. */
     private final List<Step> partlyAnswered = new ArrayList<>();
     private final LongSupplier clock;
-    /** When the calculation began, and when the last step was seen to be done, ns. */
+    /** Times at which the calculation began and at which the last step was found done, ns. */
     private final long opened;
     private long seen;
-    /** Sums over the steps that are done; times in s. */
+    /** Number of the steps that are done, and their times, see {@link WorldStatistics}; s. */
     private int rounds;
     private double criticalPath;
     private double cpu;
     private double slowest;
     private double wall;
 
-    /** @param clock for differences, ns */
+    /** @param clock clock of which only differences are used, ns */
     InFlightSteps(HostCalls calls, ShotLog log, LongSupplier clock) {
         this.calls = calls;
         this.log = log;
@@ -52,13 +52,13 @@ final class InFlightSteps {
         opened = clock.getAsLong();
     }
 
-    /** An order that hosts were given, and what they have replied. */
+    /** An order that hosts were given, and their replies. */
     static final class Step {
 
         private final Order order;
         private final int shots;
         private long begin;
-        /** What the slowest host had reached when this step was begun, s; see {@link HostLoad}. */
+        /** The critical path when the step was given to hosts, s; see {@link HostLoad}. */
         private double given;
         private Map<Host, FutureTask<Reply>> running;
         private double seconds;
@@ -66,7 +66,7 @@ final class InFlightSteps {
         private final Map<Host, List<byte[]>> answers = new LinkedHashMap<>();
         private boolean isAnswered;
 
-        /** @param shots that are gathered in this step */
+        /** @param shots number of shots gathered in the step */
         Step(Order order, int shots) {
             this.order = order;
             this.shots = shots;
@@ -80,43 +80,43 @@ final class InFlightSteps {
             return shots;
         }
 
-        /** Wall time since it was begun, or the one before was done. */
+        /** Wall time since this step was begun, or since the step before was done if that was later, s. */
         double seconds() {
             return seconds;
         }
 
-        /** Whether all hosts that are not lost have done it. */
+        /** Whether all hosts that are not lost have done the step. */
         boolean isDone() {
             return replies != null;
         }
 
-        /** What the slowest host took, s. */
+        /** Wall time of the slowest host, s. */
         double slowest() {
             return replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0);
         }
 
-        /** Of hosts that were not lost, in their order. */
+        /** The replies of the hosts that are not lost, in the order of hosts; null before the step is done. */
         Map<Host, Reply> replies() {
             return replies;
         }
 
-        /** Whether an answer for every block is there. */
+        /** Whether the answers for all blocks have come. */
         boolean isAnswered() {
             return isAnswered;
         }
 
-        /** One or more per host, in the order of hosts. */
+        /** The answers of all hosts, in their order; several of a host that has taken over blocks. */
         List<byte[]> answers() {
             return answers.values().stream().flatMap(List::stream).toList();
         }
     }
 
-    /** How many not all hosts have done. */
+    /** Number of steps that not all hosts have done. */
     int count() {
         return steps.size();
     }
 
-    /** @param bytes what each host receives, its ghost values besides */
+    /** Gives a step to hosts. @param bytes the order as each host receives it; a host's ghost values are appended */
     void begin(Collection<Host> hosts, Step step, byte[] bytes) {
         step.running = new LinkedHashMap<>();
         step.begin = clock.getAsLong();
@@ -129,7 +129,7 @@ final class InFlightSteps {
         steps.add(step);
     }
 
-    /** Waits for the first one. */
+    /** Waits until all hosts have done, or are lost in, the first step. */
     Step await() {
         Step first = steps.remove();
         first.replies = calls.await(first.running);
@@ -159,7 +159,7 @@ final class InFlightSteps {
         wall += done.seconds;
     }
 
-    /** What the slowest host has reached, s; see {@link HostLoad}. */
+    /** The latest time that a host has reached, s; see {@link HostLoad}. */
     double criticalPath() {
         return criticalPath;
     }
@@ -171,11 +171,12 @@ final class InFlightSteps {
 
     /*---- Losing hosts ----*/
 
+    /** Drops the answers of a lost host to steps that not all hosts have answered. */
     void lose(Host host) {
         partlyAnswered.forEach(step -> step.answers.remove(host));
     }
 
-    /** @param answers of each host to the partly answered questions, in their order, on blocks it has taken over */
+    /** @param answers each host's answers, for the blocks it took over, to the questions that lack answers, in order */
     void add(Map<Host, List<byte[]>> answers) {
         answers.forEach((host, again) -> {
             Iterator<byte[]> next = again.iterator();
@@ -183,7 +184,7 @@ final class InFlightSteps {
         });
     }
 
-    /** No host is missing whose answers are. */
+    /** Notes that the answers to all steps that are done have come. */
     void allAnswered() {
         for (Step step : partlyAnswered) {
             step.isAnswered = true;

@@ -7,12 +7,12 @@ import radiosity.protocol.Order;
 import radiosity.solver.World;
 
 /**
- * Gives steps to all hosts and waits for them, whichever hosts are lost meanwhile; passes on what the replies say about
- * elements and times.
+ * Gives steps to all hosts and waits until they are done, also if hosts are lost meanwhile; passes on the numbers of
+ * elements and the times in the replies.
  */
 final class RemoteSteps {
 
-    /** One that is done, others that are on their way: how far a fast host may be ahead of a slow one. */
+    /** Largest number of steps in flight, so of steps that a fast host may be ahead of a slow one. */
     static final int AHEAD = 4;
 
     private final HostCalls calls;
@@ -21,7 +21,7 @@ final class RemoteSteps {
     private final ShotLog log;
     private final BlockAssignment assignment;
     private final HaloExchange halo;
-    /** Wall time of the first part of a step that is done in two, s. */
+    /** Wall time of the first of the two steps of an order for ghost values, s. */
     private double firstPart;
 
     RemoteSteps(Hosts.Work work, Hosts hosts, HaloExchange halo) {
@@ -33,12 +33,12 @@ final class RemoteSteps {
         this.halo = halo;
     }
 
-    /** @param bytes what hosts receive of it */
+    /** @param bytes the order as hosts receive it. @param times receives the time of every step that is done by now */
     Step begin(Order order, byte[] bytes, World.StepTimes times) {
         return begin(order, order.shots().size(), bytes, times);
     }
 
-    /** The rest of an order that was begun where hosts need each other's values. */
+    /** Has hosts gather at the vertices at which the last order, one for ghost values, did not gather. */
     Step beginRest(int shots, World.StepTimes times) {
         Order rest = Order.plain(Order.Kind.REST, Order.Question.NOTHING);
         return begin(rest, shots, rest.encode(), times);
@@ -55,7 +55,7 @@ final class RemoteSteps {
         return step;
     }
 
-    /** Carries out an order that changes no element and is not answered, while nothing is under way. */
+    /** Carries out an order that changes no element and asks for no answer, while no step is in flight. */
     Step carryOut(Order order) {
         Step step = begin(order, order.encode(), World.NOBODY);
         awaitAll(World.NOBODY);
@@ -68,7 +68,7 @@ final class RemoteSteps {
         }
     }
 
-    /** All steps are done, by hosts that are there, on all blocks. */
+    /** Where hosts are lost, waits for all steps in flight, and has other hosts rebuild the blocks of the lost ones. */
     void recover() throws IOException {
         if (calls.isAnyLost()) {
             awaitAll(World.NOBODY);
@@ -78,7 +78,7 @@ final class RemoteSteps {
         }
     }
 
-    /** Waits for the first step that is under way; what a host computes that is lost then, the log has. */
+    /** Waits for the first step in flight; if a host is lost meanwhile, the log has the step for {@link #recover}. */
     void await(World.StepTimes times) {
         Step step = underWay.await();
         if (step.order().givesGhosts()) {

@@ -24,15 +24,15 @@ import radiosity.solver.Planner;
 import radiosity.solver.World;
 
 /**
- * A world whose elements are on other machines (section 4.5.3 of the paper).
+ * A world whose elements are on other machines (section 4.5.3 of the paper). Belongs to one thread.
  *
- * <p>Each host owns some blocks. What is done in a round goes into a log before any host receives it; from a block's
- * state at the last checkpoint and that log any other host makes the block again, to the same bits. So a host may be
+ * <p>Each host owns some blocks. Each order is written to a log before any host receives the order; from a block's
+ * state at the last checkpoint and this log, any other host can rebuild the block to the same bits. So a host may be
  * lost at any time, blocks may move, and with no host left the calculation goes on in this process.
  */
 public final class RemoteWorld extends World {
 
-    /** Shots of which rows are made together. */
+    /** Number of shots per step in which hosts make rows. */
     private static final int ROWS_AT_A_TIME = 8;
 
     private final BlockAssignment assignment;
@@ -43,14 +43,15 @@ public final class RemoteWorld extends World {
     private final RemoteSteps steps;
     private final LongSupplier clock;
     private final HaloExchange halo;
-    /** The question that follows the last order, until it is asked; null where there is none. */
+    /** The question that follows the last order, until hosts are asked; null where there is none. */
     private Question next;
 
     /**
      * Opens a session with every host that can be reached.
      *
-     * @param threads to go on with in this process where all hosts are lost
-     * @param notices gets one line for each thing that the user should know about hosts
+     * @param key     key that hosts must have; null for connections without a key
+     * @param threads number of threads with which this process goes on if all hosts are lost
+     * @param notices receives one line for each event that the user should know of
      * @throws NoWorkerException        where no host can be used
      * @throws IllegalArgumentException where the number of threads is below 1
      */
@@ -59,7 +60,7 @@ public final class RemoteWorld extends World {
         this(scene, settings, threads, notices, RmiLink.to(hosts, key), System::nanoTime);
     }
 
-    /** @param clock for differences, ns */
+    /** @param clock clock of which only differences are used, ns */
     public RemoteWorld(Scene scene, RadiositySettings settings, int threads, Consumer<String> notices, List<Link> links,
                 LongSupplier clock) throws IOException {
         super(scene, settings, threads);
@@ -82,13 +83,14 @@ public final class RemoteWorld extends World {
         return ask(order.isAnswered() ? order : order.asking(Order.Question.candidates(0)));
     }
 
+    /** Carries out an order and waits for the answers of all hosts. */
     private List<byte[]> ask(Order order) throws IOException {
         List<byte[]> answers = answers(steps.begin(order, prepare(order), NOBODY), NOBODY);
         assignment.settle(hosts.present());
         return answers;
     }
 
-    /** In parts: the next ones are made while one is on its way. */
+    /** Asks in parts: hosts make the rows of the next parts while the answer to one part is on its way. */
     @Override
     public void rows(Order order, Planner planner) throws IOException {
         finish(NOBODY);
@@ -103,8 +105,8 @@ public final class RemoteWorld extends World {
     }
 
     /**
-     * Hosts first gather at the vertices that others have, too, so that the ghost values are on their way while they
-     * gather elsewhere; how things stand is asked when they have come.
+     * Begins an order. Hosts that share vertices gather at the shared vertices first, so that the ghost values are on
+     * their way while the hosts gather elsewhere; the question of the order is asked when the ghost values have come.
      */
     @Override
     public Begun begin(Order order, StepTimes times) throws IOException {
@@ -132,13 +134,13 @@ public final class RemoteWorld extends World {
         return question;
     }
 
-    /** How things stand after an order. */
+    /** The question of an order that changes elements, which hosts are asked in a step of its own. */
     private final class Question implements Begun {
 
         private final Order order;
-        /** The step whose replies bring ghost values; null where hosts gather none for each other. */
+        /** The step whose replies contain ghost values; null where hosts do not gather for each other. */
         private final Step exchange;
-        /** Null before hosts are asked. */
+        /** The step in which hosts are asked; null before. */
         private Step asked;
 
         Question(Order order, Step exchange) {
@@ -155,7 +157,7 @@ public final class RemoteWorld extends World {
         }
     }
 
-    /** Asks how things stand after the last order, where hosts were not asked yet. */
+    /** Asks hosts the question that follows the last order, if they were not asked yet. */
     private void askNext(StepTimes times) throws IOException {
         if (next == null) {
             return;
@@ -174,7 +176,7 @@ public final class RemoteWorld extends World {
 
     /*---- Vertices that several hosts have ----*/
 
-    /** Has hosts agree which of them gathers where, if they have to before an order. */
+    /** Has hosts agree which of them gathers at shared vertices, if the order needs an agreement. */
     private void agree(Order order) throws IOException {
         if (halo.isOpen(order)) {
             exchange();
@@ -185,7 +187,7 @@ public final class RemoteWorld extends World {
         }
     }
 
-    /** Gives hosts what they have gathered for each other up to now; nothing is under way then. */
+    /** Exchanges the ghost values that are not delivered yet, in steps of their own; no step is in flight then. */
     private void exchange() throws IOException {
         finish(NOBODY);
         if (halo.isUndelivered()) {
@@ -226,7 +228,7 @@ public final class RemoteWorld extends World {
         return clock.getAsLong();
     }
 
-    /** Everything that comes before hosts receive an order. */
+    /** Does what must precede an order: checkpoint, log, light ever shot. @return the order as hosts receive it */
     private byte[] prepare(Order order) throws IOException {
         if (order.changes() && log.isCheckpointDue()) {
             blocks();
@@ -241,7 +243,7 @@ public final class RemoteWorld extends World {
         return bytes;
     }
 
-    /** As the master has it; how elements are divided is asked. */
+    /** The totals that the master has summed up, on the hosts' elements: only the trees are asked for. */
     @Override
     public List<Shot> totals() throws IOException {
         List<Shot> trees = new ArrayList<>();
@@ -253,7 +255,7 @@ public final class RemoteWorld extends World {
 
     /*---- Losing hosts, and finding them again ----*/
 
-    /** Between rounds: who has come gets blocks, and blocks go from slow hosts to fast ones. */
+    /** Between rounds: gives blocks to hosts that have come, and moves blocks from slow hosts to fast ones. */
     private void admit() throws IOException {
         boolean due = assignment.isDue(hosts.present());
         if (calls.isAnyLost() || hosts.isAnyOutside() || due) {
@@ -309,7 +311,7 @@ public final class RemoteWorld extends World {
         }
     }
 
-    /** What was computed where so far. */
+    /** The work of each host so far, and that of the master. */
     public WorldStatistics statistics() {
         return underWay.statistics(hosts.statistics());
     }

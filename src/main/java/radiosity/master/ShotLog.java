@@ -17,29 +17,30 @@ import radiosity.util.ParallelFor;
 import radiosity.worker.ShotHistory;
 
 /**
- * What makes a lost block whole again: its state at the last checkpoint, every order since, and the questions that not
- * all hosts have answered; and when the next checkpoint is due. By prediction also what was shot so far, and which
- * hosts know it.
+ * The log from which a lost block is rebuilt: the states of all blocks at the last checkpoint, every order since that
+ * changes elements, and the questions that not all hosts have answered. Decides when the next checkpoint is due. With
+ * the predicting schedule the log also keeps all light ever shot, and which hosts have that light.
  */
 final class ShotLog {
 
     /**
-     * A checkpoint is taken when the rounds since the last one took this many times as long as it: 1 % of the time at
-     * most, and what n hosts lose with one of them is an n-th of those rounds.
+     * A checkpoint is taken when the rounds since the last one took this many times as long as a checkpoint takes. So
+     * checkpoints take 1 % of the time, and n hosts that lose one of them repeat an n-th of these rounds.
      */
     private static final double PATIENCE = 100;
+    /** Least assumed time of a checkpoint after the first, s. */
     private static final double SECONDS = 0.02;
-    /** What the first one is taken to cost, before which all is lost: in any case, and per patch, s. */
+    /** Assumed time of the first checkpoint, s: at least, and per patch. Until then a lost block repeats all work. */
     private static final double FIRST_SECONDS = 0.001;
     private static final double SECONDS_PER_PATCH = 5e-7;
-    /** Orders that are kept in memory for the next loss. */
+    /** Bytes of logged orders above which a checkpoint is due. */
     private static final long MOST_BYTES = 128L << 20;
 
-    /** By id; empty before the first checkpoint, when all blocks are as in the initial mesh. */
+    /** State of each block, by id; empty before the first checkpoint: the blocks are then as in the initial mesh. */
     private List<byte[]> states = List.of();
     private final List<Entry> entries = new ArrayList<>();
     private long bytes;
-    /** What a checkpoint takes, as far as is known, and the orders since the last one took; s. */
+    /** Expected time of a checkpoint, and time that the orders since the last one took; s. */
     private double cost;
     private double since;
 
@@ -56,7 +57,7 @@ final class ShotLog {
         cost = Math.max(FIRST_SECONDS, mesh.patcher.patches() * SECONDS_PER_PATCH);
     }
 
-    /** @param encoded what the hosts receive, or null where that is not the whole order */
+    /** @param encoded the order as hosts receive it; null if hosts receive it without radiosities */
     void add(Order order, byte[] encoded) {
         Entry entry = encoded == null
                 ? new Entry(order, order::encode, order.shots().stream().mapToLong(Shot::bytes).sum())
@@ -65,7 +66,7 @@ final class ShotLog {
         bytes += entry.bytes;
     }
 
-    /** All hosts have answered an order that changes nothing: it need not be done again. */
+    /** Removes an order that changes no element and that all hosts have answered: it need not be carried out again. */
     void remove(Order answered) {
         for (int i = entries.size() - 1; i >= 0; i--) {
             if (entries.get(i).order == answered) {
@@ -75,7 +76,7 @@ final class ShotLog {
         }
     }
 
-    /** What it took the slowest host to do an order that was added, s. */
+    /** @param seconds time that the slowest host took for an order */
     void took(double seconds) {
         since += seconds;
     }
@@ -84,20 +85,21 @@ final class ShotLog {
         return since >= PATIENCE * cost || bytes > MOST_BYTES;
     }
 
-    /** @param seconds that it took to get these states */
+    /** @param now state of each block, by id. @param seconds time that it took to fetch these states */
     void checkpoint(List<byte[]> now, double seconds) {
         checkpoint(now);
         cost = Math.max(SECONDS, seconds);
         since = 0;
     }
 
-    /** States that were there already. */
+    /** Starts the log anew from states that were not fetched from hosts. @param now state of each block, by id */
     void checkpoint(List<byte[]> now) {
         states = List.copyOf(now);
         entries.clear();
         bytes = 0;
     }
 
+    /** The message with which a host makes blocks its own: their states in the log, and all logged orders. */
     BlockTakeover adoption(List<Integer> blocks) {
         Map<Integer, byte[]> wanted = new TreeMap<>();
         for (int block : blocks) {
@@ -106,27 +108,27 @@ final class ShotLog {
         return new BlockTakeover(wanted, entries.stream().map(entry -> entry.encoded.get()).toList(), List.of());
     }
 
-    /*---- What was shot so far ----*/
+    /*---- The light that was ever shot ----*/
 
-    /** A host that begins now knows all shots if there were none. */
+    /** Notes that a host has joined: it has all light ever shot only if nothing was shot yet. */
     void welcome(Host host) {
         host.knows = totals.isEmpty();
     }
 
-    /** Hosts that receive this order count its shots themselves. */
+    /** Adds the shots of an order to the light ever shot; the hosts that receive the order do the same. */
     void count(Order order) {
         if (mesh.predicts() && order.marks()) {
             totals.add(order.shots());
         }
     }
 
-    /** Replaces what was counted. @param now what all have shot */
+    /** Replaces the light ever shot; no host has it then. @param now total of each shooter */
     void restart(List<Shot> now, List<Host> hosts) {
         totals.set(now);
         hosts.forEach(host -> host.knows = false);
     }
 
-    /** Sends what was shot before to hosts that have come later. */
+    /** Sends all light ever shot to the hosts that do not have it. */
     void inform(List<Host> hosts) {
         List<Host> late = hosts.stream().filter(host -> !host.knows).toList();
         if (!late.isEmpty()) {
@@ -136,9 +138,9 @@ final class ShotLog {
     }
 
     /**
-     * What each shooter has shot; to be read before anybody shoots again.
+     * The total that each shooter has shot; the list is filled when it is read, so read it before the next shots.
      *
-     * @param trees of all that shoots together: how they are divided
+     * @param trees the shooters' trees as their elements are divided, without radiosities
      */
     List<Shot> totals(List<Shot> trees, ParallelFor parallel) {
         return new ShotsOnDemand(trees.size(), i -> totals.of(trees.get(i)), parallel);
