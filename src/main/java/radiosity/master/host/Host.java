@@ -31,18 +31,19 @@ import radiosity.rmi.RetryPolicy;
 import radiosity.worker.ShotHistory;
 
 /**
- * One host, as its master sees it: a session, a thread for its calls, another one for its heartbeat.
+ * One host as its master sees it: a session, with calls on threads of a common pool and a thread for the heartbeat.
  *
- * <p>Belongs to the thread of the {@link RemoteWorld}, which starts calls on several hosts and then awaits each.
+ * <p>Belongs to the thread of the {@link RemoteWorld}, which starts calls on several hosts and then awaits each call.
  */
 public final class Host implements AutoCloseable {
 
-    /** A silence after which the user is notified, s. */
+    /** Silence of a host after which the user is notified, s. */
     private static final double NOTICED = 3;
     private static final long HEARTBEAT_MILLISECONDS = 1000;
+    /** Time between two looks at a call's result and the host's silence. */
     private static final long LOOK_MILLISECONDS = 100;
     private static final int PART_BYTES = 1 << 20;
-    /** Daemons: a call that hangs does not keep the program. */
+    /** Daemon threads, so that a call that hangs does not keep the program from ending. */
     private static final ExecutorService CALLS = Executors.newCachedThreadPool(work -> {
         Thread thread = new Thread(work, "host");
         thread.setDaemon(true);
@@ -55,25 +56,24 @@ public final class Host implements AutoCloseable {
     private final Consumer<String> notices;
     private final long session = NUMBERS.nextLong();
     private final Thread heartbeat = new Thread(this::beat, "heartbeat");
+    /** Time of the host's last sign of life, ns. */
     private volatile long heard = System.nanoTime();
     private volatile boolean closed;
-    /**
-     * The moment from which the host was silent when the user was last notified of silence; 0 before the first time.
-     */
+    /** Value of {@link #heard} when the user was last notified of the host's silence; 0 before the first time. */
     private long noticed;
     private long rounds;
-    /** Relative to other hosts; threads, until it turns out to be another one. */
+    /** Speed relative to other hosts: the host's number of threads, until it is measured. */
     public double speed;
-    /** Whether it knows what was shot before it came. */
+    /** Whether the host has all light ever shot, see {@link ShotHistory}. */
     public boolean knows;
-    /** Pairs of receiving point and shooter in the last rounds, and the seconds they took. */
+    /** Pairs of receiving point and shooter in the last rounds, and the wall time they took, s; weighted sums. */
     public double pairs;
     public double seconds;
     public final HostLoad load = new HostLoad();
-    /** What others have gathered for it, which goes with its next order; or empty. */
+    /** The ghost values for this host, which are appended to its next order; or empty. */
     private byte[] ghostValues = {};
 
-    /** @param threads that the host computes with */
+    /** @param threads number of threads with which the host computes */
     public Host(Link link, RemotePartition remote, int threads, Consumer<String> notices) {
         this.link = link;
         this.remote = remote;
@@ -81,7 +81,7 @@ public final class Host implements AutoCloseable {
         speed = threads;
     }
 
-    /** Opens a session; from now on the host hears from its master. */
+    /** Opens a session and begins the heartbeat. @param master user for whom the host works */
     public void open(String master) throws RemoteException {
         remote.open(session, Wire.utf8(master));
         heard = System.nanoTime();
@@ -90,9 +90,11 @@ public final class Host implements AutoCloseable {
     }
 
     /**
-     * Gives the host the scene, see {@link SceneBytes}.
+     * Sends the scene to the host, which makes its initial mesh.
      *
-     * @param expected the fingerprint of the mesh that comes of it
+     * @param task     scene and settings, as {@link SceneBytes} writes them
+     * @param expected fingerprint of the initial mesh of this scene
+     * @throws IOException where the host has made another mesh
      */
     public Void load(byte[] task, String expected) throws IOException {
         send(out -> out.write(task));
@@ -116,14 +118,14 @@ public final class Host implements AutoCloseable {
         return link;
     }
 
-    /** Sends a message as it is written, so that no array holds all of it. */
+    /** Sends a message part by part while it is written, so that no array holds the whole message. */
     private void send(Wire.Writer message) throws IOException {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new Parts(), PART_BYTES))) {
             message.write(out);
         }
     }
 
-    /** Sends what is written to it. */
+    /** Sends the bytes that are written to this stream to the host. */
     private final class Parts extends OutputStream {
 
         @Override
@@ -147,7 +149,7 @@ public final class Host implements AutoCloseable {
                 remote.ping(session);
                 heard = System.nanoTime();
             } catch (RemoteException | RuntimeException | OutOfMemoryError e) {
-                // whoever waits for this host notices its silence; whoever needs the memory says that there is none
+                // await() notices the silence of this host; the thread that needs the memory reports its lack
             }
             try {
                 Thread.sleep(HEARTBEAT_MILLISECONDS);
@@ -157,19 +159,19 @@ public final class Host implements AutoCloseable {
         }
     }
 
-    /*---- Calls; each is started on all hosts, then awaited ----*/
+    /*---- Calls; each is started on all hosts and then awaited ----*/
 
-    /** The number of the next round: rounds of a session are done in this order, whatever overtakes what on the way. */
+    /** The number of the next round: the host does rounds in this order, also if calls overtake each other. */
     public long nextRound() {
         return ++rounds;
     }
 
-    /** @param values what others have gathered for it: goes with its next order, see {@link GhostVertices} */
+    /** @param values ghost values for this host, which are appended to its next order, see {@link GhostVertices} */
     public void addGhostValues(byte[] values) {
         ghostValues = values;
     }
 
-    /** @return an order, and after it the ghost values that have come for this host */
+    /** Takes the ghost values for this host. @return the order, followed by these values */
     public byte[] withGhostValues(byte[] order) {
         if (ghostValues.length == 0) {
             return order;
@@ -180,13 +182,14 @@ public final class Host implements AutoCloseable {
         return all;
     }
 
+    /** Has the host carry out an order; may be repeated with the same number. */
     public Reply round(long number, byte[] order) throws IOException {
         byte[] bytes = RetryPolicy.repeat(() -> remote.round(session, number, order));
         load.bytes.addAndGet((long) order.length + bytes.length);
         return Reply.decode(bytes);
     }
 
-    /** What it says to the orders that are answered. */
+    /** Gives blocks to the host. @return its answers to those of the repeated orders that ask for one */
     public List<byte[]> take(BlockTakeover adoption) throws IOException {
         send(adoption::write);
         byte[] answers = remote.take(session);
@@ -194,21 +197,21 @@ public final class Host implements AutoCloseable {
         return Wire.list(answers);
     }
 
-    /** @param totals see {@link ShotHistory} */
+    /** @param totals all light ever shot, see {@link ShotHistory}: shots as {@link Wire} writes them */
     public Void know(byte[] totals) throws IOException {
         send(out -> out.write(totals));
         remote.know(session);
         return null;
     }
 
-    /** The keys of the vertices that other hosts may have, too, see {@link GhostVertices#name}. */
+    /** The keys of the vertices that other hosts may also have, 8 bytes each, see {@link GhostVertices#name}. */
     public byte[] border() throws IOException {
         byte[] keys = remote.border(session);
         load.bytes.addAndGet(keys.length);
         return keys;
     }
 
-    /** @param roles see {@link GhostVertices#agree} */
+    /** @param roles role of each vertex that the host has named, see {@link GhostVertices#agree} */
     public Void share(int agreement, byte[] roles) throws IOException {
         send(out -> {
             out.writeInt(agreement);
@@ -218,7 +221,7 @@ public final class Host implements AutoCloseable {
         return null;
     }
 
-    /** The states of some of its blocks, in their order. */
+    /** The states of some of the host's blocks, in the order of the ids. */
     public List<byte[]> blocks(List<Integer> blocks) throws IOException {
         List<byte[]> states = new ArrayList<>();
         while (states.size() < blocks.size()) {
@@ -240,7 +243,7 @@ public final class Host implements AutoCloseable {
         return bytes.array();
     }
 
-    /** Begins calls to this host; belongs to the thread of the world. */
+    /** Begins calls to this host without waiting for their result. */
     public <T> FutureTask<T> begin(Callable<T> calls) {
         return link.begin(calls);
     }
@@ -251,12 +254,12 @@ public final class Host implements AutoCloseable {
         return task;
     }
 
-    /** Waits for a call as long as the host is alive. */
+    /** Waits for the result of a call. @throws HostLostException where the call fails or the host falls silent */
     <T> T await(FutureTask<T> call) throws HostLostException {
         return await(call, notices);
     }
 
-    /** @param lines gets a line when the host falls silent, once per silence */
+    /** @param lines receives one line per silence of the host */
     <T> T await(FutureTask<T> call, Consumer<String> lines) throws HostLostException {
         while (true) {
             try {
@@ -283,14 +286,14 @@ public final class Host implements AutoCloseable {
         }
     }
 
-    /** Leaves the host to itself, whatever it is doing. */
+    /** Gives the host up without a word to it: ends the heartbeat and closes all connections. */
     public void abandon() {
         closed = true;
         heartbeat.interrupt();
         link.cut();
     }
 
-    /** Ends the session, in case the host still listens. */
+    /** Ends the session; waits a few seconds for the host, then closes all connections. */
     @Override
     public void close() {
         closed = true;

@@ -8,7 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import radiosity.rmi.HostLostException;
 
-/** Calls on several hosts at once, and who did not answer. */
+/** Makes calls on several hosts at once, and remembers which hosts were lost in them. */
 public final class HostCalls {
 
     private final Map<Host, HostLostException> lost = new LinkedHashMap<>();
@@ -18,7 +18,7 @@ public final class HostCalls {
         T on(Host host) throws IOException;
     }
 
-    /** What each answers; who does not is lost. */
+    /** Makes a call on several hosts. @return the results of the hosts that answer; the other hosts are lost */
     public <T> Map<Host, T> onAll(Collection<Host> called, Call<T> call) {
         return await(start(called, call));
     }
@@ -30,8 +30,10 @@ public final class HostCalls {
     }
 
     /**
-     * What each answers to a call that was started; who does not is lost. Nobody waits for who is lost already: a host
-     * does rounds in their order, and would not come to this one if it is there and one before never reached it.
+     * Waits for a call that was started on several hosts. A host that is lost already is not awaited: as hosts do rounds
+     * in their order, a host that an earlier round never reached would not come to this one.
+     *
+     * @return the results of the hosts that answer; the other hosts are lost
      */
     public <T> Map<Host, T> await(Map<Host, FutureTask<T>> running) {
         Map<Host, T> results = new LinkedHashMap<>();
@@ -47,7 +49,7 @@ public final class HostCalls {
         return results;
     }
 
-    /** Ends all sessions at once. */
+    /** Ends the sessions of several hosts at the same time. */
     public static void close(Collection<Host> hosts) {
         hosts.stream().map(host -> Host.start(() -> {
             host.close();
@@ -63,11 +65,12 @@ public final class HostCalls {
         }
     }
 
+    /** Whether hosts were lost since {@link #takeLost} was called last. */
     public boolean isAnyLost() {
         return !lost.isEmpty();
     }
 
-    /** Who was lost since this was asked last, and why. */
+    /** The hosts that were lost since the last call of this method, with the reasons. */
     public Map<Host, HostLostException> takeLost() {
         Map<Host, HostLostException> taken = new LinkedHashMap<>(lost);
         lost.clear();

@@ -16,12 +16,13 @@ import radiosity.rmi.HostFailure;
 import radiosity.rmi.HostLostException;
 import radiosity.rmi.RemotePartition;
 
-/** Opens sessions: with all hosts at the start, and with those that are missing whenever they come. */
+/** Opens sessions with all hosts at the start; from then on a thread looks for the hosts that are missing. */
 public final class HostFinder implements AutoCloseable {
 
+    /** Time in which a host must open a session, not counting the time for which it may be busy. */
     private static final int CONNECT_SECONDS = 5;
     private static final int RETRY_SECONDS = 2;
-    /** A host is busy for a while after its master was killed. */
+    /** Time for which a host may be busy at the start: hosts are, for a while after their master was killed. */
     private static final int BUSY_SECONDS = 6;
     private static final int BUSY_LOOK_MILLISECONDS = 300;
 
@@ -33,14 +34,14 @@ public final class HostFinder implements AutoCloseable {
     private final Queue<Host> arrived = new ConcurrentLinkedQueue<>();
     private volatile boolean closed;
 
-    /** @param task see {@link SceneBytes} */
+    /** @param task scene and settings, as {@link SceneBytes} writes them */
     public HostFinder(byte[] task, String fingerprint, Consumer<String> notices) {
         this.task = task;
         this.fingerprint = fingerprint;
         this.notices = notices;
     }
 
-    /** A host that will never do, as it runs another program or has another key. */
+    /** A host cannot be used at all, as it runs another version of the program. */
     private static final class RefusedException extends IOException {
         private static final long serialVersionUID = 1;
 
@@ -49,7 +50,7 @@ public final class HostFinder implements AutoCloseable {
         }
     }
 
-    /** All hosts that can be used, in the order of the links; the others are looked for from now on. */
+    /** The hosts that can be used, in the order of the links; from now on a thread looks for the others. */
     public List<Host> open(List<Link> links) {
         List<FutureTask<Host>> opening = links.stream().map(link -> Host.start(() -> open(link, true))).toList();
         List<Host> hosts = opening.stream().map(HostFinder::result).filter(host -> host != null).toList();
@@ -67,7 +68,7 @@ public final class HostFinder implements AutoCloseable {
         }
     }
 
-    /** A session, or null where there can be none now. */
+    /** A host with a session, or null where no session can be opened now. @param notify whether the user is told why */
     private Host open(Link link, boolean notify) {
         FutureTask<Host> opening = Host.start(() -> session(link, notify));
         try {
@@ -88,7 +89,7 @@ public final class HostFinder implements AutoCloseable {
         }
     }
 
-    /** A host that cannot be given the scene is let go: its heartbeat would keep it busy. */
+    /** Sends the scene; a host that cannot take it is closed, as the heartbeat would keep that host busy. */
     private void load(Host host, boolean notify) throws HostLostException {
         try {
             host.await(Host.start(() -> host.load(task, fingerprint)), notify ? notices : line -> { });
@@ -111,7 +112,7 @@ public final class HostFinder implements AutoCloseable {
         return null;
     }
 
-    /** Who the host is, as soon as it is free; or who it is if it stays busy. */
+    /** The host's greeting. @param patient whether to wait for a while until the host is free */
     private static Greeting greeting(RemotePartition remote, boolean patient) throws IOException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(patient ? BUSY_SECONDS : 0);
         Greeting greeting = Greeting.decode(remote.greet());
@@ -155,7 +156,7 @@ public final class HostFinder implements AutoCloseable {
         }
     }
 
-    /** A lost host may come back. */
+    /** Looks for a lost host from now on: it may come back. */
     public void lookFor(Link link) {
         missing.add(link);
     }
@@ -164,7 +165,7 @@ public final class HostFinder implements AutoCloseable {
         return !arrived.isEmpty();
     }
 
-    /** A host that has come since, ready to be given blocks; or null. */
+    /** Removes and returns a host that has come since the start and is ready for blocks; null where there is none. */
     public Host next() {
         return arrived.poll();
     }

@@ -5,25 +5,26 @@ import radiosity.protocol.Reply;
 import radiosity.solution.HostStatistics;
 
 /**
- * What a host has to do and has done. Its time is counted as if nothing took any but the hosts' processors: a step
- * begins when the host has done the one before, and the master has seen done what it had seen when it gave the step.
+ * The load of one host and the work that it has done. Time is modelled as if only hosts' processors took time: a step
+ * begins when the host has done its previous step, and no earlier than the critical path at which the master gave it.
  */
 public final class HostLoad {
 
-    /** Elements it owns, by the last reply. */
+    /** Number of elements that the host owns, by its last reply. */
     int elements;
+    /** Number of steps done. */
     int rounds;
-    /** s. */
+    /** Processor time of all steps, s. */
     double cpu;
-    /** When its first step began and its last one ended, s. */
+    /** Modelled times at which the first step began and the last one ended, s. */
     private double begun = Double.NaN;
     private double reached;
-    /** Time that it took since all were waited for, s. */
+    /** Wall time of the steps since the master last waited for all hosts, s. */
     public double sinceWait;
-    /** Sent and received; several threads add to it. */
+    /** Number of bytes sent to and received from the host; several threads add to the number. */
     final AtomicLong bytes = new AtomicLong();
 
-    /** @param given what the slowest host had reached when the master gave this step */
+    /** Adds a step. @param given latest modelled time that a host had reached when the master gave the step, s */
     public void add(Reply reply, double given) {
         if (rounds++ == 0) {
             begun = given;
@@ -34,11 +35,12 @@ public final class HostLoad {
         elements = reply.elements();
     }
 
+    /** Modelled time at which the last step ended, s. */
     public double reached() {
         return reached;
     }
 
-    /** @param end when it was not needed any more, s */
+    /** @param end modelled time from which the host is not needed any more, s */
     public HostStatistics statistics(String name, String state, int blocks, double end) {
         return new HostStatistics(name, state, blocks, elements, rounds, cpu, rounds == 0 ? 0 : 1 - cpu / (end - begun),
                 bytes.get());

@@ -5,20 +5,20 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import radiosity.rmi.RemotePartition;
 
-/** The way to a host, before and after somebody answers there. */
+/** The connection to a host, which exists before and after a partition answers there. */
 public interface Link {
 
-    /** As the user calls the host. */
+    /** The name by which the user calls the host. */
     String name();
 
-    /** Looks the host up; fails in a few seconds where nobody answers. */
+    /** Looks up the partition on the host. @throws IOException after a few seconds where there is no answer */
     RemotePartition connect() throws IOException;
 
-    /** Begins calls to the host, which wait for what it answers. */
+    /** Begins calls to the host on another thread. */
     default <T> FutureTask<T> begin(Callable<T> calls) {
         return Host.start(calls);
     }
 
-    /** Ends all connections, also those on which an answer is waited for. */
+    /** Closes all connections, which ends calls that wait for an answer. */
     void cut();
 }

@@ -2,7 +2,7 @@ package radiosity.master.host;
 
 import java.io.IOException;
 
-/** None of the hosts that were asked for could be used. */
+/** None of the hosts that the user has named can be used. */
 public final class NoWorkerException extends IOException {
 
     private static final long serialVersionUID = 1;

@@ -3,7 +3,7 @@ package radiosity.master.host;
 import radiosity.rmi.RemotePartition;
 import radiosity.worker.ServedPartition;
 
-/** The way from this process to itself. */
+/** The connection of this process to itself: a partition that serves in this process, without RMI. */
 public record OwnLink(int threads) implements Link {
 
     @Override

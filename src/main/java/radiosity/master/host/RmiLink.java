@@ -21,13 +21,13 @@ import radiosity.rmi.RmiSockets;
 import radiosity.rmi.SerialFilters;
 import radiosity.worker.PartitionPort;
 
-/** The way to a host over RMI. */
+/** The connection to a host over RMI. */
 public final class RmiLink implements Link {
 
     private final HostAddress address;
     private final HostKey key;
     private final RmiSockets sockets;
-    /** Where the partition itself listens: another port beside a registry that was there before. */
+    /** Address of the partition: it has another port than the registry if that is a program of its own. */
     private volatile HostAddress partition;
 
     private RmiLink(HostAddress address, HostKey key, RmiSockets sockets) {
@@ -37,7 +37,7 @@ public final class RmiLink implements Link {
         partition = address;
     }
 
-    /** @param key null for none */
+    /** A link to each address; sets this process's filter and socket factory. @param key null for no key */
     public static List<Link> to(List<HostAddress> addresses, HostKey key) throws IOException {
         SerialFilters.ofMaster();
         RmiSockets sockets = RmiSockets.inUse();

@@ -1,4 +1,4 @@
 /**
- * One host as its master sees it: a session, its calls and its heartbeat, how it is found and how it is lost.
+ * One host as its master sees it: the session with its calls and heartbeat; how hosts are found and lost.
  */
 package radiosity.master.host;
