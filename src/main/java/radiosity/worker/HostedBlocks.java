@@ -18,7 +18,7 @@ import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 import radiosity.setup.InitialMesh;
 
-/** The blocks that a host owns in a session: a {@link PartitionImpl} that is made anew when they become others. */
+/** The blocks that a host owns in a session: a {@link PartitionImpl} that is replaced when the blocks change. */
 final class HostedBlocks {
 
     private final InitialMesh mesh;
@@ -26,8 +26,9 @@ final class HostedBlocks {
     private final Set<Integer> owned = new TreeSet<>();
     private PartitionImpl partition;
     private final ShotHistory totals;
-    /** Orders that were not carried out yet where other hosts gather: their ghost values have not come. */
+    /** Orders whose ghost values have not come: they are not carried out yet at vertices where other hosts gather. */
     private final List<Order> withoutGhosts = new ArrayList<>();
+    /** The ghost values for other hosts that the last order has asked for; or empty. */
     private byte[] given = {};
 
     HostedBlocks(InitialMesh mesh, int threads) {
@@ -37,6 +38,7 @@ final class HostedBlocks {
         partition = of(owned, true);
     }
 
+    /** @param restored whether the states of all these blocks will be restored */
     private PartitionImpl of(Set<Integer> ids, boolean restored) {
         return new PartitionImpl(mesh, ids.stream().map(this::known).toList(), threads, restored);
     }
@@ -48,15 +50,16 @@ final class HostedBlocks {
         return mesh.blocks.get(id);
     }
 
-    /** @param cpu processor time since the last report, s */
+    /** The work on each block since the last report. @param cpu processor time since then, s */
     List<BlockWork> work(double cpu) {
         return List.of(partition.costs().report(cpu));
     }
 
     /**
-     * Does on the newcomers what was done since their states were taken, then joins them with the others.
+     * Gives up some blocks and makes others this host's own: carries out on these the orders given since their states
+     * were saved, then joins them with the blocks that the host has.
      *
-     * @return what the newcomers answer to the orders that are answered
+     * @return the answers of the new blocks to those of the orders that ask for one
      */
     List<byte[]> take(BlockTakeover adoption) throws IOException {
         gatherMissing();
@@ -101,11 +104,12 @@ final class HostedBlocks {
         return states;
     }
 
-    /** Replaces what was shot so far. */
+    /** Replaces the light ever shot. */
     void know(List<Shot> shot) {
         totals.set(shot);
     }
 
+    /** Carries out an order. @param bytes the order, then the ghost values for this host, if any */
     byte[] round(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);
@@ -135,17 +139,17 @@ final class HostedBlocks {
         return partition.round(order);
     }
 
-    /** With what was shot, where the order says by whom only. */
+    /** The order with its radiosities, which hosts are not sent where they are all light ever shot. */
     private Order whole(Order order) {
         return order.gathersTotals() ? order.shooting(totals.of(order.shots())) : order;
     }
 
-    /** For other hosts: what this one has gathered for them up to the last order. */
+    /** The ghost values for other hosts that the last order has asked for; else empty. */
     byte[] given() {
         return given;
     }
 
-    /** Gathers where other hosts should have gathered, and their values have not come. */
+    /** Gathers at the vertices where other hosts gather, for all orders whose ghost values have not come. */
     private void gatherMissing() {
         withoutGhosts.forEach(partition::gatherAtGhosts);
         withoutGhosts.clear();

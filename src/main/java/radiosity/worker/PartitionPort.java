@@ -23,29 +23,30 @@ import radiosity.rmi.RmiSockets;
 import radiosity.rmi.SerialFilters;
 
 /**
- * Where a host serves masters (section 4.5.6 of the paper): a registry and a partition on one port.
+ * The port on which a host serves masters (section 4.5.6 of the paper): a registry and a partition on one port.
  *
- * <p>Where the port belongs to an {@code rmiregistry} that runs already, as in appendix C.3, that one is used, and the
- * partition has a port of its own. What is bound is the bare handler of the stub, a class of the JDK: a registry that
- * was started elsewhere does not know {@link RemotePartition}.
+ * <p>If the port belongs to an {@code rmiregistry} that runs already, as in appendix C.3 of the paper, that registry is
+ * used, and the partition has a port of its own. The registry holds the bare handler of the stub, a class of the JDK,
+ * as a registry that was started elsewhere does not know {@link RemotePartition}.
  */
 public final class PartitionPort implements AutoCloseable {
 
+    /** Name of the partition in the registry. */
     public static final String NAME = "Partition";
     private static final int LOOK_SECONDS = 2;
 
-    /** Kept, or it would be collected as garbage. */
+    /** Referred to from here, as the object would else be collected as garbage. */
     private final ServedPartition served;
     private final Registry registry;
     private final boolean ownRegistry;
-    /** What the registry has under {@link #NAME}. */
+    /** The object that is bound to {@link #NAME} in the registry. */
     private final RemoteObjectInvocationHandler bound;
     private final int port;
     private final Consumer<String> log;
-    /** What was wrong with the registry when it was looked at last; null where masters find this partition by it. */
+    /** What was wrong at the last look at the registry; null where masters find this partition there. */
     private String trouble;
     private final Thread look = new Thread(() -> everyTime(this::expire), "gone masters");
-    /** A thread of its own, as a registry of another program may keep it waiting. */
+    /** Looks at the registry; a thread of its own, as a registry in another program may keep the thread waiting. */
     private final Thread registryLook = new Thread(() -> everyTime(this::keepBound), "registry");
 
     private PartitionPort(ServedPartition served, Registry registry, boolean ownRegistry,
@@ -63,21 +64,21 @@ public final class PartitionPort implements AutoCloseable {
     }
 
     /**
-     * How to serve.
+     * The settings of a host.
      *
-     * @param registryPort   where masters look first
-     * @param partitionPort  the partition's own where the registry is another program; 0 for any
-     * @param bind           address to listen on; null for all of this machine's
-     * @param key            null for none
-     * @param threads        to compute with
+     * @param registryPort   port of the registry, on which masters look for the partition
+     * @param partitionPort  port of the partition where the registry is another program; 0 for any free port
+     * @param bind           address on which to listen; null for all addresses of this machine
+     * @param key            key that masters must have; null for no key
+     * @param threads        number of threads with which the host computes
      */
     public record Options(int registryPort, int partitionPort, InetAddress bind, HostKey key, int threads) { }
 
     /**
-     * Serves from now on.
+     * Begins to serve masters.
      *
-     * @param log gets one line for each master that comes or goes
-     * @throws RemoteException where the ports cannot be had
+     * @param log receives one line for each master that comes or goes
+     * @throws RemoteException where a port is in use by another program, or cannot be opened
      */
     public static PartitionPort open(Options options, Consumer<String> log) throws IOException {
         RmiSockets sockets = RmiSockets.inUse();
@@ -91,7 +92,7 @@ public final class PartitionPort implements AutoCloseable {
         }
     }
 
-    /** The port is taken: by a registry? */
+    /** Serves behind the registry that has the port already. @throws ExportException where there is no such registry */
     private static PartitionPort behind(Options options, RmiSockets sockets, ServedPartition served,
                                         ExportException taken, Consumer<String> log) throws IOException {
         SerialFilters.ofMaster();
@@ -108,7 +109,7 @@ public final class PartitionPort implements AutoCloseable {
     }
 
     /**
-     * Whether the name leads to a partition that answers. One that is left from a server that has ended may be
+     * Whether {@link #NAME} in a registry leads to a partition that answers. An entry of a server that has ended may be
      * replaced.
      */
     private static boolean isServed(Registry registry) throws RemoteException {
@@ -119,7 +120,7 @@ public final class PartitionPort implements AutoCloseable {
         } catch (NotBoundException e) {
             return false;
         } catch (UnmarshalException e) {
-            // an object of another program
+            // the name belongs to an object of another program
         }
         return false;
     }
@@ -142,7 +143,7 @@ public final class PartitionPort implements AutoCloseable {
         return new PartitionPort(served, registry, own, handler, log);
     }
 
-    /** Where the partition listens: the registry's port, or another one beside a registry that was there before. */
+    /** Port of the partition: the registry's, or another one where the registry is another program. */
     public int port() {
         return port;
     }
@@ -154,7 +155,7 @@ public final class PartitionPort implements AutoCloseable {
                 look.run();
             }
         } catch (InterruptedException e) {
-            // closed
+            // this port was closed
         }
     }
 
@@ -163,8 +164,8 @@ public final class PartitionPort implements AutoCloseable {
     }
 
     /**
-     * Binds the name again where it no longer leads here: any process of this machine may unbind it in a registry that
-     * is another program, and that program may be started anew. A partition that serves under the name stays there.
+     * Binds the name again where the registry no longer has it: if the registry is another program, any process of this
+     * machine may unbind names, and the registry may be restarted. Another partition that answers under the name stays.
      */
     private void keepBound() {
         String before = trouble;
@@ -202,7 +203,7 @@ public final class PartitionPort implements AutoCloseable {
             registryLook.join(TimeUnit.SECONDS.toMillis(LOOK_SECONDS));
             registry.unbind(NAME);
         } catch (NotBoundException | RemoteException e) {
-            // it is gone already
+            // the registry or the name is gone already
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -216,7 +217,7 @@ public final class PartitionPort implements AutoCloseable {
         try {
             UnicastRemoteObject.unexportObject(registry, true);
         } catch (NoSuchObjectException e) {
-            // it is gone already
+            // the registry is gone already
         }
     }
 }

@@ -26,43 +26,47 @@ import radiosity.setup.InitialMesh;
 import radiosity.util.Pieces;
 
 /**
- * What a host has for its master: one session at a time, with the scene, some blocks, and the last answer.
+ * The partition that a host exports. A host serves one master at a time, in a session with the scene, some blocks, and
+ * the last answers.
  *
- * <p>A session whose master is silent for {@value #LEASE_SECONDS} s is over; its number is refused from then on.
+ * <p>A session whose master is silent for {@value #LEASE_SECONDS} s ends; its number is refused from then on. Any
+ * thread may call: {@code this} guards the current session, and each session guards its computation.
  */
 public final class ServedPartition implements RemotePartition {
 
-    /** How long a master may be silent: more than its heartbeat takes to be noticed as missing, and no longer. */
+    /** Silence of a master after which its session ends: just longer than the silence after which a host is lost. */
     static final int LEASE_SECONDS = 12;
-    /** How long before another master, or the same one started anew, may have the host. */
+    /** Silence of a master after which the next master may have the host. */
     private static final int TAKEOVER_SECONDS = 4;
-    /** Bytes of block states in one answer; one state may be larger. */
+    /** Bytes of block states in one answer, above which no further state is added. */
     private static final int ANSWER_BYTES = 8 << 20;
 
-    /** At least as many as a master has under way. */
+    /** Number of past answers kept; at least the number of steps that a master has in flight. */
     private static final int ANSWERS_KEPT = 4;
+    /** Time between two checks whether the session of a waiting call has ended. */
     private static final int LOOK_MILLISECONDS = 200;
 
     private final int threads;
     private final Consumer<String> log;
     private final LongSupplier clock;
 
-    /** Everything below is guarded by {@code this}, and touched for moments only. */
+    /** The session, or null; guarded by {@code this}, which is never locked for long. */
     private Session current;
 
-    /** What belongs to one session; computing is guarded by it. */
+    /** One session of a master; its lock is held while the host computes. */
     private static final class Session {
         final long id;
         final String master;
         final String since = LocalTime.now().format(DateTimeFormatter.ofPattern("HH:mm"));
+        /** Time of the master's last call, ns. */
         volatile long heard;
-        /** Parts of the message that is being sent. */
+        /** The parts of the message that the master is sending. */
         final List<byte[]> inbox = new ArrayList<>();
         HostedBlocks blocks;
         InitialMesh mesh;
-        /** Of the last round that was begun. */
+        /** Number of the last round that was begun. */
         long number;
-        /** To the last rounds, by their numbers: the call may have been lost, and be made again. */
+        /** Replies to the last rounds, by number: a call whose reply was lost is made again. */
         final TreeMap<Long, byte[]> answers = new TreeMap<>();
 
         Session(long id, String master) {
@@ -71,12 +75,12 @@ public final class ServedPartition implements RemotePartition {
         }
     }
 
-    /** @param log gets one line for each session that begins or ends */
+    /** @param log receives one line for each session that begins or ends */
     public ServedPartition(int threads, Consumer<String> log) {
         this(threads, log, System::nanoTime);
     }
 
-    /** @param clock nanoseconds */
+    /** @param clock clock of which only differences are used, ns */
     ServedPartition(int threads, Consumer<String> log, LongSupplier clock) {
         this.threads = threads;
         this.log = log;
@@ -101,7 +105,7 @@ public final class ServedPartition implements RemotePartition {
         log.accept("working for " + current.master);
     }
 
-    /** Frees what a master that is gone has left behind. */
+    /** Ends the session, and frees its memory, if its master has been silent for too long. */
     void expire() {
         expire(LEASE_SECONDS);
     }
@@ -140,13 +144,14 @@ public final class ServedPartition implements RemotePartition {
         }
     }
 
+    /** Takes the message that the master has sent out of the inbox. */
     private static DataInputStream message(Session session) {
         List<byte[]> parts = List.copyOf(session.inbox);
         session.inbox.clear();
         return new DataInputStream(Pieces.open(parts));
     }
 
-    /** What is computed for a session. */
+    /** A computation for a session. */
     private interface Work<T> {
         T on(Session session) throws IOException;
     }
@@ -219,7 +224,7 @@ public final class ServedPartition implements RemotePartition {
         }
     }
 
-    /** Several rounds may be on their way, on as many connections: they are done in their order. */
+    /** Waits until all earlier rounds are begun: calls may overtake each other, but rounds are done in their order. */
     private void awaitTurn(Session session, long number) throws SessionEndedException {
         try {
             while (number > session.number + 1) {
@@ -232,8 +237,8 @@ public final class ServedPartition implements RemotePartition {
     }
 
     /**
-     * Processor time so far, of this thread where it alone computes, else of the process: it says something also on a
-     * busy machine. 0 where the machine does not say.
+     * Processor time so far, s: of this thread where no other thread computes, else of the process; 0 where it cannot
+     * be measured. Unlike wall time, processor time means something on a busy machine.
      */
     private double processorSeconds() {
         if (threads == 1) {

@@ -7,13 +7,13 @@ import radiosity.mesh.PatchTree;
 import radiosity.protocol.Shot;
 
 /**
- * What everything in the scene has ever shot, as it follows from the orders: every host and the master keep it up to
- * date, so that it need not be sent when new vertices gather it.
+ * The total radiosity that each shooter of the scene has shot so far, summed up from the orders. Every host and the
+ * master keep this history, so that it need not be sent when new vertices gather all light ever shot.
  */
 public final class ShotHistory {
 
     private final int channels;
-    /** What has not shot is left out. */
+    /** Total radiosity of the tree below each top node; a top node that has not shot may be left out. */
     private final Map<Top, PatchTree> trees = new ConcurrentHashMap<>();
 
     private record Top(int face, long path) { }
@@ -30,28 +30,28 @@ public final class ShotHistory {
         return trees.isEmpty();
     }
 
-    /** @param all what was shot instead of what is known here */
+    /** Replaces this history. @param all the totals of all shooters */
     public void set(List<Shot> all) {
         trees.clear();
         all.forEach(shot -> shot.trees().forEach(tree -> trees.put(top(tree), tree)));
     }
 
-    /** All of it, by whatever shooters. */
+    /** All light ever shot, as one shot; an empty list where this history is empty. */
     public List<Shot> all() {
         return isEmpty() ? List.of() : List.of(new Shot(List.copyOf(trees.values()), 0));
     }
 
-    /** What is shot now. */
+    /** Adds shots to the totals. */
     public void add(List<Shot> shots) {
         shots.forEach(shot -> shot.trees().forEach(tree -> trees.merge(top(tree), tree, PatchTree::plus)));
     }
 
-    /** What those have shot whose trees are these, on all of their elements. */
+    /** The totals of some shooters. @param shapes their trees as they are divided now; radiosities are not read */
     List<Shot> of(List<Shot> shapes) {
         return shapes.stream().map(this::of).toList();
     }
 
-    /** The same of one shooter. Any thread, as long as nothing is shot. */
+    /** The total of one shooter, on the elements of {@code shape}; called by any thread while no shots are added. */
     public Shot of(Shot shape) {
         return new Shot(shape.trees().stream().map(this::keep).toList(), shape.flux());
     }
