@@ -16,7 +16,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Which program this is: all hosts must run the same, as only the same computes the same bits. */
+/** The identity of this program: master and hosts must run the same build, as only that computes the same bits. */
 public final class Build {
 
     private static final int DIGITS = 16;
@@ -24,13 +24,13 @@ public final class Build {
 
     private Build() { }
 
-    /** The version as the jar states it. */
+    /** The version in the jar's manifest; ? where there is none. */
     public static String version() {
         String version = Build.class.getPackage().getImplementationVersion();
         return version == null ? "?" : version;
     }
 
-    /** A digest of the program's classes. */
+    /** A digest of the program's classes, in hexadecimal. */
     public static String id() {
         return DIGEST;
     }

@@ -3,14 +3,14 @@ package radiosity.rmi;
 import java.rmi.registry.Registry;
 
 /**
- * Where a host listens.
+ * The address on which a host listens.
  *
- * @param host its name or address
- * @param port its registry's port
+ * @param host name or network address of the host, not blank
+ * @param port port of the host's registry, 1 to 65535
  */
 public record HostAddress(String host, int port) {
 
-    /** Where nothing else is said. */
+    /** The port where the user names none. */
     public static final int DEFAULT_PORT = Registry.REGISTRY_PORT;
     private static final int MOST = 65535;
 
@@ -20,7 +20,7 @@ public record HostAddress(String host, int port) {
         }
     }
 
-    /** Reads {@code host}, {@code host:port}, {@code [address]} or {@code [address]:port}. */
+    /** @param text {@code host}, {@code host:port}, {@code [address]} or {@code [address]:port} */
     public static HostAddress parse(String text) {
         int colon = text.lastIndexOf(':');
         boolean bare = colon < 0 || text.endsWith("]") || text.indexOf(':') != colon && !text.startsWith("[");

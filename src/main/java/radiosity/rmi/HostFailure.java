@@ -13,7 +13,7 @@ import java.rmi.ServerException;
 import java.rmi.UnknownHostException;
 import java.rmi.UnmarshalException;
 
-/** Why a host is lost or cannot be used, in plain words on one line: what RMI says of it has several lines. */
+/** Explains in plain words on one line why a host is lost or cannot be used; messages of RMI have several lines. */
 public final class HostFailure {
 
     private static final int LONGEST_MESSAGE = 200;
@@ -21,10 +21,10 @@ public final class HostFailure {
     private HostFailure() { }
 
     /**
-     * Why a host is lost.
+     * The exception with the reason for which a host is lost.
      *
-     * @param error what a call to the host has thrown
-     * @throws OutOfMemoryError where it was thrown here: what a host lacks comes in an exception of RMI
+     * @param error error that a call to the host has thrown
+     * @throws OutOfMemoryError where this process lacks memory; lack of memory on the host comes in an exception of RMI
      */
     public static HostLostException because(Throwable error) {
         if (error instanceof OutOfMemoryError here) {
@@ -35,13 +35,13 @@ public final class HostFailure {
         return new HostLostException(words(cause), computation, error);
     }
 
-    /** What a call has failed with: where the host's side of it threw a remote exception, that one. */
+    /** The cause of a failed call: where the host's side threw a remote exception, that exception, else the error. */
     static Throwable cause(Throwable error) {
         return error instanceof ServerException && error.getCause() instanceof RemoteException thrown ? cause(thrown)
                 : error;
     }
 
-    /** @param error what connecting to a host or a call to it has thrown */
+    /** The reason of a failure, in words. @param error thrown by connecting to a host or by a call to the host */
     public static String words(Throwable error) {
         Throwable cause = cause(error);
         if (cause instanceof ServerError) {
@@ -54,6 +54,7 @@ public final class HostFailure {
         return cause instanceof IOException && cause.getMessage() != null ? line(cause.getMessage()) : internal(cause);
     }
 
+    /** The reason in words where the connection has failed. */
     private static String ofTheWay(RemoteException error) {
         if (error instanceof SessionEndedException) {
             return SessionEndedException.WORDS;
@@ -75,7 +76,7 @@ public final class HostFailure {
                 ? "connection closed" : "no sound answer";
     }
 
-    /** @param error may be null: hosts are not trusted */
+    /** @param error error on the host; null where the host sent none, as hosts are not trusted */
     private static String internal(Throwable error) {
         if (error == null) {
             return "internal error there";
@@ -84,7 +85,7 @@ public final class HostFailure {
         return "internal error there, " + kind + (error.getMessage() == null ? "" : ": " + line(error.getMessage()));
     }
 
-    /** Messages may come from a host: their first line, without what would steer a terminal. */
+    /** The first line of a message, which may come from a host, without characters that control a terminal. */
     private static String line(String message) {
         String first = message.strip().lines().findFirst().orElse("").replaceAll("\\p{Cntrl}", " ");
         return first.length() <= LONGEST_MESSAGE ? first : first.substring(0, LONGEST_MESSAGE) + "...";

@@ -13,12 +13,12 @@ import javax.net.ssl.TrustManagerFactory;
 import radiosity.scene.SceneFormatException;
 
 /**
- * What master and hosts know each other by ({@code -key}): a PKCS12 file with one key and its own certificate, as
- * {@code scripts/make-key} makes it. Who has not got the same file is refused, and nobody else can read along.
+ * The key by which master and hosts know each other ({@code -key}): a PKCS12 file with one key and its own certificate,
+ * as {@code scripts/make-key} makes it. Programs without the same file are refused and cannot read the messages.
  */
 public final class HostKey {
 
-    /** The file itself is the secret; keytool wants a password for it. */
+    /** Password of the file, as keytool requires one; the secret is the file itself, not the password. */
     private static final char[] PASSWORD = "radiosity".toCharArray();
 
     private final SSLContext context;

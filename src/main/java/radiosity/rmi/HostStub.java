@@ -13,27 +13,28 @@ import java.rmi.server.RemoteObjectInvocationHandler;
 import java.util.Arrays;
 
 /**
- * A stub for the host's name that the user has typed. The name that a host gives itself need not lead there: Debian's
- * default is 127.0.1.1, and a machine may have several.
+ * A stub whose host name can be replaced by the name that the user has typed. The name in the stub is the host's own
+ * and need not lead there: Debian's default resolves to 127.0.1.1, and a machine may have several names.
  *
  * <p>Works on the serialized form that {@link java.rmi.server.RemoteObject} documents: a block with "UnicastRef", host,
- * port, and the object's number; an object that is exported with a filter has "UnicastRef2" and a 0 in front of the
- * host, which says that no socket factory follows.
+ * port, and the object's number. An object that is exported with a filter has "UnicastRef2" and, in front of the host,
+ * a 0, which means that no socket factory follows.
  */
 public final class HostStub {
 
     private static final String PLAIN = "UnicastRef";
     private static final String WITH_FACTORY = "UnicastRef2";
-    /** How both begin, behind the two bytes of their length. */
+    /** The beginning of both names, which follows the two bytes of their length. */
     private static final byte[] KIND = PLAIN.getBytes(StandardCharsets.US_ASCII);
+    /** Largest number of bytes of a block: its length is one unsigned byte. */
     private static final int LONGEST_BLOCK = 255;
 
-    /** What stands before the block, and after it. */
+    /** Bytes in front of the block, and behind it. */
     private final byte[] before;
     private final byte[] after;
     private final String host;
     private final int port;
-    /** The block's rest: which object. */
+    /** The rest of the block: the object's number. */
     private final byte[] object;
 
     private HostStub(byte[] before, byte[] after, String host, int port, byte[] object) {
@@ -44,6 +45,7 @@ public final class HostStub {
         this.object = object;
     }
 
+    /** @throws IOException where the handler's serialized form is another */
     public static HostStub of(RemoteObjectInvocationHandler handler) throws IOException {
         byte[] bytes = serialized(handler);
         int block = block(bytes);

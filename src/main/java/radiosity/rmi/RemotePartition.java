@@ -12,55 +12,59 @@ import radiosity.protocol.Reply;
 import radiosity.protocol.SceneBytes;
 
 /**
- * How the calls of a {@link RemoteWorld} come to a {@link Partition} on another machine, for which {@code
- * PartitionServer} exports this: in sessions, with messages in parts, and so that a call may be repeated.
+ * The remote interface of a host, which {@code PartitionServer} exports, and by which the calls of a {@link
+ * RemoteWorld} reach a {@link Partition} on another machine: in sessions, with large messages in parts, and so that
+ * {@link #round} and {@link #blocks} may be repeated.
  *
- * <p>Arguments are numbers and bytes only, so that a host can refuse whatever else is sent. All calls but
- * {@link #greet} and {@link #open} name the session that they belong to; a host has one at a time.
+ * <p>Arguments are numbers and arrays of bytes only, so that a host can refuse all other objects. All calls but {@link
+ * #greet} and {@link #open} name the session to which they belong; a host has one session at a time. A call for a
+ * session that has ended throws a {@link SessionEndedException}.
  */
 public interface RemotePartition extends Remote {
 
-    /** Who is there, see {@link Greeting}; costs nothing and changes nothing. */
+    /** The host's {@link Greeting}, as bytes; also ends a session whose master has been silent for a while. */
     byte[] greet() throws RemoteException;
 
     /**
-     * Begins a session. Fails while another master's session is alive.
+     * Begins a session. Throws an IllegalStateException while another session is alive.
      *
-     * @param master for whom, as UTF-8, for the message to others
+     * @param session number that the master has chosen at random
+     * @param master  name of the user for whom the host works, in UTF-8; other masters are shown this name
      */
     void open(long session, byte[] master) throws RemoteException;
 
-    /** Tells that the master is alive, and the master that this host is. Never waits for the computation. */
+    /** The heartbeat: master and host each learn that the other is alive. Never waits for the computation. */
     void ping(long session) throws RemoteException;
 
-    /** Appends to the message that {@link #mesh}, {@link #take} or {@link #know} will read. */
+    /** Appends to the message that {@link #mesh}, {@link #take}, {@link #know} or {@link #share} will read. */
     void send(long session, byte[] part) throws RemoteException;
 
-    /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}; answers its fingerprint as UTF-8. */
+    /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}. @return its fingerprint in UTF-8 */
     byte[] mesh(long session) throws RemoteException;
 
     /**
-     * Makes the blocks its own that were sent, see {@link BlockTakeover}, and brings them up to date; gives others up.
+     * Makes the blocks that were sent the host's own and brings them up to date; gives up other blocks. The message
+     * that was sent is a {@link BlockTakeover}.
      *
-     * @return for each order that is answered: number of bytes, then an {@link Answer}
+     * @return for each order in the message that asks for an answer: number of bytes, then an {@link Answer}
      */
     byte[] take(long session) throws RemoteException;
 
-    /** Takes all that was ever shot from the message that was sent. */
+    /** Replaces all light ever shot, as the host knows it, by the message that was sent. */
     void know(long session) throws RemoteException;
 
-    /** The keys of the vertices that other hosts may have, too, see {@link GhostVertices#name}. */
+    /** The keys of the vertices that other hosts may also have, 8 bytes each, see {@link GhostVertices#name}. */
     byte[] border(long session) throws RemoteException;
 
-    /** Takes from the message that was sent who gathers at which of them, see {@link GhostVertices#agree}. */
+    /** Takes from the message that was sent which host gathers at these vertices, see {@link GhostVertices#agree}. */
     void share(long session) throws RemoteException;
 
     /**
-     * One round on the blocks that this host owns. The same number again is not done again.
+     * Carries out an order on the blocks that the host owns. A call that repeats a number gets the same reply again.
      *
-     * @param number 1, 2, ... in a session; what changes elements and what only asks is counted alike
-     * @param order  as {@link Partition#round} takes it, then what others have gathered for this host, see {@link
-     *               GhostVertices}; or nothing
+     * @param number 1, 2, ... in a session; orders that change elements and orders that only ask are counted alike
+     * @param order  an order for {@link Partition#round}, then the ghost values for this host, if there are any, see
+     *               {@link GhostVertices}
      * @return a {@link Reply}
      */
     byte[] round(long session, long number, byte[] order) throws RemoteException;
@@ -68,11 +72,11 @@ public interface RemotePartition extends Remote {
     /**
      * The states of blocks.
      *
-     * @param blocks ids, 4 bytes each
-     * @return for as many of them, from the first, as go into one answer: number of bytes, then those
+     * @param blocks ids of blocks, 4 bytes each
+     * @return for each of the first of these blocks, as many as go into one answer: number of bytes, then the state
      */
     byte[] blocks(long session, byte[] blocks) throws RemoteException;
 
-    /** Ends a session and frees its memory. */
+    /** Ends the session and frees its memory; does nothing where the session has ended. */
     void close(long session) throws RemoteException;
 }

@@ -6,18 +6,18 @@ import java.rmi.RemoteException;
 import java.rmi.ServerError;
 import java.util.concurrent.Callable;
 
-/** How often a call to a host is made that may be repeated: a connection that breaks is no host that is lost. */
+/** Repeats calls to a host that allow it: a host whose connection breaks need not be lost. */
 public final class RetryPolicy {
 
-    /** Silence after which a host is lost, s. */
+    /** Silence after which the master considers a host lost, s. */
     public static final double LOST_SECONDS = 10;
-    /** How long a connection is tried to be made: longer than a host may be silent, so that is what it is lost for. */
+    /** Time for which connecting is retried, s: a host that is silent meanwhile is lost for its silence. */
     private static final double SECONDS = 1.5 * LOST_SECONDS;
     private static final long PAUSE_MILLISECONDS = 100;
 
     private RetryPolicy() { }
 
-    /** Repeats a call once where its connection broke, or as soon as one can be made again. */
+    /** Makes a call, and once more where its connection broke: as soon as the host can be connected to again. */
     public static <T> T repeat(Callable<T> call) throws IOException {
         try {
             return once(call);

@@ -13,18 +13,18 @@ import javax.net.ssl.SSLServerSocket;
 import javax.net.ssl.SSLSocket;
 
 /**
- * The sockets of all remote calls of this process.
+ * The factory of the sockets of all remote calls of this process. Any thread may use it.
  *
- * <p>Connecting fails fast; what is open to a host can be closed, which ends the calls that wait for it. With a key
- * both ends must prove that they have it. The JDK has one such factory per process and sets it once; in a stub it would
- * have to be known to every registry.
+ * <p>Connecting fails fast. All sockets to a host can be closed, which ends the calls that wait for this host. With a
+ * key both ends must prove that they have the key. The JDK allows one such factory per process, which is set once; a
+ * factory inside a stub would have to be known to every registry.
  */
 public final class RmiSockets extends RMISocketFactory {
 
     private static final int CONNECT_MILLISECONDS = 2000;
-    /** For the answer to a handshake: a stopped host still accepts connections. */
+    /** Longest wait for the answer to a handshake: a stopped process still accepts connections. */
     private static final int HANDSHAKE_MILLISECONDS = 3000;
-    /** For idle connections: longer than rounds are apart. */
+    /** Time after which idle connections are closed: longer than the time between two rounds. */
     private static final int IDLE_MILLISECONDS = 600_000;
     private static final RmiSockets ALL = new RmiSockets();
 
@@ -33,16 +33,16 @@ public final class RmiSockets extends RMISocketFactory {
     private final Map<Integer, Listening> listening = new ConcurrentHashMap<>();
 
     /**
-     * How to listen on a port.
+     * The way of listening on a port.
      *
-     * @param address null for all of this machine's
-     * @param key     null for none
+     * @param address address of this machine; null for all its addresses
+     * @param key     key that callers must have; null for no key
      */
     private record Listening(InetAddress address, HostKey key) { }
 
     private RmiSockets() { }
 
-    /** The factory, in use from now on. */
+    /** The factory, which RMI uses from now on. */
     public static synchronized RmiSockets inUse() throws IOException {
         if (RMISocketFactory.getSocketFactory() != ALL) {
             System.setProperty("sun.rmi.transport.tcp.handshakeTimeout", "" + HANDSHAKE_MILLISECONDS);
@@ -52,7 +52,7 @@ public final class RmiSockets extends RMISocketFactory {
         return ALL;
     }
 
-    /** Connects to a host with this key, or without one where it is null. */
+    /** Uses a key for connections to a host from now on. @param key null for no key */
     public void use(HostAddress address, HostKey key) {
         if (key == null) {
             keys.remove(address);
@@ -61,7 +61,7 @@ public final class RmiSockets extends RMISocketFactory {
         }
     }
 
-    /** Listens so on a port. */
+    /** Sets how server sockets that are created from now on listen on a port, see {@link Listening}. */
     public void listen(int port, InetAddress address, HostKey key) {
         listening.put(port, new Listening(address, key));
     }
@@ -106,9 +106,9 @@ public final class RmiSockets extends RMISocketFactory {
     }
 
     /**
-     * Accepts connections without their origin. The JDK's registry lets callers from an address of this machine bind
-     * and unbind names; callers of unknown origin may only look names up. With a key no caller without it gets that
-     * far.
+     * Accepts connections and hides their origin. The JDK's registry lets callers from an address of this machine bind
+     * and unbind names; callers of unknown origin may only look names up. Used without a key only: with a key, callers
+     * without the key get no connection.
      */
     private static final class OriginHidingServerSocket extends ServerSocket {
 
@@ -129,13 +129,13 @@ public final class RmiSockets extends RMISocketFactory {
         }
     }
 
-    /** Closes everything that is open to a host. */
+    /** Closes all sockets to a host. */
     public void cut(HostAddress address) {
         for (Socket socket : open.getOrDefault(address, Set.of())) {
             try {
                 socket.close();
             } catch (IOException e) {
-                // it is as good as closed
+                // a socket that fails to close cannot be used either
             }
         }
         open.remove(address);

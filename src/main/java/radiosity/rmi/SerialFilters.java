@@ -4,33 +4,36 @@ import java.io.ObjectInputFilter;
 import java.util.Set;
 
 /**
- * What may come in by deserialization. Without filters a method that takes bytes only can be sent any object, which is
- * made before the call is refused.
+ * Filters on the objects that are deserialized from remote calls. Without filters a caller can send any object to a
+ * method that takes bytes, and the object is created before the call is refused.
  */
 public final class SerialFilters {
 
+    /** Limits of a call to a host: depth and number of objects, and bytes besides the largest array. */
     private static final int DEPTH = 2;
     private static final int REFERENCES = 8;
     private static final int STREAM_BYTES = 4096;
-    /** What fits into an answer of a sound host: blocks of a message share the memory with the world itself. */
+    /** Largest number of entries of an array: arrays of messages share the memory with the elements of the world. */
     private static final long MOST_BYTES = Math.max(16L << 20, Runtime.getRuntime().maxMemory() / 8);
 
-    /** What the JDK's own side of a call brings along. */
+    /** Classes that the JDK itself sends in a call. */
     private static final Set<String> OF_RMI = Set.of("java.rmi.server.RemoteObjectInvocationHandler",
             "java.rmi.server.RemoteObject", "java.rmi.server.RemoteStub", "java.rmi.server.UID",
             "java.rmi.server.ObjID", "java.rmi.dgc.VMID", "java.rmi.dgc.Lease", "sun.rmi.server.UnicastRef",
             "sun.rmi.registry.RegistryImpl_Stub", "java.rmi.registry.Registry", "java.rmi.Remote");
+    /** Classes in answers and in exceptions of hosts. */
     private static final Set<String> PLAIN = Set.of("java.lang.String", "java.lang.Number", "java.lang.Integer",
             "java.lang.Long", "java.lang.Boolean", "java.lang.StackTraceElement", "java.lang.Enum",
             "java.util.Collections$EmptyList", "java.util.Collections$UnmodifiableList",
             "java.util.Collections$UnmodifiableCollection", "java.util.ArrayList", "java.lang.Object",
             SessionEndedException.class.getName());
+    /** Limits of an answer to the master: exceptions have causes and stack traces. */
     private static final int DEPTH_OF_ERRORS = 20;
     private static final int REFERENCES_OF_ERRORS = 10_000;
 
     private SerialFilters() { }
 
-    /** On what a host exports: bytes, and nothing else. */
+    /** The filter of a host's exported partition: arrays of bytes are allowed, and nothing else. */
     public static ObjectInputFilter.Status ofHost(ObjectInputFilter.FilterInfo info) {
         if (info.depth() > DEPTH || info.references() > REFERENCES || info.arrayLength() > MOST_BYTES
                 || info.streamBytes() > MOST_BYTES + STREAM_BYTES) {
@@ -41,7 +44,7 @@ public final class SerialFilters {
                 : type == byte[].class ? ObjectInputFilter.Status.ALLOWED : ObjectInputFilter.Status.REJECTED;
     }
 
-    /** In the master, for all of the process: a host is not trusted either. */
+    /** Sets the master's filter for its whole process, unless there is a filter: hosts are not trusted either. */
     public static synchronized void ofMaster() {
         if (ObjectInputFilter.Config.getSerialFilter() == null) {
             ObjectInputFilter.Config.setSerialFilter(SerialFilters::check);

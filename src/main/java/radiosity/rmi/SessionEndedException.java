@@ -2,7 +2,7 @@ package radiosity.rmi;
 
 import java.rmi.RemoteException;
 
-/** A session is over: its master was silent for too long, or the host was started anew. */
+/** A session has ended, as its master was silent for too long, or another session has begun. */
 public final class SessionEndedException extends RemoteException {
 
     private static final long serialVersionUID = 1;

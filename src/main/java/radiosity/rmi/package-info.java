@@ -1,4 +1,4 @@
 /**
- * Remote method invocation: addresses, sockets, keys, filters against hostile objects, retries.
+ * Remote method invocation: addresses, sockets, keys, filters against hostile objects, retries of calls.
  */
 package radiosity.rmi;

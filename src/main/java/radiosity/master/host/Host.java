@@ -286,14 +286,14 @@ public final class Host implements AutoCloseable {
         }
     }
 
-    /** Gives the host up without a word to it: ends the heartbeat and closes all connections. */
+    /** Gives the host up without a further call: ends the heartbeat and closes all connections. */
     public void abandon() {
         closed = true;
         heartbeat.interrupt();
         link.cut();
     }
 
-    /** Ends the session; waits a few seconds for the host, then closes all connections. */
+    /** Ends the session; closes all connections where the host does not answer in a few seconds. */
     @Override
     public void close() {
         closed = true;

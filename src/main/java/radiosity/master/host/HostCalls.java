@@ -30,8 +30,8 @@ public final class HostCalls {
     }
 
     /**
-     * Waits for a call that was started on several hosts. A host that is lost already is not awaited: as hosts do rounds
-     * in their order, a host that an earlier round never reached would not come to this one.
+     * Waits for a call that was started on several hosts. A host that is lost already is not awaited: hosts do rounds
+     * in their order, so a host that an earlier round never reached would not come to this one.
      *
      * @return the results of the hosts that answer; the other hosts are lost
      */
