@@ -32,7 +32,7 @@ final class BlockAssignment {
     private static final int RUNS = 8;
     /** Blocks move if the slowest host takes longer than the average host by more than this part. */
     private static final double WORTH = 0.03;
-    /** Number of shooters after which a measured time has a weight of 1/e: a few may all lie in one corner. */
+    /** Number of shooters after which a measured time has a weight of 1/e: a few shooters may all lie in one corner. */
     private static final double MEMORY = 1000;
     /** A block moves only if the slower of both hosts then takes less, by this part, than the slowest takes now. */
     private static final double RELIEF = 2e-3;
@@ -40,7 +40,7 @@ final class BlockAssignment {
     private static final double KEPT = 0.95;
     /** Measured time of a host below which its speed is not judged, s: few shooters may be invisible to its blocks. */
     private static final double LEAST_SECONDS = 0.2;
-    /** A host keeps its assumed speed within this factor: smaller differences are measured as those of its blocks. */
+    /** A host keeps its assumed speed within this factor: smaller differences are attributed to its blocks. */
     private static final double FACTOR = 2;
     /** Least assumed cost of moving blocks, and the assumed cost of the first time per patch of a host, s. */
     private static final double LEAST_COST = 0.005;
@@ -153,7 +153,7 @@ final class BlockAssignment {
 
     /*---- What hosts do ----*/
 
-    /** Learns from the replies of all hosts to a step. @param shots number of shots gathered in the step */
+    /** Learns from the replies of all hosts to a step in which this number of shots was gathered. */
     void add(Map<Host, Reply> replies, int shots) {
         replies.forEach((host, reply) -> add(host, reply, shots));
         judge(replies.keySet());

@@ -26,7 +26,7 @@ import radiosity.solution.HostStatistics;
  */
 final class Hosts {
 
-    /** Number of hosts failing at the same work at which the calculation ends. */
+    /** Number of failed computations, without a step done by all hosts in between, at which the calculation ends. */
     private static final int MOST_FAILURES = 2;
 
     private final byte[] task;
@@ -64,7 +64,11 @@ final class Hosts {
         return present;
     }
 
-    /** Opens sessions with all hosts that can be used, and deals blocks. @throws NoWorkerException if there is none */
+    /**
+     * Opens sessions with all hosts that can be used, and deals blocks.
+     *
+     * @throws NoWorkerException where no host can be used
+     */
     void open(List<Link> links) throws IOException {
         present.addAll(finder.open(links));
         present.forEach(work.log()::welcome);
@@ -130,7 +134,7 @@ final class Hosts {
         work.assignment().lose(host);
     }
 
-    /** Deals the blocks without an owner. @return number of hosts that have got some and brought them up to date */
+    /** Deals the blocks without an owner; gives the number of hosts that have taken some and rebuilt them. */
     private int adopt() throws IOException {
         if (present.isEmpty()) {
             goOnAlone();

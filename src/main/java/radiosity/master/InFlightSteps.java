@@ -116,7 +116,7 @@ final class InFlightSteps {
         return steps.size();
     }
 
-    /** Gives a step to hosts. @param bytes the order as each host receives it; a host's ghost values are appended */
+    /** Gives a step to hosts: each host receives these bytes, the encoded order, and then its ghost values. */
     void begin(Collection<Host> hosts, Step step, byte[] bytes) {
         step.running = new LinkedHashMap<>();
         step.begin = clock.getAsLong();

@@ -33,7 +33,7 @@ final class RemoteSteps {
         this.halo = halo;
     }
 
-    /** @param bytes the order as hosts receive it. @param times receives the time of every step that is done by now */
+    /** Gives an order, encoded as {@code bytes}, to all hosts; {@code times} receives the times of steps found done. */
     Step begin(Order order, byte[] bytes, World.StepTimes times) {
         return begin(order, order.shots().size(), bytes, times);
     }

@@ -228,7 +228,7 @@ public final class RemoteWorld extends World {
         return clock.getAsLong();
     }
 
-    /** Does what must precede an order: checkpoint, log, light ever shot. @return the order as hosts receive it */
+    /** Does what must precede an order (checkpoint, light ever shot, log); gives the order as hosts receive it. */
     private byte[] prepare(Order order) throws IOException {
         if (order.changes() && log.isCheckpointDue()) {
             blocks();

@@ -76,7 +76,7 @@ final class ShotLog {
         }
     }
 
-    /** @param seconds time that the slowest host took for an order */
+    /** Notes the time that the slowest host took for an order, s. */
     void took(double seconds) {
         since += seconds;
     }
@@ -85,14 +85,14 @@ final class ShotLog {
         return since >= PATIENCE * cost || bytes > MOST_BYTES;
     }
 
-    /** @param now state of each block, by id. @param seconds time that it took to fetch these states */
+    /** Starts the log anew from the states of all blocks, by id, which took this time to fetch from hosts, s. */
     void checkpoint(List<byte[]> now, double seconds) {
         checkpoint(now);
         cost = Math.max(SECONDS, seconds);
         since = 0;
     }
 
-    /** Starts the log anew from states that were not fetched from hosts. @param now state of each block, by id */
+    /** Starts the log anew from the states of all blocks, by id. */
     void checkpoint(List<byte[]> now) {
         states = List.copyOf(now);
         entries.clear();
@@ -122,7 +122,7 @@ final class ShotLog {
         }
     }
 
-    /** Replaces the light ever shot; no host has it then. @param now total of each shooter */
+    /** Replaces the light ever shot by these totals of all shooters; hosts do not have them yet. */
     void restart(List<Shot> now, List<Host> hosts) {
         totals.set(now);
         hosts.forEach(host -> host.knows = false);
@@ -138,7 +138,7 @@ final class ShotLog {
     }
 
     /**
-     * The total that each shooter has shot; the list is filled when it is read, so read it before the next shots.
+     * The total that each shooter has shot. The list is filled while it is read: read it before the next shot.
      *
      * @param trees the shooters' trees as their elements are divided, without radiosities
      */

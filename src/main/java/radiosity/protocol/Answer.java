@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import radiosity.mesh.face.Faces;
 import radiosity.util.ExactSum;
 
-/** The answer of a partition after a round: its best candidates for the next one, and its part of the energy ledger. */
+/** The answer of a partition after a round: its best candidates for the next, and its part of the energy ledger. */
 public final class Answer {
 
     /** Shooters for the next round, largest unshot flux first. */
@@ -55,7 +55,7 @@ public final class Answer {
         return List.of(unshotFlux, received, absorbed, unshot);
     }
 
-    /** Adds the answers of other partitions; keeps up to {@code most} candidates, those with the largest flux. */
+    /** Adds the answers of other partitions; keeps the {@code most} candidates with the largest flux. */
     public void add(List<Answer> others, int most) {
         others.forEach(other -> {
             candidates.addAll(other.candidates);

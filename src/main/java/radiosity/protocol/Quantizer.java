@@ -58,7 +58,7 @@ record Quantizer(int channels, double[] unit) {
         return unit[run(node) + channel];
     }
 
-    /** The radiosities as multiples of the units. @param rounding rounds a number of units to a whole number */
+    /** The radiosities as multiples of the units; {@code rounding} rounds a number of units to a whole number. */
     double[] rounded(double[] radiosity, DoubleUnaryOperator rounding) {
         double[] rounded = new double[radiosity.length];
         int perNode = 3 * channels;

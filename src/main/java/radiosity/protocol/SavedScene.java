@@ -21,7 +21,7 @@ public final class SavedScene {
 
     private SavedScene() { }
 
-    /** Compresses a scene for the end of a state. @param scene as {@link SceneBytes} writes it */
+    /** Compresses a scene, given as {@link SceneBytes} writes it, for the end of a state. */
     public static byte[] write(byte[] scene) {
         Deflater quick = new Deflater(Deflater.BEST_SPEED);
         ByteArrayOutputStream packed = new ByteArrayOutputStream();

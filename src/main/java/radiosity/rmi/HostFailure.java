@@ -41,7 +41,7 @@ public final class HostFailure {
                 : error;
     }
 
-    /** The reason of a failure, in words. @param error thrown by connecting to a host or by a call to the host */
+    /** The reason, in words, of an error that was thrown by connecting to a host or by a call to the host. */
     public static String words(Throwable error) {
         Throwable cause = cause(error);
         if (cause instanceof ServerError) {

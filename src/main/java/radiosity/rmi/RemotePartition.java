@@ -39,7 +39,7 @@ public interface RemotePartition extends Remote {
     /** Appends to the message that {@link #mesh}, {@link #take}, {@link #know} or {@link #share} will read. */
     void send(long session, byte[] part) throws RemoteException;
 
-    /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}. @return its fingerprint in UTF-8 */
+    /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}; gives its fingerprint in UTF-8. */
     byte[] mesh(long session) throws RemoteException;
 
     /**

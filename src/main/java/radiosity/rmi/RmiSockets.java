@@ -52,7 +52,7 @@ public final class RmiSockets extends RMISocketFactory {
         return ALL;
     }
 
-    /** Uses a key for connections to a host from now on. @param key null for no key */
+    /** Uses this key, or none where it is null, for connections to a host from now on. */
     public void use(HostAddress address, HostKey key) {
         if (key == null) {
             keys.remove(address);

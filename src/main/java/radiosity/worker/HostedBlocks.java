@@ -50,7 +50,7 @@ final class HostedBlocks {
         return mesh.blocks.get(id);
     }
 
-    /** The work on each block since the last report. @param cpu processor time since then, s */
+    /** The work on each block since the last report, in which the host's processor time was {@code cpu}, s. */
     List<BlockWork> work(double cpu) {
         return List.of(partition.costs().report(cpu));
     }
@@ -109,7 +109,7 @@ final class HostedBlocks {
         totals.set(shot);
     }
 
-    /** Carries out an order. @param bytes the order, then the ghost values for this host, if any */
+    /** Carries out an order, which is followed in {@code bytes} by the ghost values for this host, if any. */
     byte[] round(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
         Order order = Order.decode(in);

@@ -92,7 +92,7 @@ public final class PartitionPort implements AutoCloseable {
         }
     }
 
-    /** Serves behind the registry that has the port already. @throws ExportException where there is no such registry */
+    /** Serves behind the registry that has the port; throws {@code taken} where none answers or a server is bound. */
     private static PartitionPort behind(Options options, RmiSockets sockets, ServedPartition served,
                                         ExportException taken, Consumer<String> log) throws IOException {
         SerialFilters.ofMaster();

@@ -30,7 +30,7 @@ public final class ShotHistory {
         return trees.isEmpty();
     }
 
-    /** Replaces this history. @param all the totals of all shooters */
+    /** Replaces this history by the totals of all shooters. */
     public void set(List<Shot> all) {
         trees.clear();
         all.forEach(shot -> shot.trees().forEach(tree -> trees.put(top(tree), tree)));
@@ -46,7 +46,7 @@ public final class ShotHistory {
         shots.forEach(shot -> shot.trees().forEach(tree -> trees.merge(top(tree), tree, PatchTree::plus)));
     }
 
-    /** The totals of some shooters. @param shapes their trees as they are divided now; radiosities are not read */
+    /** The totals of some shooters, on the elements of {@code shapes}, whose radiosities are not read. */
     List<Shot> of(List<Shot> shapes) {
         return shapes.stream().map(this::of).toList();
     }

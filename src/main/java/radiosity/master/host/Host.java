@@ -81,7 +81,7 @@ public final class Host implements AutoCloseable {
         speed = threads;
     }
 
-    /** Opens a session and begins the heartbeat. @param master user for whom the host works */
+    /** Opens a session for the user named {@code master}, and begins the heartbeat. */
     public void open(String master) throws RemoteException {
         remote.open(session, Wire.utf8(master));
         heard = System.nanoTime();
@@ -171,7 +171,7 @@ public final class Host implements AutoCloseable {
         ghostValues = values;
     }
 
-    /** Takes the ghost values for this host. @return the order, followed by these values */
+    /** An encoded order, followed by the ghost values for this host, which are forgotten then. */
     public byte[] withGhostValues(byte[] order) {
         if (ghostValues.length == 0) {
             return order;
@@ -182,14 +182,14 @@ public final class Host implements AutoCloseable {
         return all;
     }
 
-    /** Has the host carry out an order; may be repeated with the same number. */
+    /** Has the host carry out an order; repeats the call where the connection breaks. */
     public Reply round(long number, byte[] order) throws IOException {
         byte[] bytes = RetryPolicy.repeat(() -> remote.round(session, number, order));
         load.bytes.addAndGet((long) order.length + bytes.length);
         return Reply.decode(bytes);
     }
 
-    /** Gives blocks to the host. @return its answers to those of the repeated orders that ask for one */
+    /** Gives blocks to the host; returns its answers to those of the repeated orders that ask for answers. */
     public List<byte[]> take(BlockTakeover adoption) throws IOException {
         send(adoption::write);
         byte[] answers = remote.take(session);
@@ -254,7 +254,7 @@ public final class Host implements AutoCloseable {
         return task;
     }
 
-    /** Waits for the result of a call. @throws HostLostException where the call fails or the host falls silent */
+    /** Waits for the result of a call; throws an exception where the call fails or the host falls silent. */
     <T> T await(FutureTask<T> call) throws HostLostException {
         return await(call, notices);
     }

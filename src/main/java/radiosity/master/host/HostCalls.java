@@ -18,7 +18,7 @@ public final class HostCalls {
         T on(Host host) throws IOException;
     }
 
-    /** Makes a call on several hosts. @return the results of the hosts that answer; the other hosts are lost */
+    /** Makes a call on several hosts; gives the results of the hosts that answer. The other hosts are lost. */
     public <T> Map<Host, T> onAll(Collection<Host> called, Call<T> call) {
         return await(start(called, call));
     }

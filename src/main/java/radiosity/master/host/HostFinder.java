@@ -68,7 +68,7 @@ public final class HostFinder implements AutoCloseable {
         }
     }
 
-    /** A host with a session, or null where no session can be opened now. @param notify whether the user is told why */
+    /** A host with a session, or null where no session can be opened now; with {@code notify} the user learns why. */
     private Host open(Link link, boolean notify) {
         FutureTask<Host> opening = Host.start(() -> session(link, notify));
         try {
@@ -112,7 +112,7 @@ public final class HostFinder implements AutoCloseable {
         return null;
     }
 
-    /** The host's greeting. @param patient whether to wait for a while until the host is free */
+    /** The host's greeting; with {@code patient} waits for some seconds until the host is free. */
     private static Greeting greeting(RemotePartition remote, boolean patient) throws IOException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(patient ? BUSY_SECONDS : 0);
         Greeting greeting = Greeting.decode(remote.greet());
@@ -165,7 +165,7 @@ public final class HostFinder implements AutoCloseable {
         return !arrived.isEmpty();
     }
 
-    /** Removes and returns a host that has come since the start and is ready for blocks; null where there is none. */
+    /** Removes and returns a host that has come and is ready to be given blocks; null where there is none. */
     public Host next() {
         return arrived.poll();
     }

@@ -24,7 +24,7 @@ public final class HostLoad {
     /** Number of bytes sent to and received from the host; several threads add to the number. */
     final AtomicLong bytes = new AtomicLong();
 
-    /** Adds a step. @param given latest modelled time that a host had reached when the master gave the step, s */
+    /** @param given latest modelled time that any host had reached when the master gave this step, s */
     public void add(Reply reply, double given) {
         if (rounds++ == 0) {
             begun = given;

@@ -11,7 +11,7 @@ public interface Link {
     /** The name by which the user calls the host. */
     String name();
 
-    /** Looks up the partition on the host. @throws IOException after a few seconds where there is no answer */
+    /** Looks up the partition on the host; fails after a few seconds where there is no answer. */
     RemotePartition connect() throws IOException;
 
     /** Begins calls to the host on another thread. */

@@ -37,7 +37,7 @@ public final class RmiLink implements Link {
         partition = address;
     }
 
-    /** A link to each address; sets this process's filter and socket factory. @param key null for no key */
+    /** A link to each address, with a key or null; sets the filter and the socket factory of this process. */
     public static List<Link> to(List<HostAddress> addresses, HostKey key) throws IOException {
         SerialFilters.ofMaster();
         RmiSockets sockets = RmiSockets.inUse();
