@@ -1,4 +1,4 @@
 /**
- * What a PartitionServer serves (section 4.5.6 of the paper): one session of a master at a time.
+ * The side of a host: a PartitionServer serves one session of a master at a time (section 4.5.6 of the paper).
  */
 package radiosity.worker;
