@@ -26,44 +26,45 @@ import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.util.ParallelFor;
 
-/** Looks at a solution anew, at some points of every surface, and writes its {@link Certificate}. */
+/** Estimates the error of a solution by gathering its light anew at points of every surface: a {@link Certificate}. */
 public final class Audit {
 
-    /** Points: one per this number of elements, and the least and the most. */
+    /** Number of points per batch: one per this number of elements, within the least and the most. */
     private static final int ELEMENTS_PER_POINT = 100;
     private static final int LEAST_POINTS = 192;
     private static final int MOST_POINTS = 400;
     /**
-     * Where in its step each batch of points begins: one after another, until the mean square error is known so well.
+     * Where each batch begins within the sampling step, as a fraction of the step. Batches are added until the relative
+     * standard error of the mean square error is at most {@link #ENOUGH}.
      */
     private static final double[] START = {0.5, 0, 0.25, 0.75};
     private static final double ENOUGH = 0.3;
-    /** The same where it is more than was asked for: by how much, says how much finer the mesh has to be. */
+    /** The limit where the error exceeds the one asked for: the excess says how much finer the mesh must be. */
     private static final double ENOUGH_TO_REFINE = 0.15;
-    /** Standard errors by which the mean square error is to be above or below that which is asked for. */
+    /** Standard errors by which the mean square error must differ from the square of the error asked for. */
     private static final double CLEAR = 2;
     /**
-     * Unshot flux, relative to the emitted, above which a calculation has only begun: nearly all of its error is what
-     * is unshot, which few points tell.
+     * Unshot flux, relative to the emitted flux, above which a calculation counts as only begun: nearly all of its
+     * error is then unshot flux, for which the least number of points is enough.
      */
     private static final double MOSTLY = 0.5;
     /**
-     * What a ray may carry where light is found anew, relative to what it may at first for the error that is asked for:
-     * the noise of these rays drops out, and makes the estimate uncertain only where it is more than the error.
+     * Light that a ray of the audit may carry, relative to the first tolerance of a render with the error asked for.
+     * The noise of these rays is subtracted, and makes the estimate uncertain only where the noise exceeds the error.
      */
     private static final double FINER = 0.5;
-    /** What a ray may carry where sums of form factors are found. */
+    /** Form factor that a ray may carry where sums of form factors are calculated. */
     private static final double FACTOR_TOLERANCE = 0.05;
-    /** With how many others a point's patch is compared. */
+    /** Number of other patches with which the patch of each point is compared for reciprocity. */
     private static final int PARTNERS = 2;
-    /** What emitters count for where there is anything else. */
+    /** Weight of an emitter in the mean radiosity of a room, relative to a surface that does not emit. */
     private static final double NOTHING = 1e-9;
 
     private final InitialMesh mesh;
     private final Faces faces;
     private final List<byte[]> states;
     private final EnergyLedger ledger;
-    /** Relative error that is asked for. */
+    /** Relative error of radiosity that the user asks for. */
     private final double asked;
     private final ParallelFor parallel;
     private final AuditPlaces places;
@@ -73,8 +74,10 @@ public final class Audit {
     private int batches;
 
     /**
-     * @param states of all blocks, by id
-     * @param ledger of the same moment
+     * @param states   encoded state of each block, by block id
+     * @param ledger   flux at the time of the states
+     * @param elements number of elements in the scene
+     * @param asked    relative error of radiosity that is asked for
      */
     public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, double asked,
                  ParallelFor parallel) {
@@ -97,7 +100,7 @@ public final class Audit {
         return nodes;
     }
 
-    /** Per channel: mean radiosity that is reflected, W/m². */
+    /** Returns the mean reflected radiosity, one per channel, W/m²; a black scene has a small positive one. */
     private double[] reflected() {
         double[] mean = new double[faces.channels()];
         Arrays.setAll(mean, c -> Math.max(Faces.LEAST_IMPORTANCE * ledger.received()[c],
@@ -105,16 +108,21 @@ public final class Audit {
         return mean;
     }
 
-    /** The same of all that leaves surfaces. */
+    /** Returns the mean radiosity that leaves surfaces, emitted or reflected, one per channel, W/m². */
     private double[] leaving() {
         double[] mean = new double[faces.channels()];
         Arrays.setAll(mean, c -> ledger.shot()[c] / (faces.area() * faces.size() * faces.size()));
         return mean;
     }
 
-    /*---- Looking ----*/
+    /*---- Gathering anew ----*/
 
-    /** As long as a few points make up most of the error, or it may be more or less than asked, more are looked at. */
+    /**
+     * Adds batches of points while a few points make up most of the error, or while the error may lie on either side of
+     * the error asked for.
+     *
+     * @param unshotFlux flux not shot yet, all channels, W
+     */
     public Certificate certificate(double unshotFlux) throws IOException {
         List<AuditPoint> first = places.pick(wanted, START[0], 0);
         UniformRadiosity ambient = ambient(first);
@@ -152,7 +160,7 @@ public final class Audit {
         batches++;
     }
 
-    /** What all surfaces of a closed room have in common: about the mean of what does not emit, if there is any. */
+    /** Returns a radiosity per closed room: about the mean over its points, without emitters if it has others. */
     private UniformRadiosity ambient(List<AuditPoint> some) {
         int channels = faces.channels();
         double[] sum = new double[channels * mesh.rooms.count()];
@@ -173,7 +181,7 @@ public final class Audit {
         return new UniformRadiosity(mesh.rooms, channels, sum);
     }
 
-    /** What leaves a block's elements is gathered, and then 1 W/m² from all. */
+    /** Gathers the light leaving the elements of a block, and the form factors to these elements, at a batch. */
     private void gather(List<AuditPoint> batch, Block block, UniformRadiosity ambient) {
         RadiosityNodes nodes = nodes(block.id());
         int corners = 3 * nodes.channels();
@@ -203,12 +211,12 @@ public final class Audit {
         return ones;
     }
 
-    /** One per channel: 1 / mean reflected radiosity, m²/W. */
+    /** Returns 1 / mean reflected radiosity, one per channel, m²/W; 0 in a channel without light. */
     private double[] weight() {
         return Arrays.stream(reflected()).map(mean -> mean > 0 ? 1 / mean : 0).toArray();
     }
 
-    /*---- Reciprocity: A F from one block's top to another's, and back ----*/
+    /*---- Reciprocity: area times form factor from one patch to another, compared with the opposite direction ----*/
 
     private double reciprocity() {
         List<AuditPoint> seen = points.stream().filter(p -> !p.isBuried).toList();
@@ -226,7 +234,7 @@ public final class Audit {
         return all == 0 ? 0 : Arrays.stream(difference).sum() / all;
     }
 
-    /** Area of a patch times its form factor to another, as a mean over three points within. */
+    /** Area of one point's patch times its form factor to another's, as a mean over three points of the patch. */
     private double exchange(AuditPoint from, AuditPoint to) {
         PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, threeOnes());
         ShooterHierarchy shooter = new ShooterHierarchy(faces, List.of(tree), Weights.of(ones()));

@@ -11,41 +11,46 @@ import radiosity.setup.InitialMesh;
 import radiosity.solution.EnergyLedger;
 
 /**
- * By how much all light of a colour is off, as interreflection makes many times more of what is lost, or is too much,
- * at every point.
+ * Estimates the error that all light of a colour has in common: interreflection multiplies any flux that is lost, or is
+ * in excess, and spreads it over all surfaces.
  *
- * <p>What the points tell of it is uncertain, in white rooms 10,000 times as uncertain. But it is known in another way
- * too: what the solution has received is counted, and all that leaves it arrives, but for what escapes; in a room
- * that is proven closed nothing does. So the mean of the points' errors is corrected by as much as the mean of what
- * they have received is found to be off from what is counted.
+ * <p>The mean error of the points is a poor estimate: its uncertainty is multiplied too, 10,000 times in a white
+ * room. But the flux that the solution has received is known exactly from the ledger, and all flux that leaves
+ * surfaces arrives, except for what escapes; from a room that is proven closed nothing escapes. So the mean error of
+ * the points is corrected by the difference between the excess of received flux that the points find and the excess
+ * that follows from the ledger.
  */
 final class AuditBias {
 
     /*
      * Regression estimator, and the variance of a weighted mean by squared deviations: W. G. Cochran, Sampling
-     * techniques, 1977, chapters 7 and 6. What is counted has a variance v too, that of the rays by which escaping is
-     * found; the slope covariance / (variance + v) leaves the least variance of both together.
+     * techniques, 1977, chapters 7 and 6. The excess from the ledger has a variance v too, as escaping flux is found by
+     * rays; the slope covariance / (variance + v) minimises the variance of the combined estimate.
      */
     private final Faces faces;
     private final EnergyLedger ledger;
     private final int colour;
-    /** 1 per point: area, which they have in common between them, of the scene's squared size. */
+    /** 1 per point: area that the point represents among all batches, in units of the squared scene size. */
     private final double[] area;
-    /** All flux that leaves surfaces, of the scene's squared size: what all others are relative to. */
+    /** All flux that leaves surfaces, W over the squared scene size; all fluxes below are relative to this flux. */
     private final double unit;
     /**
-     * 1 per point each: flux too much that it reflects, that it has received, and that is not to be expected elsewhere.
+     * 1 per point each: excess of reflected flux, excess of received flux, and flux leaving the point that is not
+     * expected to arrive elsewhere.
      */
     private final double[] reflected;
     private final double[] received;
     private final double[] unaccounted;
-    /** Of the reflected one, and its standard error. */
+    /** Estimated excess of reflected flux in the whole scene, and its standard error. */
     private final double flux;
     private final double error;
-    /** Mean reflectance times whole area. */
+    /** Mean reflectance times area of all faces, in units of the squared scene size. */
     private final double reflecting;
 
-    /** @param points all, those too that are buried */
+    /**
+     * @param points  all points, buried ones included
+     * @param batches number of batches of points; each batch represents the whole scene
+     */
     AuditBias(InitialMesh mesh, List<AuditPoint> points, int batches, EnergyLedger ledger, int colour) {
         faces = mesh.faces;
         this.ledger = ledger;
@@ -59,7 +64,7 @@ final class AuditBias {
         unaccounted = each(i -> points.get(i).unaccounted(colour));
         double strongest = IntStream.range(0, area.length).filter(i -> !isClosed(mesh, points.get(i)))
                 .mapToDouble(i -> area[i] * points.get(i).leaving(colour) / unit / Escape.RAYS).max().orElse(0);
-        // that no ray escapes does not tell that none would: the strongest might
+        // even where no ray escapes, the ray that carries most light might have escaped
         double uncertain = moment(unaccounted, unaccounted) + strongest * strongest;
         double spread = moment(received, received) + uncertain;
         double slope = spread > 0 ? moment(reflected, received) / spread : 0;
@@ -78,7 +83,7 @@ final class AuditBias {
         return point.isBuried || mesh.rooms.room(point.face) >= 0;
     }
 
-    /** Covariance of the sums of two. */
+    /** Estimated covariance of the sums of two quantities, each given as one value per point. */
     private double moment(double[] a, double[] b) {
         double all = Arrays.stream(area).sum();
         double meanA = Arrays.stream(a).sum() / all;
@@ -90,12 +95,12 @@ final class AuditBias {
         return sum;
     }
 
-    /** Mean radiosity by which interreflection alone puts surfaces off that reflect so much on average, W/m². */
+    /** Error that interreflection adds to surfaces of this mean reflectance, W/m²; positive: too bright. */
     double spread(double reflectance) {
         return flux * unit * perReflectance() * reflectance;
     }
 
-    /** Standard error of that. */
+    /** Standard error of {@link #spread}, W/m². */
     double uncertainty(double reflectance) {
         return error * unit * perReflectance() * reflectance;
     }
@@ -105,8 +110,9 @@ final class AuditBias {
     }
 
     /**
-     * How often light that is lost at a point is lost by interreflection: 1 / (1 - share that comes back). Where by the
-     * form factors all does, as often as it is at the largest reflectance.
+     * Returns the factor by which interreflection multiplies a loss of flux: 1 / (1 - share of shot flux that is
+     * reflected); 1 where nothing was shot or absorbed. Where at least as much is reflected as was shot, because form
+     * factors are not exact, the factor of the largest reflectance allowed.
      */
     private double amplification() {
         double shot = sum(ledger.shot());

@@ -17,38 +17,39 @@ import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
-/** At which points a solution is looked at: most where errors are to be expected. */
+/** Chooses the points at which an {@link Audit} gathers anew: most of them where large errors are expected. */
 final class AuditPlaces {
 
     /*
      * Errors have a heavy tail: a few small elements at the edge of a shadow, or around a lamp, may make up most of the
-     * mean square. Points are best dealt in proportion to area times expected error (J. Neyman, On the two different
-     * aspects of the representative method, 1934); what is expected here grows with what is there and by how much it
-     * differs over the element. Some of it is the same everywhere, so that nothing counts for much more than its area
-     * where that is wrong (T. Hesterberg, Weighted average importance sampling and defensive mixture distributions,
-     * 1995). Each surface has its own points, at equal steps of this through its elements.
+     * mean square. Points are best distributed in proportion to area times expected error (J. Neyman, On the two
+     * different aspects of the representative method, 1934); the error expected here grows with the radiosity of an
+     * element and with the differences within the element. A constant is added, so that no point represents much more
+     * area than its share where the expectation is wrong (T. Hesterberg, Weighted average importance sampling and
+     * defensive mixture distributions, 1995). Each surface has points of its own, at equal steps of this weight through
+     * its elements.
      */
-    /** What differences within an element count for. */
+    /** Weight of the difference between the corners of an element, relative to the weight of its mean. */
     private static final double DIFFERENCE = 10;
     private static final int LEAST_PER_SURFACE = 2;
 
     private final InitialMesh mesh;
     private final Faces faces;
     private final IntFunction<RadiosityNodes> nodes;
-    /** 1 per colour, W/m². */
+    /** 1 per colour each: mean reflected radiosity, and mean radiosity leaving surfaces, W/m². */
     private final double[] reflected;
     private final double[] leaving;
     private final InteriorTest burial;
     private final VertexBulge bulges;
     private final Weighed[] weighed;
 
-    /** The elements of a block: 1 of each per element. */
+    /** The visible elements of a block, 1 per element: its node, the number of its surface, and its sampling weight. */
     private record Weighed(int[] node, int[] surface, double[] weight) { }
 
     /**
-     * @param nodes     of a block with their light
-     * @param reflected 1 per channel: mean radiosity that is reflected, W/m²
-     * @param leaving   the same of all that leaves
+     * @param nodes     returns the nodes of a block, by block id, with their light
+     * @param reflected 1 per channel: mean reflected radiosity, W/m²
+     * @param leaving   1 per channel: mean radiosity that leaves surfaces, W/m²
      */
     AuditPlaces(InitialMesh mesh, IntFunction<RadiosityNodes> nodes, double[] reflected, double[] leaving,
             ParallelFor parallel) {
@@ -91,7 +92,9 @@ final class AuditPlaces {
         return of.area(node) * (1 + most);
     }
 
-    /** An element that is a point may differ over its area by as much as is there. */
+    /**
+     * Relative error expected on an element, up to a factor. An element with one receiving point may vary by its mean.
+     */
     private double expected(RadiosityNodes of, int node, int colour) {
         double[] corner = new double[3];
         double emitted = 0;
@@ -115,9 +118,11 @@ final class AuditPlaces {
     /*---- Picking ----*/
 
     /**
-     * @param wanted about how many
-     * @param start  where in its step it begins, from 0 to 1
-     * @param known  how many there are already
+     * Chooses one batch of points.
+     *
+     * @param wanted about how many points
+     * @param start  where the batch begins within the sampling step, from 0 to 1
+     * @param known  number of points of earlier batches
      */
     List<AuditPoint> pick(int wanted, double start, int known) {
         int surfaces = mesh.scene.surfaces().size();
@@ -139,8 +144,10 @@ final class AuditPlaces {
     }
 
     /**
-     * @param step 1 per surface: weight from one point to the next
-     * @param next modified: 1 per surface: weight up to the next point
+     * Appends the points that lie on elements of a block.
+     *
+     * @param step 1 per surface: sampling weight from one point to the next
+     * @param next modified, 1 per surface: sampling weight left up to the next point
      */
     private void pick(int block, double[] step, double[] next, int known, List<AuditPoint> points) {
         Weighed of = weighed[block];
@@ -165,7 +172,7 @@ final class AuditPlaces {
         return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, burial, bulges);
     }
 
-    /** Corners of a node, x, y, z each, of the scene brought to size 1. */
+    /** Returns the three corners of a node, x, y, z each, in coordinates of the scene scaled to size 1. */
     static float[] corners(Faces faces, int face, long path) {
         float[] corner = new float[9];
         for (int i = 0; i < 9; i++) {
@@ -177,7 +184,7 @@ final class AuditPlaces {
         return corner;
     }
 
-    /** A place in a triangle. */
+    /** Returns the point x, y, z of a triangle with these barycentric weights. */
     static float[] within(float[] corner, double... weight) {
         float[] x = new float[3];
         for (int i = 0; i < 9; i++) {

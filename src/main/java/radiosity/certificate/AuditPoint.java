@@ -14,24 +14,24 @@ import radiosity.mesh.VertexBulge;
 import radiosity.mesh.face.Faces;
 import radiosity.util.Hash;
 
-/** A point at which a solution is looked at, what the solution has there, and what is found anew. */
+/** A point at which a solution is audited: the solution's light there, and the light gathered anew. */
 final class AuditPoint {
 
-    /** How often the light is found anew, each time by rays of their own: their differences give their error. */
+    /** Number of times that light is gathered anew: the differences estimate the noise of the rays. */
     static final int TIMES = 2;
 
     final int face;
-    /** What it stands for, of the scene's squared size. */
+    /** Area that the point represents, in units of the squared scene size. */
     final double area;
-    /** Whether nobody sees it, as it lies inside a solid. */
+    /** Whether the point lies inside a solid, where no light arrives. */
     final boolean isBuried;
-    /** The top of a block in which it lies. */
+    /** Path of the root, in its block, of the subtree that contains the point. */
     final long top;
-    /** Sum of the squared weights of the element's corners: what is left there of errors that differ at each. */
+    /** Sum of the squared corner weights: part of the variance of independent corner errors left at the point. */
     final double spread;
-    /** 3: where it is, of the scene brought to size 1. */
+    /** 3: x, y, z of the point, in coordinates of the scene scaled to size 1. */
     final float[] place;
-    /** 9: the same of its element's corners, where they receive; which is nearest; 3: their weights. */
+    /** 9: receiving points of the element's corners; number of the nearest corner; 3: corner weights. */
     private final float[] corner = new float[9];
     private final int nearest;
     private final double[] weight;
@@ -39,25 +39,32 @@ final class AuditPoint {
     final int number;
     private final Faces faces;
 
-    /** One per channel: W/m², and as a part. */
+    /** One per channel: exitance in W/m², and reflectance. */
     private final double[] exitance;
     private final double[] reflectance;
-    /** One per channel, W/m²: irradiance that is shown; what has arrived at vertices; what is more between them. */
+    /**
+     * One per channel each, W/m²: irradiance that is displayed; irradiance interpolated from the corners; excess of
+     * the element's mean irradiance over the mean of its corners; irradiance at the nearest corner.
+     */
     private final double[] shown;
     private final double[] interpolated;
     private final double[] bulge;
     private final double[] atVertex;
-    /** By how much there is more of the light of sources without geometry in that than arrives of it. */
+    /** One per channel, W/m²: irradiance from sources without geometry, interpolated less exact. */
     private final double[] fromLights;
-    /** The same found anew. */
+    /** Irradiance gathered anew, W/m²: {@link #TIMES} times at the point, and once at the nearest corner. */
     final GatherSink.Irradiance[] anew = new GatherSink.Irradiance[TIMES];
     final GatherSink.Irradiance anewAtVertex;
-    /** Sum of form factors. */
+    /** Sum of the form factors to all elements. */
     double factors;
-    /** What part of the light that leaves here arrives nowhere. */
+    /** Part of the light leaving the point that arrives nowhere, from 0 to 1. */
     double lost;
 
-    /** @param weight 3: of the element's corners */
+    /**
+     * @param area   area that the point represents, in units of the squared scene size
+     * @param weight 3: barycentric weights of the element's corners at the point, kept
+     * @param number number of the point, from which its rays follow
+     */
     AuditPoint(RadiosityNodes nodes, int node, double area, double[] weight, int number, InteriorTest burial,
                VertexBulge bulges) {
         this.area = area;
@@ -95,15 +102,15 @@ final class AuditPoint {
         return IntStream.range(0, faces.channels()).mapToDouble(value).toArray();
     }
 
-    /** Whether it sees nothing, and has no light: the outside of a room. */
+    /** Whether the point sees nothing and has no light, as on the outside of a room. */
     boolean isDark() {
         return factors == 0 && Arrays.stream(interpolated).allMatch(h -> h == 0)
                 && Arrays.stream(anew[0].value).allMatch(h -> h == 0);
     }
 
-    /*---- Finding anew ----*/
+    /*---- Gathering anew ----*/
 
-    /** Adds what a shooter sends, to the point and to its element's corner. */
+    /** Adds the light of a shooter, at the point and at the nearest corner of its element. */
     void gather(FormFactorCalculator calculator, ShooterHierarchy shooter) {
         for (int i = 0; i < TIMES; i++) {
             gather(calculator, shooter, place, 0, i, anew[i]);
@@ -127,7 +134,7 @@ final class AuditPoint {
                 faces.normal(face, 2), key, shooter, to);
     }
 
-    /** Adds the light of sources without geometry, and the uniform light of a closed room. */
+    /** Adds the light of sources without geometry, and the uniform radiosity of a closed room. */
     void light(LightSources lights, UniformRadiosity ambient) {
         for (int i = 0; i <= TIMES; i++) {
             double[] to = i < TIMES ? anew[i].value : anewAtVertex.value;
@@ -153,49 +160,49 @@ final class AuditPoint {
         }
     }
 
-    /*---- What came of it, of all layers of a colour together ----*/
+    /*---- Results, the layers of a colour added up ----*/
 
-    /** Error of the solution's radiosity, W/m². */
+    /** Error of the solution's radiosity, W/m²; positive: too bright. */
     double error(int colour) {
         return sum(colour, c -> reflectance[c] * (shown[c] - anew(c)));
     }
 
-    /** What rays leave in that, W/m²; its square is the mean square. */
+    /** Noise that the rays of the audit leave in {@link #error}, W/m²; the square of it estimates the variance. */
     double noise(int colour) {
         return sum(colour, c -> reflectance[c] * (anew[0].value[c] - anew[1].value[c])) / TIMES;
     }
 
-    /** The error at its element's corner; 0 where that one is not used. */
+    /** Error of the radiosity at the nearest corner of the element, W/m²; 0 where that corner is buried. */
     double errorAtVertex(int colour) {
         return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * (atVertex[c] - anewAtVertex.value[c]));
     }
 
-    /** Irradiance that the solution reflects, less what arrives, W/m². */
+    /** Irradiance that the solution reflects, less the irradiance gathered anew, W/m². */
     double excess(int colour) {
         return sum(colour, c -> interpolated[c] + bulge[c] - (isBuried ? 0 : anew(c)));
     }
 
-    /** Radiosity as it was found anew, W/m². */
+    /** Radiosity gathered anew, W/m². */
     double radiosity(int colour) {
         return sum(colour, c -> exitance[c] + reflectance[c] * anew(c));
     }
 
-    /** The same at its element's corner. */
+    /** Radiosity gathered anew at the nearest corner of the element, W/m². */
     double radiosityAtVertex(int colour) {
         return sum(colour, c -> exitance[c] + reflectance[c] * anewAtVertex.value[c]);
     }
 
-    /** By how much more was received here than what leaves here brings elsewhere, W/m²: what escapes, and lights. */
+    /** Light that leaves the point and escapes, plus light of sources that interpolation adds at the point, W/m². */
     double unaccounted(int colour) {
         return lost * leaving(colour) + (isBuried ? 0 : sum(colour, c -> fromLights[c]));
     }
 
-    /** What leaves the surfaces of the solution, W/m². */
+    /** Radiosity that leaves the point in the solution, W/m². */
     double leaving(int colour) {
         return sum(colour, c -> exitance[c] + reflectance[c] * (interpolated[c] + bulge[c]));
     }
 
-    /** The same in one channel, without its curvature. */
+    /** Radiosity in the solution in one channel, without the element's excess over its corners, W/m². */
     double had(int channel) {
         return exitance[channel] + reflectance[channel] * interpolated[channel];
     }

@@ -15,20 +15,23 @@ import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 
-/** What the points of an {@link Audit} come to. */
+/** Combines the points of an {@link Audit} into a {@link Certificate}. */
 final class AuditResult {
 
-    /** Part of the area, that of the largest errors, which the expected error leaves out. */
+    /** Share of the area, with the largest errors, that the expected error leaves out. */
     private static final double TAIL = 1.0 / 2000;
 
     private final Faces faces;
-    /** That see anything. */
+    /** Points that are not buried and see other surfaces or have light. */
     private final List<AuditPoint> points;
     private final EnergyLedger ledger;
     /** 1 per colour. */
     private final AuditBias[] bias;
 
-    /** @param batches each of which stands for the whole scene */
+    /**
+     * @param all     all points, buried ones included
+     * @param batches number of batches; each batch represents the whole scene
+     */
     AuditResult(InitialMesh mesh, List<AuditPoint> all, int batches, EnergyLedger ledger) {
         faces = mesh.faces;
         points = all.stream().filter(p -> !p.isBuried && !p.isDark()).toList();
@@ -37,7 +40,7 @@ final class AuditResult {
         Arrays.setAll(bias, c -> new AuditBias(mesh, all, batches, ledger, c));
     }
 
-    /** Expected error, relative. */
+    /** Expected error, relative to the mean radiosity. */
     double expected() {
         return Math.sqrt(errors(reflecting()).total);
     }
@@ -51,7 +54,7 @@ final class AuditResult {
                 Math.sqrt(all.total), Math.sqrt(all.sampling), Math.sqrt(all.meshing), all.bias, surfaces(reflecting));
     }
 
-    /** Where nothing only reflects, all that reflects. */
+    /** Returns the points that reflect and do not emit; where there are none, all points that reflect. */
     private List<AuditPoint> reflecting() {
         List<AuditPoint> all = points.stream().filter(AuditPoint::reflects).toList();
         List<AuditPoint> dark = all.stream().filter(point -> !point.emits()).toList();
@@ -59,9 +62,10 @@ final class AuditResult {
     }
 
     /**
-     * U rho c / (1 - rho c): unshot flux reflected for ever, at most c of it arriving each time; c is the largest sum
-     * of form factors at a point, and no less than 1, as the points may have missed where it is largest, nor than the
-     * part of the flux shot so far that has arrived, as factors are not quite reciprocal.
+     * Returns U rho c / (1 - rho c), the unshot flux U reflected for ever with at most the part c arriving each time,
+     * in W; null where rho c is 1 or more. c is the largest sum of form factors at a point; at least 1, as the points
+     * may have missed the largest sum; and at least the part of all shot flux that has arrived, as form factors are not
+     * quite reciprocal.
      */
     private Double missing(double unshotFlux, double mostFactors) {
         double rho = 0;
@@ -103,10 +107,10 @@ final class AuditResult {
     }
 
     /**
-     * The mean over all of the area but that where a value is largest, {@link #TAIL} of it. Errors have a heavy tail: a
-     * gap of millimetres beside a lamp may err by ten times the mean of the scene. A point that is met there by chance
-     * would be half of the mean square, and how much such places are in all no number of points tells that is worth its
-     * time (R. R. Wilcox, Introduction to Robust Estimation and Hypothesis Testing, 2012, on trimmed means).
+     * Mean over the area except the share {@link #TAIL} of it where a value is largest. Errors have a heavy tail: a gap
+     * of millimetres beside a lamp may err by ten times the mean of the scene. A point that falls there by chance would
+     * be half of the mean square, and no affordable number of points tells how much area of this kind there is (R. R.
+     * Wilcox, Introduction to Robust Estimation and Hypothesis Testing, 2012, on trimmed means).
      */
     private static double trimmedMean(List<AuditPoint> some, ToDoubleFunction<AuditPoint> value) {
         double[] values = some.stream().mapToDouble(value).toArray();
@@ -120,9 +124,9 @@ final class AuditResult {
     }
 
     /**
-     * The areas without the part of them in which values are largest.
+     * Returns the areas less the share {@link #TAIL} of their sum that has the largest values.
      *
-     * @param values not modified, nor are areas
+     * @param values 1 per area, not modified; nor are areas
      */
     static double[] trimmed(double[] values, double[] areas) {
         double[] left = areas.clone();
@@ -137,10 +141,10 @@ final class AuditResult {
         return left;
     }
 
-    /** Mean squares, relative to the squared mean radiosity; the bias relative to the mean. */
+    /** Mean squares relative to the squared mean radiosity; the bias relative to the mean radiosity. */
     private record Errors(double total, double sampling, double meshing, double bias) { }
 
-    /** Mean over the colours that have light. */
+    /** Returns the mean over the colours that have light. */
     private Errors errors(List<AuditPoint> some) {
         double[] sum = new double[4];
         int lit = 0;
@@ -157,9 +161,11 @@ final class AuditResult {
     }
 
     /**
-     * What corners err by reaches a point by as much as interpolation leaves of it; the rest is interpolation's own.
-     * What the rays of this audit leave is in none of it. What interreflection makes of the mean error is taken to be
-     * no less than its standard error.
+     * Adds the errors of one colour. Errors at the corners reach a point weakened by interpolation, and the rest of the
+     * error there is due to interpolation itself. The noise of the audit's own rays is subtracted. The error that
+     * interreflection makes of the mean error is taken to be no less than its standard error.
+     *
+     * @param sum modified: 4, in the order of {@link Errors}
      */
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
         double noise = mean(some, p -> square(p.noise(colour) / unit(p.radiosity(colour), mean)));
@@ -179,12 +185,12 @@ final class AuditResult {
         sum[3] += all;
     }
 
-    /** What an error counts by, W/m²: the mean, and where it is far brighter than that, what is there. */
+    /** Returns the larger of mean radiosity and a part of the point's radiosity: unit of errors, W/m². */
     private static double unit(double radiosity, double mean) {
         return Math.max(mean, radiosity / Accuracy.BRIGHT);
     }
 
-    /** Standard error of the mean square error, relative to it. */
+    /** Standard error of the mean square error, relative to the mean square error; 0 where no point errs. */
     double uncertainty() {
         List<AuditPoint> some = reflecting();
         double[] error = new double[some.size()];

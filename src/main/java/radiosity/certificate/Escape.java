@@ -6,20 +6,20 @@ import radiosity.mesh.face.Faces;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * What part of the light that leaves a point arrives nowhere: it leaves the scene, or falls on a back side.
+ * Estimates the part of the light leaving a point that leaves the scene or falls on a back side.
  *
- * <p>Rays as light leaves: uniform in the circle below the hemisphere (W. Nusselt, Graphische Bestimmung des
- * Winkelverhältnisses bei der Wärmestrahlung, 1928).
+ * <p>Rays are distributed as diffuse light: uniform in the unit circle below the hemisphere (W. Nusselt, Graphische
+ * Bestimmung des Winkelverhältnisses bei der Wärmestrahlung, 1928).
  */
 final class Escape {
 
-    /** Tries, of which pi/4 are in the circle. */
+    /** Number of points drawn in the square around the circle; pi/4 of them fall into the circle. */
     private static final int TRIES = 32;
-    /** Of the scene's size: where a ray begins, above the surface; and how far it goes. */
+    /** Height above the surface at which a ray begins, and length of a ray, relative to the scene size. */
     private static final float LIFT = 1e-5f;
     private static final float FAR = 4;
 
-    /** About how many rays a point has. */
+    /** About the number of rays at a point. */
     static final int RAYS = 25;
 
     private final Faces faces;
@@ -33,8 +33,10 @@ final class Escape {
     }
 
     /**
-     * @param place  x, y, z of the scene brought to size 1
-     * @param number of the point: each has its own rays
+     * Returns the part of the light leaving a point that arrives nowhere, from 0 to 1.
+     *
+     * @param place  x, y, z in coordinates of the scene scaled to size 1
+     * @param number number of the point; each number has rays of its own
      */
     double from(float[] place, int face, int number) {
         double[] n = {faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2)};
@@ -66,7 +68,7 @@ final class Escape {
         return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
     }
 
-    /** Two directions in a plane, at right angles to each other and to its normal. */
+    /** Returns two unit vectors, x, y, z each, perpendicular to each other and to the unit normal n. */
     private static double[] frame(double[] n) {
         double[] a = Math.abs(n[0]) < 0.6 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
         double[] u = cross(n, a);

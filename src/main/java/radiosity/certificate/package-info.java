@@ -1,4 +1,2 @@
-/**
- * Estimates the error of a solution by looking at it anew at independent points.
- */
+/** Estimates the error of a solution by gathering its light anew at independent points. */
 package radiosity.certificate;
