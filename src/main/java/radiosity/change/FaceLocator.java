@@ -4,12 +4,12 @@ import radiosity.mesh.face.Faces;
 import radiosity.scene.Vec3;
 import radiosity.util.BoxTree;
 
-/** Finds on which of some faces a place lies. */
+/** Finds the face, among some of a scene's faces, on which a point lies. */
 final class FaceLocator {
 
-    /** Of the scene's size. */
+    /** Distance from a face within which a point counts as on the face, relative to the scene size. */
     private static final double NEAR = 1e-5;
-    /** What a weight of a corner may lack at an edge. */
+    /** How far below 0 the barycentric weight of a corner may be, for a point at an edge. */
     private static final double OUTSIDE = 1e-3;
     private static final double SAME_PLANE = 0.999;
 
@@ -19,13 +19,16 @@ final class FaceLocator {
     private final BoxTree boxes;
 
     /**
-     * A place on a face.
+     * A point on a face.
      *
-     * @param weights of the face's three corners, each at least 0, of sum 1
+     * @param weights barycentric weights of the face's three corners, each at least 0, of sum 1
      */
     record Place(int face, double[] weights) { }
 
-    /** @param group 1 per face of all: only faces of the group that is asked for are found */
+    /**
+     * @param some  faces that may be found
+     * @param group 1 per face of the scene: group of the face, see {@link #find}
+     */
     FaceLocator(Faces faces, int[] some, long[] group) {
         this.faces = faces;
         this.some = some;
@@ -44,10 +47,11 @@ final class FaceLocator {
     }
 
     /**
-     * The face of a group in whose plane, on the side of a normal, a point lies.
+     * Finds the face of a group in whose plane a point lies, where the face looks the same way as a normal.
      *
-     * @param p scene units
-     * @return null where there is none
+     * @param p      scene units
+     * @param normal unit length
+     * @return null where there is no face; where there are several, the one whose least barycentric weight is largest
      */
     Place find(Vec3 p, Vec3 normal, long wanted) {
         double[] at = {p.x(), p.y(), p.z()};
@@ -93,10 +97,10 @@ final class FaceLocator {
     }
 
     /**
-     * Goes from a triangle to that of its four children in which a place lies.
+     * Descends from a triangle to the child, of its four, in which a point lies.
      *
-     * @param weights modified: of the child's corners
-     * @return the child
+     * @param weights modified: 3, barycentric weights of the triangle's corners, then of the child's
+     * @return the number of the child, 0 to 3
      */
     static int descend(double[] weights) {
         int child = 3;

@@ -11,10 +11,10 @@ import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
-/** The elements of all blocks of a scene in one place, with their light. */
+/** The elements of all blocks of a scene in one process, with their light. */
 final class LitMesh {
 
-    /** Vertices that a thread takes at a time. */
+    /** Number of vertices that a thread processes at a time. */
     static final int RUN = 64;
 
     final RadiosityNodes nodes;
@@ -31,7 +31,7 @@ final class LitMesh {
         gatherer = new Gatherer(mesh, parallel);
     }
 
-    /** @param blocks states of all blocks, by id */
+    /** @param blocks state of each block, by block id */
     static LitMesh of(InitialMesh mesh, List<byte[]> blocks, ParallelFor parallel) {
         RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, mesh.blocks);
         for (int b = 0; b < blocks.size(); b++) {
@@ -40,14 +40,14 @@ final class LitMesh {
         return new LitMesh(mesh, nodes, parallel);
     }
 
-    /** States of all blocks, by id. */
+    /** Returns the state of each block, by block id. */
     List<byte[]> states() {
         byte[][] states = new byte[mesh.blocks.size()][];
         parallel.run(states.length, b -> states[b] = BlockState.write(nodes, nodes.tops(mesh.blocks.get(b))));
         return List.of(states);
     }
 
-    /** All that was ever shot, by cluster. */
+    /** Returns one shot per cluster that holds all radiosity its elements have shot so far. */
     List<Shot> totals() {
         Shot[] shots = new Shot[mesh.blocks.size()];
         parallel.run(shots.length,
@@ -56,9 +56,9 @@ final class LitMesh {
     }
 
     /**
-     * Adds what vertices receive of sources without geometry, times a factor.
+     * Adds to the irradiance of vertices the light of sources without geometry, times a factor.
      *
-     * @param sources of this scene or the other
+     * @param sources of this scene or of the other scene
      */
     void light(int[] vertices, LightSources sources, double factor) {
         if (sources.isEmpty()) {
@@ -71,7 +71,7 @@ final class LitMesh {
             for (int i = from; i < to; i++) {
                 int v = vertices[i];
                 Arrays.fill(sum, 0);
-                int plane = nodes.vertexPlane(v); // of this scene: in the other, faces have other numbers
+                int plane = nodes.vertexPlane(v); // of mesh: the scene of the sources may number faces otherwise
                 Vec3 normal = new Vec3(mesh.faces.normal(plane, 0), mesh.faces.normal(plane, 1),
                         mesh.faces.normal(plane, 2));
                 sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), normal, sum, 0);

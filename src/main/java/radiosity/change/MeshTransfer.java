@@ -19,27 +19,27 @@ import radiosity.setup.InitialMesh;
 import radiosity.util.Hash;
 
 /**
- * The elements of an earlier scene's mesh and their light on the mesh of a later scene.
+ * Builds the mesh of a later scene from the elements of an earlier scene, and transfers the light of these elements.
  *
- * <p>Faces with the same corners keep their elements as they are. Faces of unchanged triangles that are cut otherwise,
- * as something stands on them elsewhere, are divided as finely, and take what was at the same places. Elements of what
- * has come are those of the initial mesh, and dark.
+ * <p>Faces with the same corners keep their elements. Faces of unchanged triangles that are cut in other ways, because
+ * another object stands on them, are divided about as finely as before and take the light found at the same positions.
+ * Faces of new triangles have the elements of the initial mesh, without light.
  */
 final class MeshTransfer {
 
-    /** Number of splits that the earlier mesh had in its initial mesh, or not at all. */
+    /** Split number where the earlier mesh was divided in its initial mesh, or was not divided at all. */
     private static final int SPLIT = 1;
-    /** An element is divided where one of the earlier mesh in it is smaller by this. */
+    /** A later element is divided while it is larger by more than this factor than an earlier element within it. */
     private static final double SMALLER = 3;
-    /** How far inside an element it is looked what was at its corner. */
+    /** Light at a corner is looked up this part of the way from the corner to the middle of its element. */
     private static final double INSIDE = 1e-3;
 
     final RadiosityNodes made;
-    /** Vertices that have nothing of the earlier light. */
+    /** Vertices without any light of the earlier scene. */
     final BitSet fresh = new BitSet();
-    /** Vertices of faces that were cut otherwise. */
+    /** Vertices of faces of unchanged triangles that are cut in another way than before. */
     final BitSet moved = new BitSet();
-    /** Vertices that were inside a solid. */
+    /** Vertices that lay inside a solid in the earlier scene. */
     final BitSet wasBuried = new BitSet();
 
     private final RadiosityNodes old;
@@ -47,19 +47,19 @@ final class MeshTransfer {
     private final Faces before;
     private final Faces now;
     private final int channels;
-    /** 1 per face of the later scene: the face with the same corners, or -1. */
+    /** 1 per face of the later scene: the face of the earlier scene with the same corners, or -1. */
     private final int[] same;
     private final long[] groupsNow;
     private final FaceLocator earlier;
     private final FaceLocator later;
-    /** Faces of the earlier scene that are cut otherwise now. */
+    /** Faces of unchanged triangles of the earlier scene that are cut in another way in the later scene. */
     private final int[] recut;
     private final long[] groupsBefore;
     private final BitSet known = new BitSet();
 
     /**
      * @param old   elements of the earlier scene, of all its blocks
-     * @param rules how finely light is meshed there
+     * @param rules refinement rules of the earlier scene
      */
     MeshTransfer(SceneChange change, RadiosityNodes old, Order.Rules rules, InitialMesh earlierMesh, InitialMesh mesh) {
         this.old = old;
@@ -127,7 +127,7 @@ final class MeshTransfer {
         return key;
     }
 
-    /*---- How elements are divided ----*/
+    /*---- Division of elements ----*/
 
     private void shape() {
         made.beginSplits(old.elements() / 3);
@@ -153,7 +153,7 @@ final class MeshTransfer {
         return parent >= 0 && refinement.isTooFine(parent);
     }
 
-    /** Divides a node as the one of the same name was. */
+    /** Divides a node as the node of the same path on an earlier face was divided. */
     private void shape(int node, int face) {
         long path = made.path(node);
         int twin = old.find(face, path);
@@ -167,7 +167,7 @@ final class MeshTransfer {
         }
     }
 
-    /** Whether nodes of a face begin below this place. */
+    /** Whether the nodes of an earlier face begin below this path. */
     private boolean isAboveTops(int face, long path) {
         for (long p = path; p >= NodePath.FACE; p >>= 2) {
             if (old.find(face, p) >= 0) {
@@ -177,7 +177,7 @@ final class MeshTransfer {
         return true;
     }
 
-    /** Divides the element in which the middle of an earlier one lies until it is about as small. */
+    /** Divides the later element that contains the middle of an earlier element until both are of similar size. */
     private void divideAround(int element) {
         Vec3[] corner = corners(old, element);
         Vec3 middle = corner[0].plus(corner[1]).plus(corner[2]).times(1.0 / 3);
@@ -210,7 +210,7 @@ final class MeshTransfer {
         return corner;
     }
 
-    /*---- Their light ----*/
+    /*---- Light of the elements ----*/
 
     private void fill(int element) {
         int face = made.face(element);
@@ -221,7 +221,7 @@ final class MeshTransfer {
         }
     }
 
-    /** Takes what the element of the same name had, or the larger one that it is a part of, or its own parts. */
+    /** Copies the light of the earlier element of the same path, of the element around it, or of its children. */
     private void copy(int element, int face) {
         long path = made.path(element);
         long at = path;
@@ -255,7 +255,10 @@ final class MeshTransfer {
         }
     }
 
-    /** @param arrived at the element's corners; where several share a vertex, the first says what that is */
+    /**
+     * @param arrived irradiance at the three corners; where elements share a vertex, the first element sets its
+     *                irradiance
+     */
     private void put(int element, int k, double[] shot, double[] arrived) {
         double[] irradiance = made.light().irradiance();
         int v = made.corner(element, k);
@@ -270,7 +273,7 @@ final class MeshTransfer {
         known.set(v);
     }
 
-    /** Copies of a vertex that hosts may have gathered by one of them have the same light: that of the first known. */
+    /** Gives all vertices of a ghost key, which hosts gather only once, the irradiance of the first known vertex. */
     private void alignCopies() {
         Map<Long, Integer> first = new HashMap<>();
         known.stream().forEach(v -> first.putIfAbsent(GhostVertices.key(made, v), v));
@@ -285,7 +288,7 @@ final class MeshTransfer {
         }
     }
 
-    /** Takes what was where its corners are. */
+    /** Takes over the earlier light found at the corners of an element. */
     private void interpolate(int element) {
         int face = made.face(element);
         Vec3[] corner = corners(made, element);

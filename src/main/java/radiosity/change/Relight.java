@@ -26,16 +26,16 @@ import radiosity.util.ParallelFor;
 import radiosity.visibility.RadiosityBounds;
 
 /**
- * The light of a solution on the elements of an edited scene, before anybody shoots: what has no longer a way is taken
- * back, what has a way now is sent, and what surfaces lack to radiate by their new materials and by that is unshot.
+ * Transfers the light of a solution to the elements of an edited scene, before any patch shoots: subtracts light whose
+ * way is blocked now, adds light whose way is free now, and leaves unshot what surfaces then radiate and have not shot.
  *
- * <p>All of it is done in the process of the master, and so is the same however the elements are dealt afterwards.
+ * <p>The process of the master does all of this, so the result does not depend on how blocks are assigned to hosts.
  */
 public final class Relight {
 
-    /** Vertices that a thread takes at a time. */
+    /** Number of vertices that a thread processes at a time. */
     private static final int RUN = 64;
-    /** By what part of its diagonal a box of what has come or gone is larger for surfaces that are cut otherwise. */
+    /** Margin around a changed object's box in which vertices of recut faces gather anew, part of the diagonal. */
     private static final double AROUND = 0.1;
 
     private final InitialMesh before;
@@ -48,7 +48,7 @@ public final class Relight {
     private LitMesh lit;
     private MeshTransfer transfer;
 
-    /** @param goOn is asked now and then; where it says no, a {@link CancellationException} is thrown */
+    /** @param goOn asked now and then; where it returns false, methods throw a {@link CancellationException} */
     public Relight(InitialMesh before, InitialMesh now, SceneChange change, ParallelFor parallel,
                    BooleanSupplier goOn) {
         this.before = before;
@@ -62,11 +62,12 @@ public final class Relight {
     /**
      * Makes the elements of the later scene.
      *
-     * @param blocks    states of the earlier scene's blocks, by id
-     * @param isSettled whether what the elements have not shot is only the noise of rays: then it counts as shot
-     * @param rules     how closely to look; weights are the earlier scene's
-     * @param weight    those of the later scene
-     * @return states of the later scene's blocks, by id
+     * @param blocks    state of each block of the earlier scene, by block id
+     * @param isSettled whether the unshot radiosity of the elements is only noise of rays, and so counts as shot
+     * @param rules     tolerance of rays and refinement; weights are those of the earlier scene
+     * @param weight    weights of the later scene, see {@link Weights}
+     * @return state of each block of the later scene, by block id
+     * @throws CancellationException where {@code goOn} returned false
      */
     public List<byte[]> blocks(List<byte[]> blocks, boolean isSettled, Order.Rules rules, double[] weight) {
         LitMesh earlier = LitMesh.of(before, blocks, parallel);
@@ -92,7 +93,7 @@ public final class Relight {
         return lit.states();
     }
 
-    /** All that surfaces radiate counts as shot: the noise by which they differ is nothing to be sent. */
+    /** Marks all radiosity leaving the elements as shot: the rest is noise of rays and need not be sent. */
     private static void settle(RadiosityNodes old) {
         double[] leaving = new double[3 * old.channels()];
         for (int node = 0; node < old.nodes(); node++) {
@@ -105,9 +106,12 @@ public final class Relight {
         }
     }
 
-    /*---- Which vertices are looked at ----*/
+    /*---- Vertices that gather anew ----*/
 
-    /** Where nothing has come or gone, a vertex is inside a solid if it was. */
+    /**
+     * Marks vertices inside solids: as in the earlier scene where no geometry has changed. Clears the light of vertices
+     * that gather anew.
+     */
     private void bury() {
         List<Aabb> boxes = change.isOfGeometry() ? change.boxes() : List.of();
         if (change.isOfGeometry()) {
@@ -121,7 +125,7 @@ public final class Relight {
         transfer.fresh.stream().forEach(v -> Arrays.fill(irradiance, channels * v, channels * (v + 1), 0));
     }
 
-    /** Near what has come or gone. */
+    /** Whether a vertex lies near an object that has come or gone. */
     private boolean isNear(int v, List<Aabb> boxes) {
         float[] x = nodes.receivers();
         for (Aabb box : boxes) {
@@ -138,9 +142,9 @@ public final class Relight {
         return false;
     }
 
-    /*---- What changes of the light they had ----*/
+    /*---- Corrections of transferred light ----*/
 
-    /** Adds what changed visibility makes of all that was shot, and takes back what was shot by what is gone. */
+    /** Adds the effect of changed visibility on all light shot, and subtracts the light shot by removed surfaces. */
     private void correct(LitMesh old, int[] vertices, Order.Rules rules) {
         boolean[] gone = change.goneFaces();
         ShooterHierarchy[] kept = shooters(old, rules, tree -> !gone[tree.face()]);
@@ -175,7 +179,7 @@ public final class Relight {
         });
     }
 
-    /** Those trees of all shooters that are wanted, with all that they have shot. */
+    /** Returns shooters with all radiosity shot so far, restricted to the wanted trees. */
     private ShooterHierarchy[] shooters(LitMesh old, Order.Rules rules, Predicate<PatchTree> wanted) {
         Weights weights = new Weights(before.rooms, channels, rules.weight());
         List<ShooterHierarchy> made = new ArrayList<>();
@@ -188,9 +192,9 @@ public final class Relight {
         return made.toArray(ShooterHierarchy[]::new);
     }
 
-    /*---- Vertices that have nothing ----*/
+    /*---- Vertices without light ----*/
 
-    /** They gather all that was ever shot, along two sets of rays, and get the mean. */
+    /** Gathers all light shot so far at some vertices, along two sets of rays: the mean is the irradiance. */
     private void gather(int[] vertices, Order.Rules rules) {
         if (vertices.length == 0) {
             return;
@@ -217,9 +221,9 @@ public final class Relight {
         }
     }
 
-    /*---- What has become of it ----*/
+    /*---- Sums over the elements ----*/
 
-    /** Flux that surfaces have shot, one per channel, W: that of the elements summed. */
+    /** Returns the flux that all elements have shot, one per channel, W. */
     public double[] shot() {
         double[] sum = new double[channels];
         for (Shot shot : lit.totals()) {
@@ -231,7 +235,7 @@ public final class Relight {
         return sum;
     }
 
-    /** |U| A summed over elements and channels, W. */
+    /** Returns the sum of |U| A over elements and channels, W. */
     public double unshot() {
         double squared = now.faces.size() * now.faces.size();
         double[] values = new double[3 * channels];
@@ -247,7 +251,7 @@ public final class Relight {
         return sum;
     }
 
-    /** Flux of sources without geometry that arrives at the elements, one per channel, W. */
+    /** Returns the flux of sources without geometry that arrives at the elements, one per channel, W. */
     public double[] lights() {
         LightSources sources = new LightSources(now.faces, now.bounds());
         double[] sum = new double[channels];

@@ -21,24 +21,25 @@ import radiosity.util.Aabb;
 import radiosity.util.Hash;
 
 /**
- * Which triangles of a scene are gone in a later one, and which have come: those whose corners are not the same points.
+ * Finds the triangles that are gone in a later scene and those that have come: triangles without a twin, of the same
+ * corners and as many visible sides, in the other scene. Reflectance and exitance do not matter.
  *
- * <p>Where a surface of an object has long quadrangles that are cut, all of it counts as gone and come if some of it
- * does, as pieces may lie on two triangles.
+ * <p>Where long quadrangles of an object's surface are cut into pieces, and one triangle of this surface and object has
+ * changed, all triangles of this surface and object count as gone and come, as a piece may lie on two triangles.
  */
 public final class SceneChange {
 
-    /** Objects whose bounds are kept apart; of more, one box is around all. */
+    /** Most objects that have boxes of their own; more objects share one box. */
     private static final int MOST_BOXES = 32;
 
     private final InitialMesh before;
     private final InitialMesh now;
-    /** 1 per triangle of the earlier scene with cut quadrangles, as {@link InitialMesh#origins} has them. */
+    /** 1 per triangle of the scene with cut quadrangles: the original triangle, see {@link InitialMesh#origins}. */
     private final int[] originBefore;
     private final int[] originNow;
-    /** 1 per original triangle of the later scene: the same one of the earlier scene, or -1. */
+    /** 1 per original triangle of the later scene: its twin in the earlier scene, or -1. */
     private final int[] twin;
-    /** 1 per original triangle of the earlier scene. */
+    /** 1 per original triangle of the earlier scene: whether the later scene has no twin. */
     private final boolean[] gone;
 
     public SceneChange(InitialMesh before, InitialMesh now) {
@@ -93,12 +94,12 @@ public final class SceneChange {
         return key;
     }
 
-    /** Object and surface of a triangle. */
+    /** Key of the object and surface of a triangle. */
     private static long group(Scene scene, int t) {
         return (long) scene.hierarchy().of(t) << 32 | scene.surfaceOf()[t];
     }
 
-    /** Of which quadrangles are cut, and some triangles changed. */
+    /** Returns the keys of objects' surfaces that have cut quadrangles and changed triangles. */
     private static Set<Long> torn(Scene scene, int[] origin, IntPredicate isChanged) {
         Set<Long> cut = new HashSet<>();
         int[] pieces = new int[scene.triangles()];
@@ -119,12 +120,12 @@ public final class SceneChange {
         return torn;
     }
 
-    /** Whether anything stands elsewhere than before. */
+    /** Whether any triangle has come or gone. */
     public boolean isOfGeometry() {
         return share() > 0;
     }
 
-    /** Part of the area of the earlier scene that is gone, or of the later one that has come: the larger of both. */
+    /** Returns the larger of two shares: area gone in the earlier scene's area, area come in the later scene's. */
     public double share() {
         return Math.max(share(before.original, t -> gone[t]), share(now.original, t -> twin[t] < 0));
     }
@@ -142,13 +143,13 @@ public final class SceneChange {
         return !Arrays.equals(lights(before), lights(now));
     }
 
-    /** Without their names. */
+    /** Encodes the light sources of a scene, without their names. */
     private static byte[] lights(InitialMesh mesh) {
         return SceneBytes.write(new Scene("", new double[0], new int[0], new int[0], List.of(),
                 mesh.original.lights(), Optional.empty()), mesh.settings);
     }
 
-    /** 1 per face of the earlier scene. */
+    /** 1 per face of the earlier scene: whether its triangle is gone. */
     boolean[] goneFaces() {
         boolean[] faces = new boolean[before.faces.count()];
         for (int f = 0; f < faces.length; f++) {
@@ -157,7 +158,7 @@ public final class SceneChange {
         return faces;
     }
 
-    /** 1 per face of the later scene: group of the same surface in the earlier scene, or -1 where the face has come. */
+    /** 1 per face of the later scene: group of its twin in the earlier scene, or -1 where the face has come. */
     long[] groupsNow() {
         long[] groups = new long[now.faces.count()];
         for (int f = 0; f < groups.length; f++) {
@@ -167,7 +168,7 @@ public final class SceneChange {
         return groups;
     }
 
-    /** 1 per face of the earlier scene: its object and surface, at least 0. */
+    /** 1 per face of the earlier scene: key of its object and surface, at least 0. */
     long[] groupsBefore() {
         long[] groups = new long[before.faces.count()];
         for (int f = 0; f < groups.length; f++) {
@@ -176,12 +177,12 @@ public final class SceneChange {
         return groups;
     }
 
-    /** Corners of triangles that are gone, of the scene brought to size 1, 9 per triangle. */
+    /** Corners of triangles that are gone, in coordinates of the scene scaled to size 1, 9 per triangle. */
     float[] goneCorners() {
         return corners(before.original, t -> gone[t]);
     }
 
-    /** Corners of triangles that have come, likewise. */
+    /** Corners of triangles that have come, in coordinates of the scene scaled to size 1, 9 per triangle. */
     float[] comeCorners() {
         return corners(now.original, t -> twin[t] < 0);
     }
@@ -201,7 +202,7 @@ public final class SceneChange {
         return corners;
     }
 
-    /** Boxes around what is gone and what has come, object by object, of the scene brought to size 1. */
+    /** Boxes around the triangles gone and come, one per object, in coordinates of the scene scaled to size 1. */
     List<Aabb> boxes() {
         List<Aabb> boxes = new ArrayList<>(boxes(before.original, t -> gone[t]).values());
         boxes.addAll(boxes(now.original, t -> twin[t] < 0).values());

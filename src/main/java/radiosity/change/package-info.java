@@ -1,6 +1,6 @@
 /**
- * From a solution to that of an edited scene: what differs, what of the mesh and its light stays, and the light that no
- * longer arrives taken back.
+ * Derives the solution of an edited scene from that of the scene before: finds what differs, transfers the mesh and its
+ * light, and subtracts the light that no longer arrives.
  *
  * <p>S. Chen, Incremental radiosity, 1990; D. George, F. Sillion, D. Greenberg, Radiosity redistribution for dynamic
  * environments, 1990.
