@@ -7,20 +7,20 @@ import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.Aabb;
 
-/** An object in the user's hand: what the mouse does to it becomes an edit. It stays in the box of all the others. */
+/** Turns mouse movements into an edit of one object. The object stays in the box around all other objects. */
 public final class Drag {
 
-    /** What the mouse moves. */
+    /** Motion of the object: along the floor, up and down, or about the vertical axis. */
     public enum Hand { LEVEL, UPRIGHT, TURN }
 
-    /** Radians per pixel. */
+    /** Angle by which the object turns, radians per pixel. */
     private static final double TURN = 0.01;
-    /** A plane is seen at no smaller angle than this, or the object would fly off; sine. */
+    /** Least sine of the angle at which the floor is seen: at smaller angles the object would fly off. */
     private static final double GRAZING = 0.3;
-    /** What is left free before the box of all others, of its size. */
+    /** Gap left to the box around all other objects, relative to the diagonal of that box. */
     private static final double MARGIN = 1e-3;
 
-    /** What is as large as this part of the scene along two axes is no furniture. */
+    /** An object with at least this part of the scene's extent along two axes is no furniture. */
     private static final double LARGE = 0.8;
 
     private final int node;
@@ -28,11 +28,11 @@ public final class Drag {
     private final Vec3 about;
     private final Aabb box;
     private final Aabb others;
-    /** Where the hand is; the object may have to stay behind. */
+    /** Displacement that the mouse asks for, scene units; the object may have to stay behind. */
     private Vec3 by = Vec3.ZERO;
     private double turn;
 
-    /** @param grabbed point of the object that the hand holds, scene units */
+    /** @param grabbed point of the object under the mouse, scene units */
     public Drag(Scene scene, int node, Vec3 grabbed) {
         boolean[] of = ObjectTriangles.triangles(scene, node);
         this.node = node;
@@ -42,7 +42,7 @@ public final class Drag {
         about = box.centre();
     }
 
-    /** Whether an object is so large, as a room, a floor or a wall, that who drags it wants to look around. */
+    /** Whether an object is as large as a room, a floor or a wall: a user who drags there wants to look around. */
     public static boolean isTooLarge(Scene scene, int node) {
         Vec3 extent = ObjectTriangles.box(scene, node).extent();
         Vec3 whole = ObjectTriangles.box(scene, new boolean[scene.triangles()], false).extent();
@@ -50,12 +50,12 @@ public final class Drag {
     }
 
     /**
-     * Moves the hand: along the floor, so that what is grabbed stays under the mouse as far as that is possible; up and
-     * down; or round the vertical axis through the object's middle.
+     * Adds a mouse movement: along the floor, so that the grabbed point stays under the mouse as far as that is
+     * possible; up and down; or about the vertical axis through the object's middle.
      *
-     * @param right  pixels
-     * @param down   pixels
-     * @param height of the picture, pixels
+     * @param right  pixels to the right
+     * @param down   pixels downwards
+     * @param height height of the picture, pixels
      */
     public void move(Hand hand, double right, double down, Camera camera, int height) {
         Vec3 sight = grabbed.plus(by).minus(camera.position());
@@ -78,17 +78,17 @@ public final class Drag {
         return StrictMath.tan(camera.verticalHalfAngle());
     }
 
-    /** Whether the object would be elsewhere. */
+    /** Whether the object has left its original place. */
     public boolean isMoved() {
         return turn != 0 || !by.equals(Vec3.ZERO);
     }
 
-    /** Where the object is now, relative to where it was grabbed. */
+    /** Returns the object's displacement and turn so far, limited to the box around all other objects. */
     public Edit.Moved edit() {
         Affine turned = new Edit.Moved(node, about, turn, Vec3.ZERO).map();
         double[] m = turned.m();
         Vec3 half = box.extent().times(0.5);
-        // turned, the box is as wide as this at most
+        // half the extent of a box around the turned object
         Vec3 reach = new Vec3(Math.abs(m[0]) * half.x() + Math.abs(m[2]) * half.z(), half.y(),
                 Math.abs(m[8]) * half.x() + Math.abs(m[10]) * half.z());
         double[] kept = new double[3];
@@ -97,7 +97,7 @@ public final class Drag {
             double lowest = others.low().coordinate(a) + reach.coordinate(a) - about.coordinate(a) + margin;
             double highest = others.high().coordinate(a) - reach.coordinate(a) - about.coordinate(a) - margin;
             double at = by.coordinate(a);
-            // what stands on the floor, or is as large as all others, is not pushed
+            // an object that begins beyond these limits, or is larger than the box, is not pushed
             kept[a] = lowest > highest ? at : Math.max(Math.min(0, lowest), Math.min(Math.max(0, highest), at));
         }
         return new Edit.Moved(node, about, turn, new Vec3(kept[0], kept[1], kept[2]));

@@ -12,30 +12,30 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
-/** What a user changes of a scene: an object's place, or what a surface reflects. */
+/** A change that a user makes to a scene: an object is moved or turned, or a surface is painted. */
 public sealed interface Edit {
 
     /**
-     * The scene after this edit.
+     * Returns the scene after this edit.
      *
-     * @throws IllegalArgumentException where the scene has no such object or surface, or it cannot be changed so
+     * @throws IllegalArgumentException where the scene has no such object or surface, or the edit is impossible there
      */
     Scene of(Scene scene);
 
-    /** In a few words, for the user. */
+    /** Describes this edit to the user in a few words. */
     String text(Scene scene);
 
     /**
-     * An object, with all that belongs to it, elsewhere.
+     * An object, with its child objects, is turned about a vertical axis and then moved.
      *
-     * @param node  of the scene's hierarchy
-     * @param about point of the vertical axis about which it is turned first, scene units
+     * @param node  number of the object in the scene's hierarchy
+     * @param about point on the vertical axis, scene units
      * @param turn  radians, anticlockwise seen from above
-     * @param by    by what it is moved then, scene units
+     * @param by    displacement after the turn, scene units
      */
     record Moved(int node, Vec3 about, double turn, Vec3 by) implements Edit {
 
-        /** From where something stood to where it stands. */
+        /** Maps points of the object from the old to the new position, scene units. */
         public Affine map() {
             double c = StrictMath.cos(turn);
             double s = StrictMath.sin(turn);
@@ -74,7 +74,7 @@ public sealed interface Edit {
                     scene.vertexColours(), hierarchy(scene.hierarchy(), map), scene.units());
         }
 
-        /** With the object's node placed there, too. */
+        /** Returns the hierarchy with the object's node at the new position, too. */
         private Hierarchy hierarchy(Hierarchy before, Affine map) {
             List<SceneNode> nodes = new ArrayList<>(before.nodes());
             SceneNode of = nodes.get(node);
@@ -93,10 +93,10 @@ public sealed interface Edit {
     }
 
     /**
-     * A surface that reflects something else, wherever it is. Numbers are rounded to those of a float, which is what
-     * files hold.
+     * A surface gets another reflectance, on all its triangles. Channels are rounded to floats, which is what files
+     * hold.
      *
-     * @param surface     index among the scene's
+     * @param surface     index among the scene's surfaces
      * @param reflectance rho, each channel in [0, {@value Surface#MAX_REFLECTANCE}]
      */
     record Painted(int surface, Rgb reflectance) implements Edit {

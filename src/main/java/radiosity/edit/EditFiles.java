@@ -13,8 +13,8 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 
 /**
- * Saves an edited scene beside what it was made from, under names that are free: {@code room-edit-1.scene} with its
- * light, and {@code room-edit-1.lws}, of which the scene file says that it was made.
+ * Saves an edited scene under free names: {@code room-edit-1.scene} with its light beside the scene file, and {@code
+ * room-edit-1.lws} beside the original model; the new scene file names this copy as its model.
  */
 public final class EditFiles {
 
@@ -25,11 +25,11 @@ public final class EditFiles {
     }
 
     /**
-     * Saves both; the scene file alone where LightWave's files cannot say what was edited.
+     * Saves both files; only the scene file where LightWave's files cannot express the edits.
      *
-     * @param edited the light of the scene as it was edited
-     * @return what was saved, and what was not and why; a line for the user
-     * @throws IOException where the scene file cannot be written
+     * @param edited light of the edited scene
+     * @return line for the user: the files saved, and why the LightWave scene was not saved
+     * @throws IOException where the scene file or the copy cannot be written
      */
     public String save(LightFollower.Rest edited, ToneMapping toneMapping) throws IOException {
         int number = 1;

@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import radiosity.scene.Scene;
 
-/** A scene with the edits that were put on it, which can be taken off again, the latest first. */
+/** A scene with the edits made on it, which can be undone, the latest first. */
 public final class EditHistory {
 
     private final Scene original;
@@ -18,28 +18,28 @@ public final class EditHistory {
         scenes.push(original);
     }
 
-    /** As it was read. */
+    /** The scene without edits. */
     public Scene original() {
         return original;
     }
 
-    /** With all edits. */
+    /** The scene with all edits. */
     public Scene scene() {
         return scenes.peek();
     }
 
-    /** All edits, in their order. */
+    /** All edits that are not undone, the earliest first. */
     public List<Edit> edits() {
         return List.copyOf(edits);
     }
 
-    /** Puts an edit on; see {@link Edit#of} for what is thrown, whereupon nothing has changed. */
+    /** Applies an edit; where {@link Edit#of} throws, the exception is passed on and nothing has changed. */
     public void add(Edit edit) {
         scenes.push(edit.of(scene()));
         edits.add(edit);
     }
 
-    /** Takes the latest edit off; whether there was one. */
+    /** Undoes the latest edit; returns false where there is none. */
     public boolean undo() {
         if (edits.isEmpty()) {
             return false;

@@ -9,16 +9,16 @@ import radiosity.settings.ReadOptions;
 import radiosity.solution.SavedState;
 
 /**
- * What a scene file was made from, to be edited.
+ * A scene file to be edited, with the model and the settings that it was made from.
  *
- * @param model       that was read
- * @param reading     how
- * @param scene       what was read
+ * @param model       file of the model
+ * @param reading     options with which the model is read
+ * @param scene       scene read from the model
  * @param file        the scene file
- * @param light       state of its solution
- * @param settings    with which it was made
- * @param kept        the same as the scene file has it
- * @param commandLine that made it
+ * @param light       state of the scene file's solution
+ * @param settings    settings of that solution
+ * @param kept        the same settings as JSON values of the scene file
+ * @param commandLine command line that made the scene file
  */
 public record EditSource(Path model, ReadOptions reading, Scene scene, Path file, SavedState light,
                          RadiositySettings settings, Map<?, ?> kept, List<String> commandLine) {

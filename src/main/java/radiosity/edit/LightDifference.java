@@ -10,15 +10,15 @@ import radiosity.settings.Accuracy;
 import radiosity.solution.Certificate;
 import radiosity.solution.Solution;
 
-/** How far the light of one solution is from that of another of the same scene, at points spread over it. */
+/** Compares the light of two solutions of one scene at points spread over its surfaces. */
 public final class LightDifference {
 
-    /** So many numbers stand for a point: where it is, and out of which side. */
+    /** Number of values per point: position and normal. */
     private static final int PER_PLACE = 6;
 
     private LightDifference() { }
 
-    /** Points spread evenly over all visible sides of what does not emit: x, y, z, nx, ny, nz each. */
+    /** Returns points spread evenly over all visible sides that do not emit: x, y, z, nx, ny, nz; scene units. */
     public static double[] places(Scene scene, int count) {
         double[] upTo = new double[scene.triangles()];
         double sum = 0;
@@ -47,9 +47,9 @@ public final class LightDifference {
     }
 
     /**
-     * Emitted and reflected radiosity.
+     * Returns the emitted and reflected radiosity at points.
      *
-     * @param places as {@link #places} gives them; not modified
+     * @param places as {@link #places} returns them; not modified
      * @return r, g, b per point, W/m²; NaN where there is no element
      */
     public static double[] radiosity(Solution solution, double[] places) {
@@ -66,10 +66,11 @@ public final class LightDifference {
     }
 
     /**
-     * Root mean square difference as {@link Certificate#expected} has it: relative to the mean or to a third of what is
-     * there, whichever is more.
+     * Returns the root mean square difference, relative as in {@link Certificate#expected}: at each point to the larger
+     * of the mean radiosity and a third of the point's radiosity.
      *
-     * @param expected r, g, b per point, W/m²; points with NaN in either are left out
+     * @param expected r, g, b per point, W/m²; points with NaN in either array are left out
+     * @return NaN where a colour has no points left
      */
     public static double of(double[] expected, double[] got) {
         double squares = 0;

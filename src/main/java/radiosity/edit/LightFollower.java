@@ -21,24 +21,24 @@ import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
 
 /**
- * Renders a scene again and again as it is edited, on a thread of its own: of each edit first what it changes of the
- * light there is, then what that is reflected to, then to the accuracy of the settings. A further edit ends what is
- * under way. Each begins from the last solution that was brought to its end.
+ * Renders a scene again and again while a user edits it, on its own thread. For each edit the follower first shows the
+ * direct change of the light, then further reflections, and then renders to the accuracy of the settings. A further
+ * edit cancels the render under way. Each render begins from the last solution that was completed.
  *
- * <p>Where the settings ask for less error than {@value #CLOSE}, a second solution of that accuracy is kept: it follows
- * first, and alone while the hand moves. It is rendered when the first scene is at rest.
+ * <p>Where the settings ask for an error below {@value #CLOSE}, a second solution of that accuracy is kept, which is
+ * rendered when the first scene is at rest. The second is updated first, and alone while the user drags.
  */
 public final class LightFollower implements AutoCloseable {
 
-    /** Light within this of that at rest counts as followed, see {@link LightDifference#of}. */
+    /** Light within this difference of the final light counts as followed, see {@link LightDifference#of}. */
     public static final double CLOSE = 0.1;
-    /** Pictures after the first come at most this often, of the time since the edit. */
+    /** Least pause between pictures, relative to the time from the edit to the last picture. */
     private static final double PAUSE = 0.5;
-    /** Unshot flux relative to the emitted above which a render anew shows nothing yet. */
+    /** Unshot flux, relative to the emitted flux, above which a render from the beginning shows no pictures yet. */
     private static final double DARK = 0.3;
-    /** The same above which the exact solution lacks more than the quick one. */
+    /** Unshot flux, relative to the emitted flux, above which the exact solution lacks more than the quick solution. */
     private static final double FOLLOWED = 0.03;
-    /** A solution with more elements, of those that a render anew has, is left again after it was shown. */
+    /** No render begins from a solution with more elements than this factor times those of a full render. */
     private static final double GROWTH = 1.4;
     private static final int POINTS = 1000;
 
@@ -49,30 +49,32 @@ public final class LightFollower implements AutoCloseable {
     private final Consumer<Rest> rested;
     private final Consumer<String> failed;
     private final Thread thread = new Thread(this::run, "light");
-    /** What the quick solution begins with, until it is rendered; null where there is none to be rendered. */
+    /** The first quick solution while it is not yet complete; null where none is to be rendered. */
     private Preparation preparation;
     private final boolean isQuickWanted;
     private boolean isFirst = true;
     private Target target;
     private boolean closed;
 
-    /** @param isMoving whether the hand that edits is still on the way */
+    /**
+     * @param isMoving whether the user is still dragging
+     * @param since    time of the edit, {@link System#nanoTime}
+     */
     private record Target(Scene scene, boolean isMoving, long since) { }
 
-    /** @param seconds from the edit until it was shown */
+    /** @param seconds time from the edit to the picture */
     private record Seen(Solution solution, double seconds) { }
 
     /**
-     * What became of an edit.
+     * Result of an edit whose render was completed.
      *
-     * @param solution    of the scene with the edit
-     * @param certificate of it; empty where all is dark
-     * @param seconds     from the edit to this
+     * @param solution    of the edited scene
+     * @param certificate of the solution; empty where all is dark
+     * @param seconds     time from the edit to the completed solution
      * @param first       seconds from the edit to the first picture
-     * @param difference  of the first picture from this
-     * @param close       seconds from the edit to the first picture from which on all were within {@value #CLOSE} of
-     *                    this
-     * @param anew        why all was rendered anew; empty where it was not
+     * @param difference  difference of the first picture from the solution, see {@link LightDifference#of}
+     * @param close       seconds from the edit to the first picture from which on all differ by at most {@value #CLOSE}
+     * @param anew        why the scene was rendered from the beginning; empty where it was not
      */
     public record Rest(Solution solution, Optional<Certificate> certificate, double seconds, double first,
                        double difference, double close, String anew) {
@@ -92,7 +94,7 @@ public final class LightFollower implements AutoCloseable {
             return new Rest(last.solution, certificate, last.seconds, pictures.get(0).seconds, difference, close, anew);
         }
 
-        /** For the user. */
+        /** Describes the result in a line for the user. */
         public String text() {
             return String.format(Locale.ROOT, "at rest after %.2f s, expected error %.1f %%; first light after %.2f s"
                     + " (%.1f %% off), within %.0f %% after %.2f s%s", seconds,
@@ -102,12 +104,14 @@ public final class LightFollower implements AutoCloseable {
     }
 
     /**
-     * @param base     state of a solution to begin from, with these settings; may be empty
-     * @param settings how exactly to render, and how
-     * @param threads  at least 1
-     * @param shown    gets each picture, on the follower's thread, and returns when the user sees it
-     * @param rested   gets what became of each edit that no further one ended, likewise
-     * @param failed   gets a line where something fails, likewise
+     * Starts the follower's thread, which calls all three consumers.
+     *
+     * @param base     state of a solution of these settings to begin from; may be empty
+     * @param settings settings of the exact solution
+     * @param threads  number of threads that render, at least 1
+     * @param shown    receives each picture, and returns when the picture is displayed
+     * @param rested   receives the result of each edit that no further edit has cancelled
+     * @param failed   receives a line for the user where a render fails
      */
     public LightFollower(SavedState base, RadiositySettings settings, int threads, Consumer<Solution> shown,
                          Consumer<Rest> rested, Consumer<String> failed) {
@@ -122,16 +126,16 @@ public final class LightFollower implements AutoCloseable {
         thread.start();
     }
 
-    /** Has the light follow a scene; what is under way for an earlier one ends. */
+    /** Makes the light follow a scene at rest; a render of an earlier scene is cancelled. */
     public void follow(Scene scene) {
         follow(scene, false);
     }
 
     /**
-     * Has the light follow a scene.
+     * Makes the light follow a scene; a render of an earlier scene is cancelled.
      *
-     * @param isMoving whether further edits are likely to come at once: a first picture is shown in spite of them, so
-     *                 that there are some while a hand moves on and on
+     * @param isMoving whether further edits are likely at once: the first picture of this scene is then shown in spite
+     *                 of further edits of a moving object, so that there are pictures during a long drag
      */
     public synchronized void follow(Scene scene, boolean isMoving) {
         target = new Target(scene, isMoving, System.nanoTime());
@@ -159,7 +163,7 @@ public final class LightFollower implements AutoCloseable {
                 try {
                     calculate(next);
                 } catch (CancellationException e) {
-                    continue; // a further edit
+                    continue; // a further edit has replaced the target
                 } catch (IOException | RuntimeException | OutOfMemoryError e) {
                     failed.accept("light: " + (e.getMessage() == null ? e : e.getMessage()));
                 }
@@ -190,7 +194,7 @@ public final class LightFollower implements AutoCloseable {
         }
     }
 
-    /** Renders the first quick solution, or goes on with that, as long as nobody edits. */
+    /** Renders the first quick solution, or continues its render, until a further edit comes. */
     private void prepare(Target goal) throws IOException {
         if (preparation != null && isWanted(goal)) {
             preparation.radiosity.run(progress -> isWanted(goal));
@@ -202,7 +206,7 @@ public final class LightFollower implements AutoCloseable {
         }
     }
 
-    /** The first quick solution, while it is being rendered. */
+    /** The first quick solution while it is being rendered. */
     private final class Preparation {
 
         private final LocalWorld world;
@@ -227,13 +231,13 @@ public final class LightFollower implements AutoCloseable {
         pictures.add(new Seen(solution, seconds(goal)));
     }
 
-    /** Solutions of one accuracy, each begun from an earlier one. */
+    /** The solutions of one accuracy, each calculated from an earlier solution. */
     private final class Stage {
 
         private final RadiositySettings settings;
         private SavedState base;
         private InitialMesh baseMesh;
-        /** Elements of what was rendered anew; 0 where that is not known yet. */
+        /** Number of elements of the last full render; 0 while unknown. */
         private int elements;
 
         Stage(RadiositySettings settings, SavedState base) {
@@ -241,7 +245,7 @@ public final class LightFollower implements AutoCloseable {
             this.base = base;
         }
 
-        /** Shows pictures; nothing where a further edit has ended it. */
+        /** Renders a scene and shows pictures; returns nothing for the quick stage or after a further edit. */
         Optional<Rest> render(Target goal, List<Seen> pictures) throws IOException {
             try (LocalWorld world = new LocalWorld(goal.scene, settings, threads)) {
                 ProgressiveRadiosity radiosity = radiosity(world);
@@ -277,7 +281,7 @@ public final class LightFollower implements AutoCloseable {
             }
         }
 
-        /** What comes next begins from here, unless one change after another has made too many elements. */
+        /** Begins the next render from this solution, unless repeated changes have given it too many elements. */
         private void keep(Solution solution, InitialMesh mesh, boolean isAnew) {
             elements = elements == 0 || isAnew ? solution.elements() : elements;
             if (solution.elements() <= GROWTH * elements) {

@@ -5,18 +5,18 @@ import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
 /**
- * What a ray meets first of an edited scene.
+ * The first point of an edited scene on a ray.
  *
- * @param triangle of the scene
- * @param point    on it, scene units
+ * @param triangle number of the triangle
+ * @param point    intersection of ray and triangle, scene units
  */
 public record Picked(int triangle, Vec3 point) {
 
     /**
-     * Looks at all triangles, whose number is small beside that of elements; one-sided ones are met on their visible
-     * side only.
+     * Intersects a ray with all triangles, whose number is small compared with the number of elements. Rays pass
+     * through the back of one-sided triangles.
      *
-     * @param direction of any length
+     * @param direction any length but 0
      */
     public static Optional<Picked> of(Scene scene, Vec3 eye, Vec3 direction) {
         double nearest = Double.POSITIVE_INFINITY;
@@ -32,7 +32,7 @@ public record Picked(int triangle, Vec3 point) {
                 : Optional.of(new Picked(triangle, eye.plus(direction.times(nearest))));
     }
 
-    /** In lengths of the direction, infinite where the triangle is missed (T. Möller, B. Trumbore, 1997). */
+    /** Distance in lengths of the direction, infinite where the ray misses (T. Möller, B. Trumbore, 1997). */
     private static double distance(Scene scene, int t, Vec3 eye, Vec3 direction) {
         Vec3 a = scene.corner(t, 0);
         Vec3 ab = scene.corner(t, 1).minus(a);

@@ -1,6 +1,5 @@
 /**
- * A scene that a user changes while its light follows: what the mouse picks and drags, edits that are put on and taken
- * off, the worker that renders what has changed, coarse at once and as exact as asked for when no further edit came,
- * and the files that are saved.
+ * Lets a user change a scene while its light follows: picking and dragging, edits and undo, saved files, and the worker
+ * that renders each edit, first coarsely and, when no further edit comes, to the accuracy asked for.
  */
 package radiosity.edit;
