@@ -22,13 +22,13 @@ import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
 /**
- * Writes a copy of a LightWave scene in which objects stand elsewhere and surfaces have other colours; objects whose
- * surfaces have, as copies of their own. Everything else stays byte by byte. The copy is read again: where it is not
- * the edited scene, as what moves an object is not in its keys alone, none is left.
+ * Writes a copy of a LightWave scene in which edited objects are moved and edited surfaces are painted; an object file
+ * with a painted surface is copied, too. All other bytes stay the same. The copy is read again and deleted where it is
+ * not the edited scene, because an object's motion follows from more than its keys.
  */
 public final class LightWaveCopy {
 
-    /** Of rotations, and of the scene's size: what rounding leaves. */
+    /** Tolerance of rotations and reflectances, and of positions relative to the largest coordinate. */
     private static final double SAME = 1e-6;
 
     private final Path source;
@@ -37,7 +37,7 @@ public final class LightWaveCopy {
     private final Scene edited;
     private final Path target;
     private final List<LightWaveReader.Origin> origins;
-    /** What is to be written: copies of objects, then the scene. */
+    /** Contents of the files to be written, in this order: copies of objects, then the scene. */
     private final Map<Path, byte[]> files = new LinkedHashMap<>();
 
     private LightWaveCopy(Path source, ReadOptions options, Scene before, Scene edited, Path target)
@@ -53,13 +53,14 @@ public final class LightWaveCopy {
     /**
      * Writes the copy.
      *
-     * @param source  as it was read
-     * @param options with which it was read, and with which the copy will be
-     * @param before  what was read
+     * @param source  the original LightWave scene
+     * @param options options with which the source was read and the copy is read again
+     * @param before  scene read from the source
      * @param edited  the same triangles, with objects moved and surfaces painted
-     * @param target  in the directory of the source, not there yet; copies of objects are named after it
-     * @return all files that were written
-     * @throws SceneFormatException where LightWave's files cannot say what was edited; nothing is left then
+     * @param target  the copy: a file that does not exist, in the directory of the source; copied objects are named
+     *                after it
+     * @return all files written
+     * @throws SceneFormatException where LightWave's files cannot express the edits; no file is left then
      */
     public static List<Path> write(Path source, ReadOptions options, Scene before, Scene edited, Path target)
             throws IOException {
@@ -107,7 +108,7 @@ public final class LightWaveCopy {
         return List.copyOf(files.keySet());
     }
 
-    /** The motion of what stands elsewhere in its parent's space. */
+    /** Changes the motion of an object whose position in its parent's space has changed. */
     private void move(int node, MotionLines lines) {
         Affine was = before.hierarchy().nodes().get(node).placement();
         Affine is = edited.hierarchy().nodes().get(node).placement();
@@ -174,7 +175,7 @@ public final class LightWaveCopy {
         return name.replaceFirst("\\.[A-Za-z0-9]{1,4}$", "");
     }
 
-    /** Of the objects on which a surface is. */
+    /** Returns the files of the objects that have a surface. */
     private TreeSet<Path> files(int surface) {
         TreeSet<Path> found = new TreeSet<>();
         for (int t = 0; t < before.triangles(); t++) {

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The text of a LightWave scene, of which single numbers and paths are replaced: every other byte stays. */
+/** The text of a LightWave scene in which single numbers and paths can be replaced; all other bytes stay the same. */
 final class MotionLines {
 
     private static final Pattern LINE = Pattern.compile("[^\\r\\n]*(\\r\\n|\\r|\\n|$)");
@@ -15,11 +15,11 @@ final class MotionLines {
     private static final int CHANNELS = 9;
     private static final int BLOCKS = 3;
 
-    /** With their ends. */
+    /** Lines with their line ends. */
     private final List<String> lines = new ArrayList<>();
     private final int version;
 
-    /** @param text of the whole file, a character per byte */
+    /** @param text the whole file, one character per byte */
     MotionLines(String text) {
         Matcher matcher = LINE.matcher(text);
         while (matcher.find() && matcher.end() > matcher.start()) {
@@ -34,9 +34,11 @@ final class MotionLines {
     }
 
     /**
-     * Replaces the file that an object is loaded from.
+     * Replaces the path of an object's file.
      *
-     * @param line number of the line that loads it, from 1
+     * @param line    number of the line that loads the object, from 1
+     * @param written path in that line
+     * @param other   path to replace it with
      */
     void file(int line, String written, String other) {
         String text = lines.get(line - 1);
@@ -47,16 +49,16 @@ final class MotionLines {
         lines.set(line - 1, text.substring(0, at) + other + text.substring(at + written.length()));
     }
 
-    /** A number of a motion: in which line it stands, and from which character to which. */
+    /** A number of a motion: its line, from 0, and its first and last character, the last exclusive. */
     private record Place(int line, int from, int to) { }
 
     /**
-     * Adds to what an object's channels are, in all their keys.
+     * Adds offsets to the position and heading of an object, in all keys.
      *
      * @param line     number of the line with which the object begins, from 1
      * @param position 3, scene units, left-handed
      * @param heading  radians
-     * @throws IllegalArgumentException where the object has no keys, or one of several should turn
+     * @throws IllegalArgumentException where the object has no keys, or several keys and is to turn
      */
     void add(int line, double[] position, double heading) {
         List<List<Place>> channels = channels(line);
@@ -65,7 +67,7 @@ final class MotionLines {
             throw new IllegalArgumentException("line " + line + ": expected an object of one key to turn, got an"
                     + " animated one");
         }
-        for (int c = 3; c >= 0; c--) { // channels of one line: what stands before stays where it is
+        for (int c = 3; c >= 0; c--) { // backwards: earlier places in the same line stay valid
             double by = c < 3 ? position[c] : version < BLOCKS ? Math.toDegrees(heading) : heading;
             if (by != 0 && channels.get(c).isEmpty()) {
                 throw new IllegalArgumentException("line " + line + ": expected an object with keys, got none");
@@ -79,7 +81,7 @@ final class MotionLines {
         }
     }
 
-    /** Where an object's first keys say that it stands in its parent's space, left-handed. */
+    /** Returns x, y, z in the parent's space, left-handed, by the object's first keys; 0 without keys. */
     double[] position(int line) {
         List<List<Place>> channels = channels(line);
         double[] position = new double[3];
@@ -97,7 +99,7 @@ final class MotionLines {
         return version >= BLOCKS ? blocks(motion(line)) : keys(motion(line));
     }
 
-    /** The line after that with which an object's motion begins. */
+    /** Returns the index of the line after the one with which an object's motion begins. */
     private int motion(int line) {
         for (int i = line; i < lines.size(); i++) {
             String text = lines.get(i).trim();
@@ -119,7 +121,7 @@ final class MotionLines {
         return channels;
     }
 
-    /** From version 3 on: a block in braces per channel. */
+    /** Finds the keys of version 3 and later: each channel has a block in braces. */
     private List<List<Place>> blocks(int from) {
         List<List<Place>> channels = none();
         int channel = -1;
@@ -143,7 +145,7 @@ final class MotionLines {
         return channels;
     }
 
-    /** Version 1: after two counts, a line of nine numbers and one of the time per key. */
+    /** Finds the keys of version 1: after two counts, a line of nine numbers and a line of the time per key. */
     private List<List<Place>> keys(int from) {
         if (version != 1) {
             throw new IllegalArgumentException("expected a scene of LWSC 1, or of 3 and later, got version " + version);

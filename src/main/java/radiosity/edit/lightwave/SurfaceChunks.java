@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import radiosity.scene.Rgb;
 
-/** A LightWave object (LWO2) of which a surface gets another colour: every other byte stays. */
+/** Paints a surface of a LightWave object (LWO2); all other bytes stay the same. */
 final class SurfaceChunks {
 
     private static final int HEAD = 8;
@@ -17,12 +17,12 @@ final class SurfaceChunks {
     private SurfaceChunks() { }
 
     /**
-     * The object with another colour and a diffuse of 1.
+     * Returns the object with another colour of a surface, and with its diffuse level set to 1.
      *
      * @param object not modified
-     * @param name   of the surface; objects without it come back as they are
-     * @param colour as the file has it
-     * @throws IllegalArgumentException where the object is none of LWO2
+     * @param name   name of the surface; an object without this surface is returned unchanged
+     * @param colour colour as the file holds it
+     * @throws IllegalArgumentException where the object is not of format LWO2
      */
     static byte[] painted(byte[] object, String name, Rgb colour) {
         if (object.length < HEAD + 4 || !id(object, 0).equals("FORM") || !id(object, HEAD).equals("LWO2")) {
@@ -58,7 +58,7 @@ final class SurfaceChunks {
         return whole;
     }
 
-    /** The values of a surface from one byte to another; those that are missing are added. */
+    /** Returns a surface's subchunks, which lie between two bytes of an object, painted; appends the missing ones. */
     private static byte[] painted(byte[] object, int from, int to, Rgb colour) {
         byte[] values = Arrays.copyOfRange(object, from, to);
         boolean hasColour = false;
@@ -91,7 +91,7 @@ final class SurfaceChunks {
                 .putFloat((float) colour.b()).array();
     }
 
-    /** With no envelope. */
+    /** Appends a subchunk with a value and without an envelope. */
     private static void add(ByteArrayOutputStream out, String id, byte[] value) {
         out.writeBytes(id.getBytes(StandardCharsets.ISO_8859_1));
         out.writeBytes(ByteBuffer.allocate(2).putShort((short) (value.length + 2)).array());
@@ -111,7 +111,7 @@ final class SurfaceChunks {
         return new String(bytes, from, to - from, StandardCharsets.ISO_8859_1);
     }
 
-    /** After a text, its zero, and the zero that makes it even. */
+    /** Returns the position after a text, its terminating zero, and the zero that pads it to an even length. */
     private static int skipText(byte[] bytes, int from, int end) {
         int length = text(bytes, from, end).length() + 1;
         return Math.min(end, from + length + (length & 1));

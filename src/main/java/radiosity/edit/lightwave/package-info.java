@@ -1,2 +1,2 @@
-/** Edits saved in a copy of the LightWave scene that they were made on. */
+/** Saves edits in a copy of the LightWave scene on which they were made. */
 package radiosity.edit.lightwave;
