@@ -22,16 +22,16 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Lamp;
 
 /**
- * What the keys do, for the mouse, and a slider and a colour for each lamp and for what is edited; beside the picture,
- * on the event thread.
+ * A panel beside the picture that does with the mouse what keys do, with a slider and a colour for each lamp and for
+ * the edited surface. All methods are called on the event thread.
  *
- * <p>Nothing in it takes the keys away from the picture. Components have names, by which tests find them.
+ * <p>No component takes the keyboard focus from the picture. Components have names, by which tests find them.
  */
 final class ControlPanel {
 
     private static final int WIDTH = 280;
     private static final int EDGE = 8;
-    /** Steps of the exposure per EV, and how many EV either way. */
+    /** Steps of the exposure slider per EV, and largest exposure in EV, up or down. */
     private static final int STEPS = 3;
     private static final int MOST_STOPS = 10;
 
@@ -50,7 +50,7 @@ final class ControlPanel {
     private final JPanel lamps = new JPanel();
     private final List<LampControl> lampControls = new ArrayList<>();
     private List<Lamp> shown = List.of();
-    /** While components are set to the present values, they notify no listener. */
+    /** Whether components are being set to the present values: changes then do not act on the display. */
     private boolean refreshing;
 
     ControlPanel(Display display) {
@@ -67,7 +67,7 @@ final class ControlPanel {
         edit.parts().forEach(part -> add(content, part));
         add(content, lamps);
         content.add(Box.createVerticalGlue());
-        // no higher than the picture
+        // the layout makes the panel as high as the picture
         scroll.setPreferredSize(new Dimension(WIDTH, 1));
         scroll.setVisible(false);
         refresh();
@@ -117,7 +117,7 @@ final class ControlPanel {
         }
     }
 
-    /** What goes into the window. */
+    /** The component to be put into the window. */
     JComponent component() {
         return scroll;
     }
@@ -130,7 +130,7 @@ final class ControlPanel {
         return lampControls.get(lamp);
     }
 
-    /** Shows things as they are. */
+    /** Sets all components to the present values. */
     void refresh() {
         refreshing = true;
         Lighting lighting = display.lighting();

@@ -14,11 +14,11 @@ import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 
-/** What the window shows just now, and how; on the event thread. */
+/** The state of the window: scene, light, camera, and texts over the picture. All methods run on the event thread. */
 public final class Display {
 
     private static final int EDGE = 12;
-    /** How far a click reaches, of the scene's size and the distance to it. */
+    /** Length of a probe's ray, relative to the sum of scene size and distance from eye to scene. */
     private static final double REACH = 2;
 
     private final Stage stage;
@@ -36,16 +36,16 @@ public final class Display {
     private boolean wireframe;
     private boolean textures;
     private boolean help;
-    /** Where the probe was set, as long as one stands still. */
+    /** Mark where the probe was set, until the camera moves or the text changes. */
     private Optional<Overlay.Label> mark = Optional.empty();
     private List<String> status = List.of();
 
-    /** What only the window can do. */
+    /** Actions that only the window can perform. */
     interface WindowControls {
-        /** Fills the screen, or no longer. */
+        /** Switches between full screen and window. */
         void fullScreen();
 
-        /** Shows the control panel, or no longer. */
+        /** Shows or hides the control panel. */
         void panel();
 
         void close();
@@ -80,7 +80,7 @@ public final class Display {
         return editing;
     }
 
-    /** Of the window's picture, pixels. */
+    /** Height of the window's picture, pixels. */
     int height() {
         return Math.max(1, stage.canvas().getHeight());
     }
@@ -97,19 +97,19 @@ public final class Display {
         return walker.collides();
     }
 
-    /** @param listener is called whenever something is shown in another way */
+    /** @param listener called after each change of the state shown */
     void whenChanged(Runnable listener) {
         changed = listener;
     }
 
-    /** Shows another scene from where the user stands. */
+    /** Shows another scene, with the camera where it is. */
     void show(LitScene other) {
         lighting.show(other);
         shown();
         settled();
     }
 
-    /** Shows the light of an edited scene, as bright as before. Nothing is in the way until it is settled. */
+    /** Shows the light of an edited scene at the same exposure. Walls stop nobody until {@link #settled} is called. */
     void follow(LitScene other) {
         lighting.follow(other);
         obstacles = CompletableFuture.completedFuture(Optional.empty());
@@ -122,19 +122,19 @@ public final class Display {
         look();
     }
 
-    /** What is shown stays for now. */
+    /** Prepares the obstacles of the scene shown, which is not expected to change soon. */
     void settled() {
         LitScene scene = lighting.scene();
         obstacles = orNothing(CompletableFuture.supplyAsync(() -> new Obstacles(scene)));
     }
 
-    /** Draws what is selected apart. */
+    /** Builds the scene's shapes anew, with the selected object apart. */
     void select() {
         surfaces();
         stage.redraw();
     }
 
-    /** @param map from where what is selected is in this light to where it is shown */
+    /** @param map from the position of the selected object in the light shown to the position to draw it at */
     void place(Affine map) {
         if (shapes != null) {
             shapes.place(map);
@@ -156,7 +156,7 @@ public final class Display {
         }
     }
 
-    /** Light of textures or of vertices. */
+    /** Switches between the light of textures and of vertices. */
     void textures() {
         textures = !textures;
         surfaces();
@@ -164,13 +164,13 @@ public final class Display {
                 : textures ? "textures" : "vertices");
     }
 
-    /** As {@link #show}, and says so. */
+    /** Shows a scene file that was read again, and reports that. */
     void replace(LitScene other) {
         show(other);
         status("read again: " + other.progress());
     }
 
-    /** Says once where obstacles cannot be made, as in too little memory: the user then walks without them. */
+    /** Returns nothing where the obstacles cannot be made, as for lack of memory, and reports the failure once. */
     static CompletableFuture<Optional<Obstacles>> orNothing(CompletableFuture<Obstacles> making) {
         return making.handle((made, failure) -> {
             if (failure != null) {
@@ -182,7 +182,7 @@ public final class Display {
         });
     }
 
-    /** Until the obstacles of a large scene are known nothing is in the way. */
+    /** Limits a step by walls; until the obstacles of a large scene are ready, nothing stops a step. */
     private Vec3 allowed(Vec3 eye, Vec3 step) {
         return obstacles.getNow(Optional.empty()).map(known -> known.allowed(eye, step)).orElse(step);
     }
@@ -195,7 +195,7 @@ public final class Display {
         }
     }
 
-    /** Puts everything where it belongs in a window of another size. */
+    /** Adapts camera and texts to a window of another size. */
     void resized() {
         look();
         overlay();
@@ -210,7 +210,7 @@ public final class Display {
         look();
     }
 
-    /** @param ahead of the scene's size */
+    /** @param ahead distance relative to the scene's size */
     void walk(double ahead) {
         walker.walk(ahead * extent.size(), 0, 0);
         look();
@@ -222,7 +222,7 @@ public final class Display {
         look();
     }
 
-    /** Removes the text that lies over the picture. */
+    /** Removes all text over the picture. */
     void quiet() {
         help = false;
         status(List.of());
@@ -233,19 +233,19 @@ public final class Display {
         status("walls " + (walker.collides() ? "stop you" : "let you through"));
     }
 
-    /** Changes the light, and says how it is. */
+    /** Changes exposure or tone mapping, and shows the new values. */
     void light(Runnable change) {
         change.run();
         status(lighting.text());
     }
 
-    /** Dims or colours a lamp; the light of textures is as it was rendered, so that of vertices is shown. */
+    /** Dims or colours a lamp. Textures hold the light as rendered, so the light of vertices is shown then. */
     public void lamp(int lamp, Rgb factor) {
         lighting.lamp(lamp, factor);
         lampsChanged();
     }
 
-    /** Puts out all other lamps. */
+    /** Turns off all other lamps. */
     void onlyLamp(int lamp) {
         lighting.only(lamp);
         lampsChanged();
@@ -290,14 +290,14 @@ public final class Display {
         window.panel();
     }
 
-    /** Closes the window, but not at once where edits are not saved. */
+    /** Closes the window, but only at the second request where edits are not saved. */
     void leave() {
         if (!editing.holdsBack()) {
             window.close();
         }
     }
 
-    /** Selects what is edited, or says what light there is. */
+    /** Selects an object while editing is on; otherwise shows the light at a pixel of the window. */
     void click(int x, int y) {
         if (editing.isOn()) {
             editing.click(x, y);
@@ -312,7 +312,7 @@ public final class Display {
                 1 - (2.0 * y + 1) / stage.canvas().getHeight());
     }
 
-    /** Says what light there is under a pixel of the window. */
+    /** Shows the light at the surface under a pixel of the window; waits for the obstacles. */
     Optional<Probe> probe(int x, int y) {
         Camera camera = camera();
         Vec3 direction = direction(x, y);
@@ -330,7 +330,7 @@ public final class Display {
         status(List.of(line));
     }
 
-    /** What lies over the picture at the bottom. */
+    /** Lines of text over the bottom of the picture. */
     List<String> status() {
         return status;
     }
@@ -362,7 +362,7 @@ public final class Display {
         changed.run();
     }
 
-    /** Draws what is shown by the second pass, into a file. */
+    /** Draws a picture of the present view with mirrors and glass into a file. */
     void photo() {
         photo.take(lighting.scene(), camera(), Math.max(1, stage.canvas().getWidth()), lighting.toneMapping());
     }

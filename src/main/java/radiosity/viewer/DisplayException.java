@@ -1,6 +1,6 @@
 package radiosity.viewer;
 
-/** There is no display to open a window on, or it cannot show three dimensions. */
+/** Thrown where there is no display to open a window on, or the display cannot show three dimensions. */
 public final class DisplayException extends Exception {
 
     DisplayException(String message, Throwable cause) {

@@ -15,7 +15,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Srgb;
 import radiosity.scene.Surface;
 
-/** Editing by the mouse: colour and reflectance of the surface that was clicked on, undo, save. */
+/** The controls of editing: colour and reflectance of the selected surface, undo, save. */
 final class EditPanel {
 
     private static final int PERCENT = 100;
@@ -27,7 +27,7 @@ final class EditPanel {
     private final JButton button = new JButton("    ");
     private final JButton undo = new JButton("undo");
     private final JButton save = new JButton("save");
-    /** Linear, its largest channel 1. */
+    /** Linear colour of the surface, scaled so that the largest channel is 1. */
     private Rgb colour = Rgb.grey(1);
     private boolean refreshing;
 
@@ -66,7 +66,7 @@ final class EditPanel {
         }
     }
 
-    /** Reflects a colour as it is on the screen. */
+    /** Paints the surface so that it reflects a colour given in sRGB. */
     void paint(Color chosen) {
         editing.paint(new Rgb(linear(chosen.getRed()), linear(chosen.getGreen()), linear(chosen.getBlue())), false);
     }
@@ -75,7 +75,7 @@ final class EditPanel {
         return Math.min(Surface.MAX_REFLECTANCE, Srgb.linear(code / 255.0));
     }
 
-    /** Shows things as they are. */
+    /** Sets all controls to the present values. */
     void refresh() {
         refreshing = true;
         on.setSelected(editing.isOn());

@@ -26,7 +26,7 @@ import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 
-/** Moves, turns and paints what is clicked on while the light follows; on the event thread. */
+/** Moves, turns and paints objects while the light follows; on the event thread, except where stated. */
 final class Editing {
 
     private final Display display;
@@ -37,26 +37,26 @@ final class Editing {
     private EditFiles files;
     private EditHistory history;
     private LightFollower follower;
-    /** Whose light is shown; null before the first picture. */
+    /** Scene whose light is shown; null before the first picture. */
     private Scene shown;
-    /** Whose light is under way or at rest. */
+    /** Scene whose light is being rendered or is at rest. */
     private Scene followed;
-    /** What became of the last edit; null while its light is under way. */
+    /** Result of the last edit; null while its light is being rendered. */
     private LightFollower.Rest rest;
     private boolean savesAtRest;
     private boolean isEdited;
     private boolean isSaved = true;
     private Thread saving;
-    /** What is selected; -1 for nothing. */
+    /** Hierarchy node and surface that are selected; -1 where nothing is. */
     private int node = -1;
     private int surface = -1;
     private boolean isFixed;
-    /** While the mouse holds an object. */
+    /** The drag under way; null where the mouse holds no object. */
     private Drag drag;
-    /** Not in the history yet; null for none. */
+    /** Edit of the drag under way, not yet in the history; null for none. */
     private Edit pending;
     private String line = "";
-    /** What was edited last, for the user. */
+    /** Text about the latest edit, for the user. */
     private String done = "";
 
     Editing(Display display, Optional<Callable<EditSource>> wanted) {
@@ -64,7 +64,7 @@ final class Editing {
         this.wanted = wanted;
     }
 
-    /** Begins to edit, or no longer does; what was edited stays. */
+    /** Switches editing on or off; edits made so far remain. */
     void toggle() {
         if (wanted.isEmpty()) {
             display.status(List.of("edit: expected a scene file of RadiosityRenderer"));
@@ -110,7 +110,7 @@ final class Editing {
         follow(source.scene(), false);
     }
 
-    /** Whether what is shown is no longer what the scene file has. */
+    /** Whether editing was ever on, so that the window no longer shows the scene file. */
     boolean hasBegun() {
         return history != null;
     }
@@ -119,7 +119,7 @@ final class Editing {
         return isOn;
     }
 
-    /** On the follower's thread; returns when the picture is shown. */
+    /** Shows a picture; called on the follower's thread, and returns when the picture is displayed. */
     private void show(Solution solution) {
         LitScene lit = LitScene.of(solution, display.lighting().scene().camera());
         try {
@@ -159,7 +159,7 @@ final class Editing {
         }
     }
 
-    /** With what the hand does just now. */
+    /** The scene with all edits, the edit of the drag under way included. */
     private Scene scene() {
         return pending == null ? history.scene() : pending.of(history.scene());
     }
@@ -170,13 +170,13 @@ final class Editing {
         follower.follow(scene, isMoving);
     }
 
-    /** What is selected is drawn apart from all else: whose nodes, with a box around them; null for nothing. */
+    /** Nodes of the selected object, which is drawn apart, and a box around them; null where nothing is selected. */
     SceneShapes.Selection selection() {
         return node < 0 || shown == null ? null
                 : new SceneShapes.Selection(ObjectTriangles.nodes(shown, node), ObjectTriangles.box(shown, node));
     }
 
-    /** Draws the object where it is now, in the light that there is. */
+    /** Draws the selected object at its present position, in the light shown. */
     private void place() {
         if (node >= 0) {
             display.place(ObjectTriangles.between(shown, scene(), node));
@@ -199,7 +199,7 @@ final class Editing {
                 : Picked.of(history.scene(), display.camera().position(), display.direction(x, y));
     }
 
-    /** Selects what is there; of what is selected already, what it belongs to. */
+    /** Selects the object under the mouse; where that object is selected already, its parent. */
     void click(int x, int y) {
         Optional<Picked> hit = picked(x, y);
         int object = hit.map(h -> history.scene().hierarchy().of(h.triangle())).orElse(-1);
@@ -215,7 +215,7 @@ final class Editing {
         say(object < 0 ? "edit: nothing selected" : "");
     }
 
-    /** Takes hold of the selected object where it is under the mouse; returns whether it is. */
+    /** Begins to drag the selected object where it is under the mouse; returns whether it is. */
     boolean grab(int x, int y) {
         Optional<Picked> hit = isOn && node >= 0 && !isFixed ? picked(x, y) : Optional.empty();
         int object = hit.map(h -> history.scene().hierarchy().of(h.triangle())).orElse(-1);
@@ -224,7 +224,7 @@ final class Editing {
         return isHeld;
     }
 
-    /** Moves what is held by pixels. */
+    /** Moves the object being dragged by a number of pixels. */
     void drag(Drag.Hand hand, int right, int down) {
         drag.move(hand, right, down, display.camera(), display.height());
         isEdited = true;
@@ -234,7 +234,7 @@ final class Editing {
         say(pending.text(history.scene()));
     }
 
-    /** Lets go. */
+    /** Ends the drag and makes it an edit. */
     void drop() {
         drag = null;
         if (pending != null) {
@@ -256,13 +256,13 @@ final class Editing {
         place();
     }
 
-    /** What is painted when a colour is chosen; null for nothing. */
+    /** The surface that a chosen colour paints; null for none. */
     Surface painted() {
         return isOn && surface >= 0 ? (pending instanceof Edit.Painted ? scene() : history.scene()).surfaces()
                 .get(surface) : null;
     }
 
-    /** @param isMoving whether the hand is still on the slider */
+    /** @param isMoving whether the user is still dragging the slider */
     void paint(Rgb reflectance, boolean isMoving) {
         if (surface < 0) {
             return;
@@ -296,7 +296,7 @@ final class Editing {
         say(done + "; the light follows");
     }
 
-    /** Saves when the light is at rest. */
+    /** Saves the edited scene, at once or when its light is at rest. */
     void save() {
         savesAtRest = false;
         if (history == null || history.edits().isEmpty()) {
@@ -325,7 +325,7 @@ final class Editing {
         }
     }
 
-    /** Whether there are edits that closing the window would lose; says so, and not twice. */
+    /** Whether closing the window would lose edits; warns the user, and returns true only once until the next edit. */
     boolean holdsBack() {
         boolean isHeld = !isSaved;
         if (isHeld) {
@@ -354,7 +354,7 @@ final class Editing {
         return lines;
     }
 
-    /** Waits for files that are being written. */
+    /** Ends editing; waits for files that are being written. */
     void close() {
         isClosed = true;
         try {

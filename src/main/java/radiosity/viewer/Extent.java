@@ -6,10 +6,10 @@ import radiosity.scene.Vec3;
 import radiosity.util.Aabb;
 
 /**
- * How large a scene is and where.
+ * Size and position of a scene.
  *
- * @param centre of its box
- * @param size   diagonal of its box, scene units, above 0
+ * @param centre centre of the scene's box, scene units
+ * @param size   diagonal of the scene's box, scene units, above 0
  */
 record Extent(Vec3 centre, double size) {
 

@@ -2,10 +2,10 @@ package radiosity.viewer;
 
 import radiosity.output.image.ToneMapping;
 
-/** Luminance in colours, logarithmic: the same map as in light.frag, for the scale beside the picture. */
+/** Logarithmic colour scale of luminance: the colour map of light.frag in Java, for the scale beside the picture. */
 final class FalseColour {
 
-    /** From blue to red. */
+    /** Decades of luminance from blue to red. */
     static final int DECADES = 3;
 
     private static final double[][] TURBO = {
@@ -15,13 +15,14 @@ final class FalseColour {
 
     private FalseColour() { }
 
-    /** The luminance that becomes red, W/m²: the exposure decides. */
+    /** Luminance shown as red, W/m²; inversely proportional to the exposure. */
     static double top(ToneMapping toneMapping) {
         return ToneMapping.Operator.WHITE / toneMapping.exposure();
     }
 
     /**
-     * A. Mikhailov, Turbo, an improved rainbow colormap, 2019: its published polynomial.
+     * Returns the colour of a value (A. Mikhailov, Turbo, an improved rainbow colormap, 2019: its published
+     * polynomial).
      *
      * @param x in [0, 1]
      * @return 0xRRGGBB

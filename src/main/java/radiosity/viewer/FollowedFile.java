@@ -13,7 +13,7 @@ import radiosity.output.gltf.LitScene;
 /**
  * Reads a scene file again whenever a render has replaced it ({@code -si}).
  *
- * <p>One that cannot be read is left until the next one comes: the window goes on showing what it has.
+ * <p>A file that cannot be read is skipped: the window keeps its scene until the file is replaced again.
  */
 final class FollowedFile {
 
@@ -25,7 +25,7 @@ final class FollowedFile {
     private List<Object> seen;
     private boolean reading;
 
-    /** @param replaced is given each new content, on the event thread */
+    /** @param replaced receives each new scene, on the event thread */
     FollowedFile(Path file, Consumer<LitScene> replaced) {
         this.file = file;
         this.replaced = replaced;
@@ -49,7 +49,7 @@ final class FollowedFile {
         }
     }
 
-    /** Differs when the file has been replaced; empty where there is none. */
+    /** Returns a value that differs when the file has been replaced; empty where there is no file. */
     private List<Object> state() {
         try {
             BasicFileAttributes a = Files.readAttributes(file, BasicFileAttributes.class);

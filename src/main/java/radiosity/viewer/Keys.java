@@ -6,10 +6,10 @@ import java.awt.event.FocusEvent;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 
-/** What each key does. */
+/** Listens to the keyboard and performs the action of each key. */
 final class Keys extends KeyAdapter {
 
-    /** The help that H shows: a key and what it does per line. */
+    /** Help text of key H: a key and its action per line. */
     static final String[][] HELP = {
         {"Up, Down", "walk ahead, back"},
         {"Left, Right", "turn"},

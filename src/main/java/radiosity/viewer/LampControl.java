@@ -14,11 +14,11 @@ import javax.swing.JSlider;
 import radiosity.scene.Rgb;
 import radiosity.scene.Srgb;
 
-/** A slider and a colour: what a lamp's light is multiplied with is the product of both. */
+/** A slider and a colour for one lamp: the factor of the lamp's light is the product of both. */
 final class LampControl {
 
     private static final int PERCENT = 100;
-    /** The slider's right end. */
+    /** Right end of the slider, per cent. */
     private static final int MOST = 300;
 
     private final String name;
@@ -28,12 +28,12 @@ final class LampControl {
     private final JButton button = new JButton("    ");
     private final JButton off = new JButton("off");
     private final JButton solo = new JButton("solo");
-    /** Linear, its largest channel 1. */
+    /** Linear colour of the factor, scaled so that the largest channel is 1. */
     private Rgb colour = Rgb.grey(1);
 
     /**
-     * @param changed receives the factor of the lamp's light
-     * @param alone   puts out all other lamps
+     * @param changed receives the factor of the lamp's light, linear, per channel
+     * @param alone   turns off all other lamps
      */
     LampControl(int number, String name, Consumer<Rgb> changed, Runnable alone) {
         this.name = name;
@@ -72,14 +72,14 @@ final class LampControl {
         }
     }
 
-    /** Another colour for the same strength. */
+    /** Changes the colour, in sRGB, and keeps the slider's strength. */
     void colour(Color chosen) {
         Rgb linear = new Rgb(linear(chosen.getRed()), linear(chosen.getGreen()), linear(chosen.getBlue()));
         colour = linear.max() > 0 ? linear.times(1 / linear.max()) : Rgb.grey(1);
         changed.accept(colour.times((double) slider.getValue() / PERCENT));
     }
 
-    /** Shows what the lamp's light is multiplied with; without light the colour stays. */
+    /** Shows the factor of the lamp's light; a factor of 0 leaves the colour as it is. */
     void show(Rgb factor) {
         if (factor.max() > 0) {
             colour = factor.times(1 / factor.max());

@@ -16,7 +16,7 @@ import org.jogamp.java3d.SourceCodeShader;
 import org.jogamp.java3d.Texture;
 import radiosity.output.image.ToneMapping;
 
-/** How light becomes colour on the screen: exposure and curve are numbers that cost nothing. */
+/** The shaders that map radiosity to colours on the screen. Changing exposure or curve only sets shader variables. */
 final class LightShader {
 
     private static final String VERSION = "#version 120\n";
@@ -47,7 +47,7 @@ final class LightShader {
         return attribute;
     }
 
-    /** @param head what the fragment shader begins with in place of its version */
+    /** @param head text that replaces the version line of the fragment shader */
     private static GLSLShaderProgram program(String vertex, String head, List<ShaderAttributeObject> attributes) {
         GLSLShaderProgram program = new GLSLShaderProgram();
         program.setShaders(new Shader[] {shader(Shader.SHADER_TYPE_VERTEX, source(vertex)),
@@ -83,19 +83,19 @@ final class LightShader {
         }
     }
 
-    /** For surfaces with light at their vertices. */
+    /** Appearance of surfaces whose radiosity is at their vertices. */
     Appearance vertices() {
         return vertices;
     }
 
-    /** For a surface with its light in a texture. */
+    /** Appearance of a surface whose light is in a texture. */
     Appearance textured(Texture texture) {
         ShaderAppearance appearance = appearance(textureProgram, textureAttributes);
         appearance.setTexture(texture);
         return appearance;
     }
 
-    /** @param toneMapping how radiosity became the textures' colours */
+    /** @param toneMapping tone mapping by which radiosity was stored in the textures */
     void baked(ToneMapping toneMapping) {
         bakedExposure.setValue((float) toneMapping.exposure());
         bakedCurve.setValue(toneMapping.operator().ordinal());

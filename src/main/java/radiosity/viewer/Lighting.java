@@ -9,21 +9,21 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 
-/** In what light a scene is shown: how bright each lamp is, and how radiosity becomes colour; on the event thread. */
+/** The light in which a scene is shown: factors of the lamps, exposure and tone mapping; on the event thread. */
 final class Lighting {
 
     private final ViewSettings settings;
     private final LightShader shader;
-    /** As it was rendered. */
+    /** Scene with its lamps as rendered. */
     private LitScene scene;
-    /** With its lamps as they are now. */
+    /** Scene with its lamps as they are set. */
     private LitScene lit;
-    /** 1 per lamp: what its light is multiplied with. */
+    /** 1 per lamp: factor of the lamp's light, per channel. */
     private List<Rgb> factors = List.of();
     private ToneMapping toneMapping;
-    /** The exposure for the scene as it is now. */
+    /** Exposure that suits the scene with its present lamps, 1 / (W/m²). */
     private double automaticExposure;
-    /** Whether the exposure follows the scene. */
+    /** Whether the exposure changes with the scene. */
     private boolean automatic;
     private boolean falseColour;
 
@@ -34,7 +34,7 @@ final class Lighting {
         toneMapping = settings.toneMapping().orElse(new ToneMapping(settings.curve(), 1));
     }
 
-    /** Another scene; its lamps stay as they were where it has the same. */
+    /** Shows another scene; factors are kept where both scenes have the same lamps. */
     void show(LitScene other) {
         if (scene == null || !scene.lamps().equals(other.lamps())) {
             factors = asRendered(other);
@@ -45,7 +45,7 @@ final class Lighting {
         toneMapping(automatic ? automaticExposure : toneMapping.exposure(), toneMapping.operator());
     }
 
-    /** The same scene, edited: it stays as bright as it was. */
+    /** Shows an edited version of the scene, with the exposure kept. */
     void follow(LitScene other) {
         factors = scene.lamps().equals(other.lamps()) ? factors : asRendered(other);
         scene = other;
@@ -56,7 +56,7 @@ final class Lighting {
         return Collections.nCopies(scene.lamps().size(), Rgb.grey(1));
     }
 
-    /** As it was rendered nothing is added up: not even rounding differs. */
+    /** Applies the factors; if none is changed, takes the rendered scene itself, so that not even rounding differs. */
     private void mix() {
         lit = factors.equals(asRendered(scene)) ? scene : scene.mixed(factors);
     }
@@ -65,7 +65,7 @@ final class Lighting {
         return ToneMapping.automatic(settings.curve(), of.meshes(), settings.stops()).exposure();
     }
 
-    /** The scene with its lamps as they are now. */
+    /** The scene with its lamps as they are set. */
     LitScene scene() {
         return lit;
     }
@@ -74,12 +74,12 @@ final class Lighting {
         return scene.lamps();
     }
 
-    /** What a lamp's light is multiplied with. */
+    /** Factor of a lamp's light, per channel. */
     Rgb lamp(int lamp) {
         return factors.get(lamp);
     }
 
-    /** @param factor at least 0 */
+    /** @param factor per channel, at least 0 */
     void lamp(int lamp, Rgb factor) {
         List<Rgb> changed = new ArrayList<>(factors);
         changed.set(lamp, factor);
@@ -87,7 +87,7 @@ final class Lighting {
         mix();
     }
 
-    /** Puts out all other lamps; one that is out itself is as it was rendered. */
+    /** Turns off all other lamps; where the lamp itself is off, it gets the light as rendered. */
     void only(int lamp) {
         List<Rgb> changed = new ArrayList<>(Collections.nCopies(factors.size(), Rgb.BLACK));
         changed.set(lamp, factors.get(lamp).max() > 0 ? factors.get(lamp) : Rgb.grey(1));
@@ -95,7 +95,7 @@ final class Lighting {
         mix();
     }
 
-    /** All lamps as they were rendered. */
+    /** Resets all lamps to the light as rendered. */
     void reset() {
         factors = asRendered(scene);
         mix();
@@ -105,7 +105,7 @@ final class Lighting {
         return toneMapping;
     }
 
-    /** How much brighter the picture is than by automatic exposure, EV. */
+    /** How much brighter the picture is than at automatic exposure, EV. */
     double stops() {
         return Math.log(toneMapping.exposure() / automaticExposure) / Math.log(2);
     }
@@ -120,7 +120,7 @@ final class Lighting {
         toneMapping(toneMapping.exposure() * Math.pow(2, stops), toneMapping.operator());
     }
 
-    /** Follows the scene, with its lamps as they are now. */
+    /** Sets the exposure that suits the scene with its present lamps, and keeps it automatic. */
     void automaticExposure() {
         automatic = true;
         automaticExposure = automatic(lit);
@@ -150,7 +150,7 @@ final class Lighting {
         shader.falseColour(on);
     }
 
-    /** For the user. */
+    /** Describes exposure and curve to the user. */
     String text() {
         return String.format(Locale.ROOT, "exposure %.4g per W/m² (%+.2f EV)   %s", toneMapping.exposure(), stops(),
                 toneMapping.operator().name().toLowerCase(Locale.ROOT));

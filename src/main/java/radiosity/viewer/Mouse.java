@@ -6,14 +6,14 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import radiosity.edit.Drag;
 
-/** Looks around by dragging, walks by the wheel, asks by a click; moves what is edited. */
+/** Listens to the mouse: a drag looks around or moves an object, the wheel walks, a click selects or probes. */
 final class Mouse extends MouseAdapter {
 
-    /** A drag across the window's height turns by this, radians. */
+    /** Angle by which a drag across the window's height turns the camera, radians. */
     private static final double TURN = 1.5;
-    /** A notch of the wheel walks so far, of the scene's size. */
+    /** Distance that a notch of the wheel walks, relative to the scene's size. */
     private static final double NOTCH = 0.02;
-    /** A mouse that moves less than this between press and release clicks, pixels. */
+    /** Movement between press and release below which they count as a click, pixels. */
     private static final int STILL = 3;
 
     private final Display display;

@@ -7,33 +7,33 @@ import radiosity.output.mesh.Mesh;
 import radiosity.scene.Vec3;
 import radiosity.visibility.RadiosityBounds;
 
-/** All elements of a scene, to stop a step before a wall and to find what is under the mouse. */
+/** A BVH over all elements of a scene, which stops steps before walls and finds the element under the mouse. */
 final class Obstacles {
 
-    /** Nobody comes closer to a wall than this, of the scene's size. */
+    /** Least distance of the eye from a wall, relative to the scene's size. */
     private static final double MARGIN = 0.004;
-    /** How often a ray may pass through the back of a surface. */
+    /** Most backs of surfaces that a ray passes through. */
     private static final int PASSES = 32;
-    /** Behind a surface a ray goes on from here, of the scene's size. */
+    /** Distance behind a back at which a ray goes on, relative to the scene's size. */
     private static final double STEP = 1e-5;
-    /** How often a step slides along another wall. */
+    /** Most walls along which one step slides. */
     private static final int SLIDES = 3;
 
     private final List<Mesh> meshes;
     private final Extent extent;
-    /** The first element of each mesh, and the number of all. */
+    /** 1 per mesh: number of its first element; then the number of all elements. */
     private final int[] first;
     private final RadiosityBounds bounds;
 
     /**
-     * What a ray meets.
+     * Intersection of a ray with an element.
      *
-     * @param mesh     number of the side of a surface
-     * @param element  of the mesh
-     * @param v        weight of corner 1
-     * @param w        weight of corner 2
-     * @param distance scene units
-     * @param normal   unit, out of the visible side
+     * @param mesh     number of the mesh, a side of a surface
+     * @param element  number of the element in the mesh
+     * @param v        barycentric weight of corner 1
+     * @param w        barycentric weight of corner 2
+     * @param distance distance from the eye, scene units
+     * @param normal   unit normal out of the visible side
      */
     record Hit(int mesh, int element, double v, double w, double distance, Vec3 normal) { }
 
@@ -47,7 +47,7 @@ final class Obstacles {
         bounds = new RadiosityBounds(unitCorners(scene.origin()));
     }
 
-    /** The corners in a scene of size 1 around the origin, as {@link RadiosityBounds} wants them. */
+    /** Returns corners of all elements in coordinates of the scene scaled to size 1, 9 per element. */
     private float[] unitCorners(Vec3 origin) {
         float[] corners = new float[9 * first[meshes.size()]];
         int i = 0;
@@ -67,10 +67,10 @@ final class Obstacles {
     }
 
     /**
-     * The nearest surface whose visible side a ray meets.
+     * Returns the nearest element whose visible side a ray meets.
      *
-     * @param direction unit
-     * @param far       scene units
+     * @param direction unit length
+     * @param far       length of the ray, scene units
      */
     Optional<Hit> hit(Vec3 eye, Vec3 direction, double far) {
         Vec3 o = unit(eye);
@@ -102,7 +102,7 @@ final class Obstacles {
         return new Hit(m, e, hit[1], hit[2], distance, mesh.cross(e).unit());
     }
 
-    /** How much of a step can be taken: before a wall it goes on along it. */
+    /** Returns the part of a step that walls allow; a step that meets a wall slides along the wall. */
     Vec3 allowed(Vec3 eye, Vec3 step) {
         Vec3 left = step;
         for (int slide = 0; slide < SLIDES; slide++) {

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import radiosity.output.image.ToneMapping;
 
-/** Text and scales that lie over the picture. */
+/** Draws texts and scales that lie over the picture. */
 final class Overlay {
 
     private static final Color PANEL = new Color(20, 20, 24, 210);
@@ -22,26 +22,26 @@ final class Overlay {
     private static final int SCALE_WIDTH = 120;
     private static final int SCALE_HEIGHT = 240;
     private static final int BAR = 22;
-    /** Of a mark, pixels across; odd. */
+    /** Width and height of a mark, pixels; odd. */
     static final int MARK = 17;
 
     private Overlay() { }
 
     /**
-     * An image and where it lies.
+     * An image and its position in the window.
      *
-     * @param image with transparency
+     * @param image image with transparency
      * @param x     pixels from the left of the window
-     * @param y     pixels from its top
+     * @param y     pixels from the top of the window
      */
     record Label(BufferedImage image, int x, int y) { }
 
     /**
-     * All labels in one image: Java 3D cuts a second one to the size of the first.
+     * Draws all labels into one image, because Java 3D cuts a second image to the size of the first.
      *
-     * @param width  of the window, pixels
-     * @param height of the window, pixels
-     * @return null where there are none
+     * @param width  width of the window, pixels
+     * @param height height of the window, pixels
+     * @return null where there are no labels
      */
     static BufferedImage of(List<Label> labels, int width, int height) {
         if (labels.isEmpty()) {
@@ -57,7 +57,7 @@ final class Overlay {
         return whole;
     }
 
-    /** Lines of text in a panel. */
+    /** Draws lines of text on a dark panel. */
     static BufferedImage text(List<String> lines) {
         FontMetrics metrics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics()
                 .getFontMetrics(FONT);
@@ -71,7 +71,7 @@ final class Overlay {
         return image;
     }
 
-    /** A ring that can be seen on light and on dark. */
+    /** Draws a ring that is visible on light and on dark surfaces. */
     static BufferedImage mark() {
         BufferedImage image = new BufferedImage(MARK, MARK, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = graphics(image);
@@ -86,13 +86,13 @@ final class Overlay {
         return image;
     }
 
-    /** The keys. */
+    /** Draws the list of keys. */
     static BufferedImage help() {
         return text(Arrays.stream(Keys.HELP)
                 .map(line -> String.format(Locale.ROOT, "%-20s %s", line[0], line[1])).toList());
     }
 
-    /** What the colours of false colour mean, W/m². */
+    /** Draws the scale of false colours, W/m². */
     static BufferedImage scale(ToneMapping toneMapping) {
         BufferedImage image = panel(SCALE_WIDTH, SCALE_HEIGHT);
         Graphics2D g = graphics(image);

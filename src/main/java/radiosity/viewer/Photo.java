@@ -13,8 +13,8 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
 
 /**
- * Draws pictures of what the window shows with what mirrors and what is transparent, beside the scene file, one at a
- * time: {@code a.scene-photo-1.png}, and so on.
+ * Draws pictures of the window's view with mirrors and glass and saves them beside the scene file, one at a time, as
+ * {@code a.scene-photo-1.png} and so on.
  */
 final class Photo {
 
@@ -24,15 +24,15 @@ final class Photo {
     private boolean isDrawing;
 
     /**
-     * @param beside the scene file, where there is one
-     * @param told   gets a line on the event thread
+     * @param beside the scene file; empty where there is none
+     * @param told   receives a line for the user, on the event thread
      */
     Photo(Optional<Path> beside, Consumer<String> told) {
         this.beside = beside;
         this.told = told;
     }
 
-    /** Begins to draw; on the event thread. */
+    /** Begins to draw a picture on a thread of its own, unless one is being drawn; called on the event thread. */
     void take(LitScene scene, Camera camera, int width, ToneMapping toneMapping) {
         if (beside.isEmpty()) {
             told.accept("photo: expected a scene file");
@@ -77,7 +77,7 @@ final class Photo {
         return beside.get().resolveSibling(beside.get().getFileName() + "-photo-" + number + ".png");
     }
 
-    /** Leaves out what is not finished. */
+    /** Cancels the picture being drawn. */
     void close() {
         isWanted = false;
     }

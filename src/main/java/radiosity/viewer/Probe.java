@@ -9,18 +9,18 @@ import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 
 /**
- * The light at a point that was clicked on.
+ * The light at a point that the user has clicked on.
  *
- * @param surface    what is there
- * @param back       whether its back is
- * @param point      scene units
- * @param radiosity  B, W/m²
- * @param irradiance H, W/m²
+ * @param surface     surface at the point
+ * @param back        whether the point is on the back of the surface
+ * @param point       scene units
+ * @param radiosity   B, W/m²
+ * @param irradiance  H, W/m²
  * @param reflectance rho, in [0, 1)
  */
 record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irradiance, Rgb reflectance) {
 
-    /** @param mesh that was hit, in the light that is shown */
+    /** @param mesh the mesh that was hit, with the light shown */
     static Probe of(Obstacles.Hit hit, Mesh mesh, Vec3 point) {
         int e = hit.element();
         double u = 1 - hit.v() - hit.w();
@@ -34,7 +34,7 @@ record Probe(Surface surface, boolean back, Vec3 point, Rgb radiosity, Rgb irrad
         return a.times(u).plus(b.times(hit.v())).plus(c.times(hit.w()));
     }
 
-    /** For the user. */
+    /** Describes the light to the user, a line per quantity. */
     List<String> lines() {
         return List.of("surface      " + surface.name() + (back ? " (back)" : ""),
                 "radiosity    " + text(radiosity) + " W/m²",

@@ -14,10 +14,13 @@ import org.jogamp.java3d.Raster;
 import org.jogamp.java3d.Shape3D;
 import org.jogamp.vecmath.Point3f;
 
-/** Where Java 3D draws: puts text over each picture and hands out copies. */
+/** Canvas on which Java 3D draws the scene. It draws an overlay over each picture and returns copies of pictures. */
 public final class SceneCanvas extends Canvas3D {
 
-    /** Draws nothing that can be seen, but without a shader: Java 3D draws the overlay with the last one. */
+    /**
+     * Shape without visible points or shader: drawn first, so that Java 3D draws the overlay without the scene's
+     * shader.
+     */
     private final Shape3D plain = new Shape3D(new PointArray(1, GeometryArray.COORDINATES), new Appearance());
     private volatile BufferedImage overlay;
     private final AtomicReference<CompletableFuture<BufferedImage>> wanted = new AtomicReference<>();
@@ -26,17 +29,17 @@ public final class SceneCanvas extends Canvas3D {
         super(configuration);
     }
 
-    /** @param image drawn over the scene from the upper left corner on, not modified afterwards; null for nothing */
+    /** @param image drawn over the scene from the upper left corner, not modified afterwards; null for no overlay */
     void overlay(BufferedImage image) {
         overlay = image;
     }
 
-    /** A copy of the next picture; somebody must see to it that it is drawn. */
+    /** Returns a copy of the next picture; the caller must make sure that a picture is drawn. */
     public CompletableFuture<BufferedImage> next() {
         return wanted.updateAndGet(old -> old == null ? new CompletableFuture<>() : old);
     }
 
-    /** Called by Java 3D when the scene is drawn and not yet shown. */
+    /** Called by Java 3D when the scene is drawn and not yet displayed. */
     @Override
     public void postRender() {
         BufferedImage text = overlay;

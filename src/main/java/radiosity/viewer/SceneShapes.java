@@ -25,7 +25,7 @@ import radiosity.scene.Affine;
 import radiosity.scene.Vec3;
 import radiosity.util.Aabb;
 
-/** A scene as Java 3D has it: one shape per side of a surface, by reference to buffers outside the heap. */
+/** A scene as Java 3D shapes, one per side of a surface, which refer to buffers outside the Java heap. */
 final class SceneShapes {
 
     private static final int FORMAT = GeometryArray.COORDINATES | GeometryArray.COLOR_3 | GeometryArray.BY_REFERENCE
@@ -40,17 +40,20 @@ final class SceneShapes {
     /** 1 per mesh: radiosity, 3 per vertex, W/m². */
     private final List<FloatBuffer> radiosity = new ArrayList<>();
 
-    /** Nodes that are selected, and a box around them. */
+    /**
+     * @param nodes 1 per node of the hierarchy: whether the node is selected
+     * @param box   box around the selected nodes, scene units
+     */
     record Selection(boolean[] nodes, Aabb box) { }
 
-    /** With what is selected. */
+    /** Group of the selected object's shapes. */
     private final TransformGroup moved = new TransformGroup();
     private final Vec3 origin;
 
     /**
-     * Positions count from the scene's origin.
+     * Makes the shapes; their coordinates are relative to the scene's origin.
      *
-     * @param selection what can be placed elsewhere; null for nothing
+     * @param selection the object that {@link #place} can move; null for none
      */
     SceneShapes(LitScene scene, Appearance appearance, Selection selection) {
         origin = scene.origin();
@@ -73,7 +76,7 @@ final class SceneShapes {
         return group;
     }
 
-    /** @param map from where what is selected was to where it is shown */
+    /** @param map from the selected object's position in the scene to the position to draw it at, scene units */
     void place(Affine map) {
         Affine shifted = Affine.move(-origin.x(), -origin.y(), -origin.z()).times(map)
                 .times(Affine.move(origin.x(), origin.y(), origin.z()));
@@ -104,7 +107,7 @@ final class SceneShapes {
         return appearance;
     }
 
-    /** Shows the same scene in another light. */
+    /** Replaces the radiosity of all vertices by that of a scene with the same meshes. */
     void light(LitScene scene) {
         for (int m = 0; m < triangles.size(); m++) {
             FloatBuffer to = radiosity.get(m);
@@ -128,7 +131,7 @@ final class SceneShapes {
         return triangles;
     }
 
-    /** A shape whose bounds Java 3D need not search. */
+    /** Makes a shape with given bounds, which Java 3D would otherwise search for. */
     static Shape3D shape(GeometryArray triangles, Appearance appearance, BoundingSphere bounds) {
         Shape3D shape = new Shape3D(triangles, appearance);
         shape.setPickable(false);

@@ -16,10 +16,13 @@ import org.jogamp.vecmath.Vector3d;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
-/** The Java 3D side of a window: a universe with one scene and one eye (figure 14 of the paper). */
+/** The Java 3D part of a window: a universe with one scene and one eye (figure 14 of the paper). */
 final class Stage {
 
-    /** The near plane is this far from the eye, of the scene's size; the far plane this far behind the scene. */
+    /**
+     * Distance of the near plane from the eye, and of the far plane from the scene's centre, relative to the scene's
+     * size.
+     */
     private static final double NEAR = 1e-3;
     private static final double BEHIND = 1;
 
@@ -54,7 +57,7 @@ final class Stage {
         return canvas;
     }
 
-    /** Shows another scene instead. */
+    /** Replaces the scene shown. */
     void scene(BranchGroup other) {
         locale.addBranchGraph(other);
         if (scene != null) {
@@ -64,10 +67,10 @@ final class Stage {
     }
 
     /**
-     * Looks from somewhere else.
+     * Sets the camera.
      *
-     * @param origin from where the scene's positions count
-     * @param extent of the scene
+     * @param origin origin of the scene's coordinates, scene units
+     * @param extent size and position of the scene
      */
     void look(Camera camera, Vec3 origin, Extent extent) {
         Vec3 eye = camera.position().minus(origin);
@@ -84,7 +87,7 @@ final class Stage {
         view.setRightProjection(projection);
     }
 
-    /** Draws again, also when nothing in the scene has changed. */
+    /** Draws the picture again, even where nothing in the scene has changed. */
     void redraw() {
         view.repaint();
     }

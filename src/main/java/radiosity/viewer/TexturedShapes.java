@@ -16,12 +16,12 @@ import org.jogamp.java3d.TriangleArray;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.gltf.TexturedMesh;
 
-/** A scene with its light in textures as Java 3D has it (section 4.6 of the paper): its original triangles. */
+/** Makes Java 3D shapes of the original triangles with their light in textures (section 4.6 of the paper). */
 final class TexturedShapes {
 
     private TexturedShapes() { }
 
-    /** @throws IOException if a texture is no picture */
+    /** @throws IOException where a texture is not a PNG picture */
     static BranchGroup of(LitScene.Textures textures, LightShader shader, BoundingSphere bounds) throws IOException {
         BranchGroup group = new BranchGroup();
         group.setCapability(BranchGroup.ALLOW_DETACH);

@@ -7,19 +7,19 @@ import radiosity.edit.EditSource;
 import radiosity.output.image.ToneMapping;
 
 /**
- * How a window begins.
+ * Settings with which a window opens.
  *
- * @param title       of the window
- * @param wireframe   whether to show the elements' edges only ({@code -wf})
+ * @param title       title of the window
+ * @param wireframe   whether to show only the edges of elements ({@code -wf})
  * @param textures    whether to show the light of the textures ({@code -ut})
- * @param toneMapping how radiosity becomes brightness; empty: automatic exposure
- * @param curve       of the automatic choice
- * @param stops       how much brighter than the automatic choice, EV
+ * @param toneMapping mapping of radiosity to colours; empty: automatic exposure
+ * @param curve       curve of the automatic exposure
+ * @param stops       brightness relative to the automatic exposure, EV
  * @param width       pixels
- * @param height      pixels, or 0 to follow the camera's aspect
- * @param followed    the scene file, to be shown again when it is replaced
- * @param editing     reads what the scene file was made from, where it can be edited
- * @param screenshot  a picture to write of the first complete view, whereupon the window closes
+ * @param height      pixels; 0 to follow the camera's aspect
+ * @param followed    the scene file, which is shown again when it is replaced
+ * @param editing     reads the source of the scene file, where the scene can be edited
+ * @param screenshot  file for a picture of the first complete view, after which the window closes
  */
 public record ViewSettings(String title, boolean wireframe, boolean textures,
                            Optional<ToneMapping> toneMapping, ToneMapping.Operator curve, double stops, int width,

@@ -4,7 +4,7 @@ import java.util.function.BinaryOperator;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
-/** Where the user stands and looks. Walking keeps the height; looking up stops short of the zenith. */
+/** The user's position and direction of view. Walking keeps the height; the pitch stays below the zenith. */
 final class Walker {
 
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -12,22 +12,22 @@ final class Walker {
 
     private final BinaryOperator<Vec3> allowed;
     private Vec3 eye;
-    /** Radians round the vertical, 0 towards -z, counter-clockwise from above. */
+    /** Angle about the vertical axis, radians, 0 towards -z, counter-clockwise seen from above. */
     private double heading;
-    /** Radians above the horizon. */
+    /** Angle above the horizon, radians. */
     private double pitch;
-    /** Radians round the line of sight, counter-clockwise; 0 but for a camera that was set up tilted. */
+    /** Angle about the direction of view, radians, counter-clockwise; 0 except for a camera that was set up tilted. */
     private double roll;
     private double verticalHalfAngle;
     private boolean collides = true;
 
-    /** @param allowed how much of a step can be taken: from the eye's place and the step */
+    /** @param allowed returns the part of a step that can be taken, given the eye's position and the step */
     Walker(Camera camera, BinaryOperator<Vec3> allowed) {
         this.allowed = allowed;
         stand(camera);
     }
 
-    /** Takes a camera's place. */
+    /** Takes over a camera's position and direction. */
     void stand(Camera camera) {
         eye = camera.position();
         Vec3 f = camera.forward();
@@ -43,24 +43,24 @@ final class Walker {
         return new Vec3(-Math.sin(heading) * Math.cos(pitch), Math.sin(pitch), -Math.cos(heading) * Math.cos(pitch));
     }
 
-    /** Level, to the right of the line of sight. */
+    /** Horizontal unit vector to the right of the direction of view. */
     private Vec3 right() {
         return new Vec3(Math.cos(heading), 0, -Math.sin(heading));
     }
 
-    /** Up before rolling. */
+    /** Unit vector up, perpendicular to the direction of view, before rolling. */
     private Vec3 upright() {
         return right().cross(forward());
     }
 
-    /** @param aspect of the window, width / height */
+    /** @param aspect width / height of the window */
     Camera camera(double aspect) {
         Vec3 up = upright().times(Math.cos(roll)).minus(right().times(Math.sin(roll)));
         return new Camera(eye, forward(), up, verticalHalfAngle, aspect);
     }
 
     /**
-     * Turns the head.
+     * Turns the direction of view.
      *
      * @param left radians
      * @param up   radians
@@ -71,7 +71,7 @@ final class Walker {
     }
 
     /**
-     * Walks on the level.
+     * Walks, with directions relative to the horizon.
      *
      * @param ahead scene units
      * @param right scene units

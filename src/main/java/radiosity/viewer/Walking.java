@@ -7,48 +7,51 @@ import java.util.function.DoubleSupplier;
 import java.util.function.LongSupplier;
 import javax.swing.Timer;
 
-/** Walks while keys are held down, as fast as the scene is large; on the event thread. */
+/** Walks while keys are held down, at a speed in proportion to the scene's size; on the event thread. */
 final class Walking {
 
     static final int FRAME_MILLISECONDS = 15;
-    /** Per second, of the scene's size. */
+    /** Distance per second, relative to the scene's size. */
     private static final double SPEED = 0.12;
     private static final double HURRY = 4;
-    /** Radians per second. */
+    /** Angles per second, radians. */
     private static final double TURN = 1.2;
     private static final double LOOK = 0.8;
-    /** A key that repeats is released and pressed again at once: shorter than this it counts as held. */
+    /** Keyboards repeat a held key as release and press: a key counts as held for this time after its release. */
     private static final long REPEAT_NANOSECONDS = 30_000_000;
-    /** After a pause the first step is no longer than this, seconds. */
+    /** Longest time that one step covers, seconds. */
     private static final double LONGEST = 0.1;
     private static final long HELD = Long.MAX_VALUE;
 
     private final Walker walker;
     private final Runnable moved;
     private final DoubleSupplier size;
-    /** Key codes, with the time of their release or {@link #HELD}. */
+    /** Key codes, with the time of release, or {@link #HELD}. */
     private final Map<Integer, Long> keys = new HashMap<>();
     private final Timer timer = new Timer(FRAME_MILLISECONDS, e -> tick());
-    /** Nanoseconds from any beginning. */
+    /** Nanoseconds since any fixed time. */
     private LongSupplier clock = System::nanoTime;
     private boolean hurry;
     private double pace = 1;
     private long last;
 
-    /** @param size of the scene, scene units */
+    /**
+     * @param moved called after each step
+     * @param size  returns the size of the scene, scene units
+     */
     Walking(Walker walker, Runnable moved, DoubleSupplier size) {
         this.walker = walker;
         this.moved = moved;
         this.size = size;
     }
 
-    /** @param other nanoseconds from any beginning; {@link System#nanoTime} unless this is called */
+    /** @param other nanoseconds since any fixed time, used in place of {@link System#nanoTime} */
     void clock(LongSupplier other) {
         clock = other;
         last = clock.getAsLong();
     }
 
-    /** Returns whether the key is one of walking. */
+    /** Notes a pressed key; returns whether the key is one of walking. */
     boolean pressed(int key, boolean shift) {
         if (!walks(key)) {
             return false;
@@ -66,13 +69,13 @@ final class Walking {
         keys.computeIfPresent(key, (k, time) -> clock.getAsLong());
     }
 
-    /** Lets go of every key, as when the window is no longer the one typed into. */
+    /** Releases every key, as when the window loses the keyboard focus. */
     void stop() {
         keys.clear();
         timer.stop();
     }
 
-    /** Walks faster or slower from now on. */
+    /** Multiplies the speed by a factor. */
     void pace(double factor) {
         pace = Math.max(1.0 / 64, Math.min(64, pace * factor));
     }
@@ -86,7 +89,7 @@ final class Walking {
         };
     }
 
-    /** Walks for the time since the last call. */
+    /** Walks for the time since the last call, at most {@link #LONGEST} seconds. */
     void tick() {
         long now = clock.getAsLong();
         double seconds = Math.min(LONGEST, (now - last) / 1e9);

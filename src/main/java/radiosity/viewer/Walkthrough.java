@@ -30,7 +30,7 @@ import radiosity.output.file.AtomicFile;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.image.PictureFormat;
 
-/** A window in which one walks through a scene (appendix C.4 of the paper). */
+/** A window in which the user walks through a scene (appendix C.4 of the paper). */
 public final class Walkthrough {
 
     private static final long PATIENCE_SECONDS = 60;
@@ -42,7 +42,7 @@ public final class Walkthrough {
     private final Optional<FollowedFile> followed;
     private final CountDownLatch closed = new CountDownLatch(1);
 
-    /** On the event thread. */
+    /** Makes the window; called on the event thread. */
     private Walkthrough(LitScene scene, ViewSettings settings) {
         frame = new Frame(settings.title(), stage.canvas().getGraphicsConfiguration());
         frame.setLayout(new BorderLayout());
@@ -95,10 +95,10 @@ public final class Walkthrough {
     }
 
     /**
-     * Opens a window and returns when it is closed, or with a screenshot asked for, when that is written.
+     * Opens a window and returns when it is closed or, where a screenshot is asked for, when the screenshot is written.
      *
-     * @throws DisplayException if there is no display, or one without OpenGL 2
-     * @throws IOException      if a texture cannot be read, or the screenshot not be written
+     * @throws DisplayException where there is no display, or one without OpenGL 2
+     * @throws IOException where a texture cannot be read or the screenshot cannot be written
      */
     public static void show(LitScene scene, ViewSettings settings) throws DisplayException, IOException {
         Walkthrough walkthrough = open(scene, settings);
@@ -115,7 +115,7 @@ public final class Walkthrough {
         }
     }
 
-    /** Names the file where writing it fails: a full disk's message does not. */
+    /** Writes a picture; an exception names the file, which the message of a full disk does not. */
     private static void write(BufferedImage image, Path file) throws IOException {
         byte[] png = PictureFormat.png(image);
         try {
@@ -179,7 +179,7 @@ public final class Walkthrough {
         return panel;
     }
 
-    /** The next picture in which everything is shown that was asked for. */
+    /** Returns a picture that shows every change made before the call. */
     public BufferedImage screenshot() throws DisplayException, InterruptedException {
         frames(2);
         return frames(1);
