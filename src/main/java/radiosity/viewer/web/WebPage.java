@@ -23,13 +23,13 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
-/** Serves a page on which one walks through a scene file in a browser on this machine; needs no display itself. */
+/** Serves a page on which the user walks through a scene file in a browser on this machine; needs no display itself. */
 public final class WebPage implements Closeable {
 
-    /** Where the WebJar has three.js: the version is the one of the project's pom.xml. */
+    /** Path of three.js in the WebJar; the version is that of the project's pom.xml. */
     private static final String THREE = "/META-INF/resources/webjars/three/0.181.1/";
     private static final String JAVASCRIPT = "text/javascript; charset=utf-8";
-    /** Everything there is besides the scene: path, and the resource behind it. */
+    /** Files served besides the scene and its settings: path in the address, and resource. */
     private static final Map<String, String> RESOURCES = Map.ofEntries(
             Map.entry("/", "walk.html"),
             Map.entry("/walk.js", "walk.js"),
@@ -50,13 +50,13 @@ public final class WebPage implements Closeable {
     private final ExecutorService threads = Executors.newCachedThreadPool();
 
     /**
-     * Begins to serve; each visit reads the file again.
+     * Starts the server; each visit reads the file again.
      *
      * @param file  a scene file
-     * @param curve of the automatic exposure
-     * @param stops how much brighter than the automatic choice, EV
-     * @param port  on the loopback address, or 0 for any that is free
-     * @throws IOException if the file is none, or the port is taken
+     * @param curve curve of the automatic exposure
+     * @param stops brightness relative to the automatic exposure, EV
+     * @param port  port on the loopback address; 0 for any free port
+     * @throws IOException where the file is not a scene file, or the port is taken
      */
     public WebPage(Path file, ToneMapping.Operator curve, double stops, int port) throws IOException {
         this.file = file;
@@ -73,7 +73,7 @@ public final class WebPage implements Closeable {
         return Map.entry("/three/" + name, THREE + name);
     }
 
-    /** What to open in a browser. */
+    /** The address to open in a browser. */
     public URI address() {
         return URI.create("http://localhost:" + server.getAddress().getPort() + "/");
     }
@@ -97,7 +97,7 @@ public final class WebPage implements Closeable {
         }
     }
 
-    /** A page of another name that resolves to this machine gets nothing. */
+    /** Whether a request names this machine: a page under another name that resolves to this machine gets nothing. */
     private static boolean isLocal(HttpExchange exchange) {
         String host = exchange.getRequestHeaders().getFirst("Host");
         return host != null && host.matches("(localhost|127\\.0\\.0\\.1|\\[::1])(:\\d+)?");
@@ -121,7 +121,7 @@ public final class WebPage implements Closeable {
         exchange.getResponseBody().write(bytes);
     }
 
-    /** Where the visitor begins, and in what light. */
+    /** Returns the visitor's first view, exposure and lamps, as JSON. */
     private String settings() throws IOException {
         LitScene scene = LitScene.read(file);
         Camera camera = scene.camera();

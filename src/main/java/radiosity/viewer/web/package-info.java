@@ -1,4 +1,2 @@
-/**
- * The page in which one walks through a scene, in a browser.
- */
+/** The page on which the user walks through a scene in a browser. */
 package radiosity.viewer.web;
