@@ -15,10 +15,10 @@ import radiosity.cli.terminal.StopRequest;
 import radiosity.output.gltf.SceneFile;
 
 /**
- * The frames of a LightWave scene ({@code --frames}), each from the one before.
+ * Renders the frames of a LightWave scene ({@code --frames}), each as a change of the solution of the frame before.
  *
- * <p>The same command goes on where it was stopped: a frame is there if its scene file was made by it, to the end, and
- * after the scene.
+ * <p>The same command, given again, renders only the frames that are not done. A frame is done if its scene file has a
+ * certificate, keeps the same command line, and is not older than the input scene.
  */
 final class Animation {
 
@@ -32,7 +32,11 @@ final class Animation {
         this.ending = ending;
     }
 
-    /** All frames that are not there yet; those that are less exact than was asked for are no reason to stop. */
+    /**
+     * Renders the frames that are not done, in their order, until the user stops the program.
+     *
+     * @throws Failure after the last frame, where frames missed the accuracy that {@code --accuracy} asks for
+     */
     void render(RendererOptions options) throws IOException {
         int[] frames = options.scene.frames.all();
         List<Exception> inexact = new ArrayList<>();

@@ -16,7 +16,7 @@ import radiosity.rmi.HostAddress;
 import radiosity.rmi.HostKey;
 import radiosity.worker.PartitionPort;
 
-/** Serves a part of a scene to whoever renders it (section 4.5.6 and appendix C.3 of the paper). */
+/** Program that computes a part of a scene for a RadiosityRenderer (section 4.5.6 and appendix C.3 of the paper). */
 public final class PartitionServer {
 
     private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("HH:mm:ss");
@@ -32,9 +32,9 @@ public final class PartitionServer {
     }
 
     /**
-     * The program without the end of the process; returns only where it cannot serve, or is not asked to.
+     * Runs the program without ending the process; returns only after {@code --help}, {@code --version} or an error.
      *
-     * @return its exit code
+     * @return the exit code
      */
     static int run(String... arguments) {
         ServerOptions options = new ServerOptions();

@@ -44,7 +44,7 @@ import radiosity.settings.RadiositySettings;
 import radiosity.solution.SavedState;
 import radiosity.solver.ProgressiveRadiosity;
 
-/** Renders a scene and writes a scene file (appendix C.1 of the paper). */
+/** The program that renders a scene and writes a scene file (appendix C.1 of the paper). */
 public final class RadiosityRenderer {
 
     private final RendererOptions options;
@@ -71,15 +71,15 @@ public final class RadiosityRenderer {
     }
 
     /**
-     * The program without the end of the process.
+     * Runs the program without ending the process.
      *
-     * @return its exit code
+     * @return the exit code
      */
     public static int run(String... arguments) {
         return run(SaveBeforeExit.PATIENCE, arguments);
     }
 
-    /** @param patience how long Ctrl-C or SIGTERM waits for the end of saving */
+    /** @param patience longest time that Ctrl-C or SIGTERM waits until everything is saved */
     static int run(Duration patience, String... arguments) {
         RendererOptions options = new RendererOptions();
         StopRequest stop = new StopRequest();
@@ -104,7 +104,7 @@ public final class RadiosityRenderer {
         SceneInfo.lines(scene).forEach(System.out::println);
     }
 
-    /** Figure 7 of the paper, from top to bottom; {@link RenderJob} is the middle. */
+    /** Renders one scene: figure 7 of the paper from top to bottom. {@link RenderJob} is the middle of the figure. */
     void render(SaveBeforeExit ending) throws IOException {
         files.check();
         if (course instanceof TimeCourse timed) {
@@ -125,7 +125,7 @@ public final class RadiosityRenderer {
         return SurfaceMaps.read(scene, options.scene.srgb, warnings::accept);
     }
 
-    /** To the end, or until it is stopped. */
+    /** Calculates with a journal, and writes all outputs; the journal is deleted only after every output is written. */
     private void calculate(JournalClaim claim, SaveBeforeExit ending) throws IOException {
         Journal journal;
         RenderResult result;
@@ -164,12 +164,12 @@ public final class RadiosityRenderer {
         }
     }
 
-    /** What {@code --change} names. */
+    /** The calculation in the scene file that {@code --change} names; empty without the option or a calculation. */
     private Optional<SavedCalculation> changed() throws IOException {
         return options.file.change == null ? Optional.empty() : SavedCalculation.find(options.file.change);
     }
 
-    /** As exactly as can be done in a time. */
+    /** Calculates as exactly as the time limit allows ({@code --time}), and writes all outputs. */
     private void calculate(TimeCourse course, TimeLimit limit, SaveBeforeExit ending) throws IOException {
         RenderResult result;
         String inTime;
@@ -185,7 +185,7 @@ public final class RadiosityRenderer {
         finish(result, write(result, Optional.of(inTime), true, new Failures()));
     }
 
-    /** What {@code -tf} names, or null. */
+    /** The calculation in the scene file that {@code -tf} names; null without {@code -tf}. */
     private SavedCalculation saved() throws IOException {
         if (options.file.resume == null) {
             return null;
@@ -195,7 +195,13 @@ public final class RadiosityRenderer {
         return saved;
     }
 
-    /** The settings, with which the scene can be calculated. */
+    /**
+     * The settings of the calculation; fails or warns where the scene cannot or should not be rendered with these
+     * settings.
+     *
+     * @param saved     calculation that supplies what no option sets; null for none
+     * @param otherwise settings that do so where there is no saved calculation
+     */
     private RadiositySettings checked(Scene scene, SavedCalculation saved, RadiositySettings otherwise) {
         RadiositySettings settings = settings(scene, saved, otherwise);
         check(scene, settings);
@@ -228,9 +234,12 @@ public final class RadiosityRenderer {
     }
 
     /**
-     * What the user gets beside the scene file; fails where a file could not be written.
+     * Prints the summary and writes every output but the scene file.
      *
-     * @param saved whether the scene file was saved
+     * @param inTime   line of the summary about the time limit, where there was a time limit
+     * @param saved    whether the scene file was saved
+     * @param failures of the outputs so far; failures of further outputs are added
+     * @throws Failure where any output could not be written
      */
     private Summary write(RenderResult result, Optional<String> inTime, boolean saved, Failures failures) {
         Summary summary = new Summary(result, inTime, ProcessTime.seconds());
@@ -242,7 +251,11 @@ public final class RadiosityRenderer {
         return summary;
     }
 
-    /** After all is written: says where it is less exact than was asked for; fails where the user named an accuracy. */
+    /**
+     * Prints statistics and any shortfall of accuracy, after all outputs are written.
+     *
+     * @throws Failure where the shortfall is from the accuracy that {@code --accuracy} asks for
+     */
     private void finish(RenderResult result, Summary summary) {
         if (options.statistics) {
             result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));

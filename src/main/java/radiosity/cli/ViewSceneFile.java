@@ -18,7 +18,7 @@ import radiosity.viewer.DisplayException;
 import radiosity.viewer.Walkthrough;
 import radiosity.viewer.web.WebPage;
 
-/** Displays a scene file and lets the user walk in it (appendix C.4 of the paper). */
+/** The program that displays a scene file and lets the user walk through it (appendix C.4 of the paper). */
 public final class ViewSceneFile {
 
     private final ViewOptions options;
@@ -31,15 +31,15 @@ public final class ViewSceneFile {
 
     public static void main(String[] arguments) {
         int exitCode = run(arguments);
-        // when the process ends, JogAmp lists the connection to the display that Java 3D leaves open
+        // at the end of the process JogAmp prints a list of the display connections that Java 3D leaves open
         System.setErr(new PrintStream(OutputStream.nullOutputStream()));
         System.exit(exitCode);
     }
 
     /**
-     * The program without the end of the process.
+     * Runs the program without ending the process.
      *
-     * @return its exit code
+     * @return the exit code
      */
     public static int run(String... arguments) {
         ViewOptions options = new ViewOptions();
@@ -74,7 +74,7 @@ public final class ViewSceneFile {
         }
     }
 
-    /** Until the process is ended, as by Ctrl-C. */
+    /** Serves the web page until the process is ended, for example by Ctrl-C. */
     private void serve() throws IOException {
         try (WebPage page = new WebPage(options.file(), options.window.curve, options.window.exposure,
                 options.window.port())) {

@@ -1,6 +1,7 @@
 /**
  * The programs: RadiosityRenderer, PartitionServer, ViewSceneFile (appendix C of the paper).
  *
- * <p>A program's {@code main} only turns what {@code run} returns into the exit code, so that tests call {@code run}.
+ * <p>The {@code main} of a program only ends the process with the exit code of {@code run}, so that tests can call
+ * {@code run}.
  */
 package radiosity.cli;
