@@ -1,36 +1,37 @@
 package radiosity.cli.render;
 
 /**
- * Which accuracy to try next in what is left of a time limit.
+ * Chooses the accuracy of the next calculation within what is left of a time limit.
  *
- * <p>Time grows as a power of accuracy, slowly where what does not depend on it takes most of it. The power is that
- * between the last two calculations, or a usual one, and is trusted only so far beyond them. The figures here decide
- * how much of the time is made use of; each was chosen from what {@code docs/ACCURACY.md} has.
+ * <p>Calculation time is modelled as a power of 1 / accuracy. The exponent is the one observed between the last two
+ * calculations, within bounds, and a constant before there are two; it is small where work that does not depend on the
+ * accuracy dominates. The constants limit the extrapolation and decide how much of the time limit is used; each was
+ * chosen from the measurements in {@code docs/ACCURACY.md}.
  */
 public final class AccuracyChoice {
 
-    /** Where to begin: coarser ones are no quicker. Part of 1, as all accuracies here. */
+    /** Accuracy of the first calculation, a relative error as all accuracies here; coarser ones are not quicker. */
     public static final double COARSEST = 0.5;
-    /** Finer ones are beyond what is certified. */
+    /** Finest accuracy that is tried: a certificate cannot confirm finer ones. */
     public static final double FINEST = 1e-4;
-    /** What a finer calculation may take of the time that is left: predictions err. */
+    /** Largest part of the time left that a calculation may be predicted to take; the rest is for wrong predictions. */
     private static final double SHARE = 0.75;
-    /** How much finer the next one may be, and must be. */
+    /** Largest and smallest ratio between the accuracy of a calculation and the accuracy of the next one. */
     private static final double MOST_GAIN = 5;
     private static final double LEAST_GAIN = 1.15;
-    /** Of the first calculation's time, what the JVM takes to get warm, s; but not more than half. */
+    /** Time of the first calculation that is attributed to JVM warm-up, s; at most half of its time is. */
     private static final double WARM_UP = 1;
-    /** Powers of time in accuracy: after the coarsest one, where what does not depend on it takes most; and finer. */
+    /** Exponent after the first calculation, which work independent of the accuracy dominates; bounds of later ones. */
     private static final double FIRST_POWER = 0.7;
     private static final double LEAST_POWER = 1;
     private static final double MOST_POWER = 2;
-    /** It grows as accuracy does. */
+    /** Added to the observed exponent, as the exponent grows with finer accuracy. */
     private static final double GROWING = 0.2;
-    /** The number of elements grows with this power, and each takes at most this number of bytes. */
+    /** Exponent of 1 / accuracy by which the number of elements grows; upper bound of the memory per element, bytes. */
     private static final double ELEMENTS_POWER = 1.5;
     private static final double ELEMENT_BYTES = 1000;
 
-    /** What clocks can tell, s. */
+    /** Shortest time that a clock can measure reliably, s. */
     private static final double SHORTEST = 1e-3;
 
     private final double memory;
@@ -39,12 +40,18 @@ public final class AccuracyChoice {
     private double elements;
     private double power = FIRST_POWER;
 
-    /** @param memory bytes that there are */
+    /** @param memory available to a calculation, bytes */
     public AccuracyChoice(double memory) {
         this.memory = memory;
     }
 
-    /** Takes into account how long a calculation took. */
+    /**
+     * Records a calculation, for the next choice.
+     *
+     * @param accuracy relative error of the calculation
+     * @param seconds  wall time of the calculation
+     * @param elements number of elements of its mesh
+     */
     public void took(double accuracy, double seconds, int elements) {
         double now = Math.max(SHORTEST, seconds);
         if (this.seconds == 0) {
@@ -58,7 +65,12 @@ public final class AccuracyChoice {
         this.elements = elements;
     }
 
-    /** What to calculate with next; 0 where nothing finer can be expected to be done in time. */
+    /**
+     * Accuracy of the next calculation.
+     *
+     * @param secondsLeft rest of the time limit, s; may be negative
+     * @return 0 where no notably finer calculation is expected to end in time and to fit into memory
+     */
     public double next(double secondsLeft) {
         if (seconds == 0) {
             return COARSEST;

@@ -16,9 +16,10 @@ import radiosity.solution.Solution;
 import radiosity.solver.ProgressiveRadiosity;
 
 /**
- * What happens after every round: progress, journal, files of {@code -si} and {@code -sn}, and whether to go on.
+ * Shows progress, writes the journal and the files of {@code -si} and {@code -sn}, and decides whether to go on, after
+ * every round.
  *
- * <p>A file that cannot be written now, for want of disk or memory, gives a message and does not end the calculation.
+ * <p>A file that cannot be written for lack of disk space or memory gives a message and does not end the calculation.
  */
 final class AutosaveListener implements RoundListener {
 
@@ -64,7 +65,7 @@ final class AutosaveListener implements RoundListener {
         return !cut;
     }
 
-    /** Before the end also where it is not due: saving the scene file may take longer than there is time. */
+    /** Writes the journal if due, and before the end: the time left may be too short to save the scene file. */
     private void keep(Journal kept) throws IOException {
         if (cut) {
             kept.keepNow(radiosity::state);
@@ -73,7 +74,7 @@ final class AutosaveListener implements RoundListener {
         }
     }
 
-    /** Whether the calculation was asked not to go on. */
+    /** Whether the calculation was stopped because {@code goOn} returned false. */
     boolean isCut() {
         return cut;
     }
@@ -91,7 +92,7 @@ final class AutosaveListener implements RoundListener {
         }
     }
 
-    /** Whether a multiple of the interval was reached. */
+    /** Whether the number of shots has passed a multiple of the interval in this round; false without an interval. */
     private boolean passed(Integer interval, int now) {
         return interval != null && now / interval > before / interval;
     }

@@ -7,7 +7,7 @@ import radiosity.cli.terminal.ProgressDisplay;
 import radiosity.cli.terminal.StopRequest;
 import radiosity.solution.Progress;
 
-/** What a render reports to its user, and what the user answers: progress, messages, any key. */
+/** The terminal during a render: displays progress and messages, and turns any key press into a stop request. */
 public final class ConsoleSession implements ProgressDisplay {
 
     private final PrintStream err;
@@ -22,7 +22,7 @@ public final class ConsoleSession implements ProgressDisplay {
         stop.tell(this::message);
     }
 
-    /** Before the first round of a calculation; there may be several. */
+    /** Starts to listen for keys; has no effect after the first call. */
     void begin() {
         if (!begun) {
             begun = true;

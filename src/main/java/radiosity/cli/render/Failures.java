@@ -5,17 +5,17 @@ import java.util.ArrayList;
 import java.util.List;
 import radiosity.cli.options.Failure;
 
-/** The failures of several outputs, each of which is tried whatever became of those before it. */
+/** Collects the failures of several outputs, so that every output is attempted whatever became of earlier outputs. */
 public final class Failures {
 
     private final List<Exception> failures = new ArrayList<>();
 
-    /** What writes one output. */
+    /** Writes one output. */
     public interface Output {
         void write() throws IOException;
     }
 
-    /** @return whether it was written */
+    /** Attempts an output and keeps its failure; returns whether the output was written. */
     public boolean tried(Output output) {
         try {
             output.write();
@@ -27,9 +27,9 @@ public final class Failures {
     }
 
     /**
-     * Fails where an output did.
+     * Fails if any output failed.
      *
-     * @throws Failure with the message of each failed output on a line of its own, and the first one's exit code
+     * @throws Failure with the message of each failed output on a line of its own, and the exit code of the first one
      */
     public void check() {
         if (!failures.isEmpty()) {

@@ -20,22 +20,22 @@ import radiosity.output.file.LockedFile;
 import radiosity.rmi.HostKey;
 
 /**
- * The files of a command line, looked at before any work: that inputs can be read, that outputs can be written, and
- * that no output would overwrite an input, another output, or a file that the program writes besides.
+ * Checks the files of a command line before any work: inputs must be readable, outputs must be writable, and no output
+ * may overwrite an input, another output, or a file that the program writes without being asked to.
  */
 public final class FileChecks {
 
-    /** Of formats that do not tell by their first bytes. */
+    /** Names of OBJ files and material libraries, which cannot be recognised by their first bytes. */
     private static final Pattern OBJECTS = Pattern.compile("(?i).*\\.(obj|mtl)");
 
     private final List<Path> inputs = new ArrayList<>();
     private final List<Path> outputs = new ArrayList<>();
-    /** Files that the program writes besides, each with what it is. */
+    /** Files that the program writes without being asked to, each with a description for messages. */
     private final Map<Path, String> reserved = new LinkedHashMap<>();
-    /** Pictures of {@code -sn} are called as this and their number; null without. */
+    /** Scene file whose name, with a number, the pictures of {@code -sn} get; null without {@code -sn}. */
     private Path snapshots;
 
-    /** Fails unless the file can be read. */
+    /** Adds an input; fails unless the file can be read. */
     public void input(Path file) {
         if (Files.isDirectory(file)) {
             throw Failure.file(file, "expected a file, got a directory", null);
@@ -48,7 +48,7 @@ public final class FileChecks {
         inputs.add(file);
     }
 
-    /** Fails where a file that the scene is made of, like an image, would be overwritten by what is known by now. */
+    /** Adds a file that the scene refers to, like an image; fails where an output added so far would overwrite it. */
     public void partOfScene(Path file) {
         inputs.add(file);
         outputs.forEach(this::refuseInputs);
@@ -57,22 +57,21 @@ public final class FileChecks {
     }
 
     /**
-     * Keeps a name for a file that the program writes without being asked to. Fails where that would overwrite an
-     * input.
+     * Reserves a name for a file that the program writes without being asked to; fails where an input has this name.
      *
-     * @param what it is, with its article
+     * @param what description of the file for messages, with its article
      */
     public void reserve(Path file, String what) {
         refuseInputs(file);
         reserved.put(file, what);
     }
 
-    /** Keeps the names of the pictures of {@code -sn}. */
+    /** Reserves the names of the pictures of {@code -sn}, which derive from the name of the scene file. */
     public void reserveSnapshots(Path scene) {
         snapshots = scene;
     }
 
-    /** Fails unless the file can be written, or replaced where it exists; leaves it as it is. */
+    /** Adds an output; fails unless the file can be created or replaced. An existing file is left unchanged. */
     public void output(Path file) {
         if (Files.exists(file) && !(Files.isRegularFile(file) && Files.isWritable(file))) {
             throw Failure.file(file, "expected a file that can be written, got "
@@ -116,7 +115,7 @@ public final class FileChecks {
         }
     }
 
-    /** What is overwritten by a slip of the hand: an object of the scene, its materials, or another scene. */
+    /** Fails for an existing OBJ file, material library or LightWave file: naming one as an output is a slip. */
     private static void refuseModels(Path file) {
         if (!Files.exists(file)) {
             return;
@@ -135,9 +134,9 @@ public final class FileChecks {
     }
 
     /**
-     * An output is written beside its place and then renamed, so its directory must take a new file, and the file
-     * system its name: that may be too long, or have characters that are not allowed. The name is tried in a directory
-     * apart, where another program cannot have put a file of that name meanwhile.
+     * Fails unless the directory takes a new file and the file system takes the file's name, which may be too long or
+     * have forbidden characters. (An output is written under a temporary name in its directory and then renamed.) The
+     * name is tried in a separate new directory, where no other program can have created a file with that name.
      */
     private static void tryPlace(Path file) {
         try {
@@ -163,11 +162,11 @@ public final class FileChecks {
             return Files.exists(a) && Files.exists(b) ? Files.isSameFile(a, b)
                     : AtomicFile.target(a).equals(AtomicFile.target(b));
         } catch (IOException e) {
-            return false; // one of them can be neither read nor written, which is found where that is tried
+            return false; // the check of the path that cannot be resolved reports the error
         }
     }
 
-    /** Reads a key file that is there. */
+    /** Reads a key file; fails unless the file can be read. */
     public static HostKey key(Path file) throws IOException {
         new FileChecks().input(file);
         return HostKey.read(file);

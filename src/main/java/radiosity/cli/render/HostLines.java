@@ -9,7 +9,7 @@ import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
 import radiosity.solution.WorldStatistics;
 
-/** While hosts calculate: now and then a line for each ({@code --statistics}). */
+/** Prints a line about each host at most every 5 s while hosts calculate ({@code --statistics}). */
 public final class HostLines implements RoundListener {
 
     private static final long NANOSECONDS_BETWEEN = 5_000_000_000L;
@@ -21,7 +21,7 @@ public final class HostLines implements RoundListener {
     private long printed;
 
     /**
-     * @param next  called after every round, after this one
+     * @param next  listener that is called after this one in every round
      * @param clock nanoseconds, as {@link System#nanoTime}
      */
     public HostLines(Supplier<WorldStatistics> world, ProgressDisplay display, RoundListener next, LongSupplier clock) {

@@ -24,17 +24,17 @@ import radiosity.solution.SavedState;
 import radiosity.solver.ProgressiveRadiosity;
 
 /**
- * What a render that is cut off leaves behind: {@code <output>.journal}. The same command then goes on from there, to
- * the same bits.
+ * The journal of a render, {@code <output>.journal}: the state from which the same command resumes an interrupted
+ * render, to the same bits.
  *
- * <p>Checksum, settings, and the state between two rounds; replaced as a whole whenever the rounds since have taken a
- * multiple of the time that writing it takes.
+ * <p>The file contains a checksum, the settings, and the state between two rounds. The file is replaced as a whole when
+ * the time since the last write exceeds a multiple of the time that the write took.
  */
 public final class Journal {
 
-    /** Of all time, at most a thirtieth goes into the journal. */
+    /** Time between writes in multiples of the time of a write: writing takes at most about a thirtieth of all time. */
     private static final int PATIENCE = 30;
-    /** What writing is taken to cost at least, ns. */
+    /** Lower bound of the time of a write, ns. */
     private static final long LEAST_COST = 50_000_000;
 
     private final Path file;
@@ -46,14 +46,15 @@ public final class Journal {
     private boolean failed;
 
     /**
-     * @param claim to its file, held as long as the journal is in use
-     * @param clock for differences, ns
+     * @param claim   to the journal's file; must be held while the journal is in use
+     * @param notices receives messages to the user
+     * @param clock   nanoseconds, used for differences only
      */
     public Journal(JournalClaim claim, RadiositySettings settings, Consumer<String> notices, LongSupplier clock) {
         this(claim, settings.toString(), notices, clock);
     }
 
-    /** @param settings in words, with what else a render must have in common with one that was cut off */
+    /** @param settings text that must be the same in the interrupted and the resuming render */
     public Journal(JournalClaim claim, String settings, Consumer<String> notices, LongSupplier clock) {
         file = claim.journal();
         this.settings = settings;
@@ -62,12 +63,16 @@ public final class Journal {
         last = clock.getAsLong();
     }
 
-    /** Where the journal of a scene file is. */
+    /** The path of the journal of a scene file. */
     public static Path of(Path output) {
         return Path.of(output + ".journal");
     }
 
-    /** Whether there was something to go on from. */
+    /**
+     * Resumes a calculation from the journal. A journal that is damaged or of another render only gives a warning.
+     *
+     * @return whether the calculation was resumed
+     */
     public boolean resume(ProgressiveRadiosity radiosity) throws IOException {
         if (!Files.isRegularFile(file)) {
             return false;
@@ -82,7 +87,12 @@ public final class Journal {
         }
     }
 
-    /** Reads the file once; the state of another render is not kept. */
+    /**
+     * Reads the file in one pass; the state of a render with other settings is skipped.
+     *
+     * @throws SceneFormatException where the file is damaged, no journal, or the journal of a render with other
+     *                              settings
+     */
     private SavedState read() throws IOException {
         CRC32 sum = new CRC32();
         long left = Files.size(file) - Long.BYTES - Integer.BYTES;
@@ -121,12 +131,12 @@ public final class Journal {
         return new SceneFormatException(file.toString(), "", expected, got);
     }
 
-    /** Where the state to be written comes from. */
+    /** Supplies the state to be written. */
     public interface Source {
         SavedState state() throws IOException;
     }
 
-    /** Writes the state where that is due. */
+    /** Writes the state if a write is due. */
     public void keep(Source source) throws IOException {
         if (clock.getAsLong() - last >= PATIENCE * cost) {
             keepNow(source);
@@ -134,8 +144,8 @@ public final class Journal {
     }
 
     /**
-     * Writes the state. That it cannot be written, for want of disk or memory, gives one warning in the whole render
-     * and is no reason to stop.
+     * Writes the state. A write that fails for lack of disk space or memory does not stop the render; the first such
+     * failure of a render gives a warning.
      *
      * @throws IOException where a partition cannot be reached
      */
@@ -173,14 +183,14 @@ public final class Journal {
         });
     }
 
-    /** Writes everything that the checksum is of. */
+    /** Writes everything that the checksum covers: the length of the settings, the settings, the state. */
     private void writeSummed(SavedState state, OutputStream to) throws IOException {
         new DataOutputStream(to).writeInt(utf8().length);
         to.write(utf8());
         state.writeTo(to);
     }
 
-    /** The render is done, and saved. */
+    /** Deletes the journal of a render that is done and saved. */
     public void delete() throws IOException {
         Files.deleteIfExists(file);
     }

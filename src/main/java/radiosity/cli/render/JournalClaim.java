@@ -12,13 +12,15 @@ import radiosity.output.file.AtomicFile;
 import radiosity.output.file.LockedFile;
 
 /**
- * The right of one process to a journal: no other may go on from it, replace it or delete it meanwhile.
+ * The exclusive right of a process to a journal: while it is held, no other process resumes from the journal, replaces
+ * it or deletes it.
  *
- * <p>A locked file beside the journal, named after it; so the claim of a process that is killed ends with it.
+ * <p>The claim is a locked file in the directory of the journal, named after the journal. The claim of a process that
+ * is killed ends with the process.
  */
 public final class JournalClaim implements Closeable {
 
-    /** Processes that begin at the same moment see each other's claims, and withdraw theirs so often. */
+    /** Attempts to claim: processes that start at the same moment see each other's claims, withdraw and try again. */
     private static final int ATTEMPTS = 6;
     private static final int MOST_WAIT_MILLISECONDS = 100;
 
@@ -31,9 +33,9 @@ public final class JournalClaim implements Closeable {
     }
 
     /**
-     * Claims a journal, whether it exists already or not.
+     * Claims a journal, whether or not its file exists.
      *
-     * @throws Failure where a live process has it
+     * @throws Failure where another running process holds the journal
      */
     public static JournalClaim of(Path journal) throws IOException {
         Path place = AtomicFile.target(journal);
@@ -63,7 +65,7 @@ public final class JournalClaim implements Closeable {
         }
     }
 
-    /** The file that is claimed. */
+    /** Path of the claimed journal. */
     public Path journal() {
         return journal;
     }

@@ -38,32 +38,36 @@ import radiosity.settings.RadiositySettings;
 import radiosity.solution.Certificate;
 import radiosity.solution.Solution;
 
-/** What a render reads and writes, as the command line names it. */
+/** Checks the input and output files that the command line names, and writes the outputs. */
 public final class OutputFiles {
 
     private final RendererOptions options;
     private final List<String> arguments;
     private final FileChecks checks = new FileChecks();
-    /** The same for all pictures of a render; null before the first. */
+    /** Camera of all pictures of a render; null before the first picture. */
     private Camera camera;
 
-    /** @param arguments of the command line, for the scene file */
+    /** @param arguments the command line, which is stored in the scene file */
     public OutputFiles(RendererOptions options, List<String> arguments) {
         this.options = options;
         this.arguments = arguments;
     }
 
-    /** The files of what a time limit led to: the scene file says how the result is made again. */
+    /** These files for the result of a time limit; the scene file keeps a command line that reproduces the result. */
     OutputFiles accurate(String perCent) {
         return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent));
     }
 
-    /** The files of what a time limit has cut off after a number of shots. */
+    /** These files for a calculation that a time limit cut off; the scene file keeps a command line to reproduce it. */
     OutputFiles cutOff(String perCent, int shots) {
         return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent, shots));
     }
 
-    /** Fails where something cannot be read or written, before any work. */
+    /**
+     * Checks all files of the command line before the scene is read.
+     *
+     * @throws Failure where an input cannot be read, or an output cannot be written or would overwrite another file
+     */
     public void check() throws IOException {
         checks.input(options.input());
         if (options.file.points != null) {
@@ -76,10 +80,10 @@ public final class OutputFiles {
         }
         checks.output(options.output());
         if (options.file.resume != null) {
-            checks.input(options.file.resume.file()); // only the scene file may take its place
+            checks.input(options.file.resume.file()); // after the scene file, which alone may replace this file
         }
         if (options.file.change != null) {
-            checks.input(options.file.change); // only the scene file may take its place
+            checks.input(options.file.change); // after the scene file, which alone may replace this file
         }
         checks.reserve(Journal.of(options.output()), "the journal of " + options.output());
         if (options.picture.snapshotInterval != null) {
@@ -100,7 +104,7 @@ public final class OutputFiles {
         }
     }
 
-    /** Fails where an output would overwrite an image of the scene, or a grid has no points, before any work. */
+    /** Fails where an output would overwrite an image of the scene, or a grid has no points; called before any work. */
     public void check(Scene scene) {
         for (FileOptions.GridFile grid : options.file.grids) {
             try {
@@ -114,7 +118,12 @@ public final class OutputFiles {
                 .forEach(checks::partOfScene);
     }
 
-    /** The scene file: the old one stays until the new one is whole, and one without textures until they are. */
+    /**
+     * Writes the scene file. The old file stays until the new one is complete; a scene file with textures is first
+     * written without them.
+     *
+     * @param certificate empty while the calculation goes on, or where it was stopped
+     */
     public void saveScene(Solution solution, RadiositySettings settings, Optional<Certificate> certificate)
             throws IOException {
         Map<String, Object> extras = new TreeMap<>();
@@ -123,7 +132,7 @@ public final class OutputFiles {
         certificate.ifPresent(c -> extras.put("certificate", c));
         saveScene(solution, extras, OptionalDouble.empty());
         if (options.textures != null) {
-            saveScene(solution, extras, OptionalDouble.of(options.textures)); // whatever ends this leaves the first
+            saveScene(solution, extras, OptionalDouble.of(options.textures)); // an interruption leaves the first file
         }
     }
 
@@ -133,9 +142,10 @@ public final class OutputFiles {
     }
 
     /**
-     * The picture of {@code -sn}.
+     * Writes the picture of {@code -sn}.
      *
-     * @param goOn whether it is still wanted
+     * @param goOn asked during the drawing; the picture is left out where the answer is false
+     * @param user receives a message where the picture is left out
      */
     void saveSnapshot(Solution solution, BooleanSupplier goOn, Consumer<String> user) throws IOException {
         savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"),
@@ -143,10 +153,11 @@ public final class OutputFiles {
     }
 
     /**
-     * Everything that is written at the end beside the scene file, each whatever becomes of the others.
+     * Writes all outputs but the scene file at the end of a render; each is attempted whatever becomes of the others.
      *
-     * @param user sees how far pictures are that take long
-     * @param stop on request they are not drawn to their end, and not written
+     * @param failures to which the failures of these outputs are added
+     * @param user     shows the progress of pictures that take long; is closed
+     * @param stop     a request ends the drawing of pictures; the unfinished ones are not written
      */
     public void saveRest(Solution solution, Summary summary, Failures failures, ConsoleSession user,
                          StopRequest stop) {
@@ -212,12 +223,12 @@ public final class OutputFiles {
                 options.picture.toneMapping(solution).exposure());
     }
 
-    /** What writes one file. */
+    /** Writes one file. */
     private interface Content {
         void writeTo(Path file) throws IOException;
     }
 
-    /** Names the file where writing it fails: a full disk's message does not, nor does a full memory's. */
+    /** Writes a file; a failure names the file, which the messages of a full disk or a full memory do not. */
     private static void write(Path file, Content content) throws IOException {
         try {
             content.writeTo(file);

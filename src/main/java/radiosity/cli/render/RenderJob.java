@@ -24,7 +24,7 @@ import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
 import radiosity.solver.World;
 
-/** The middle of figure 7 of the paper: a world is set up, light is distributed, and the result merged. */
+/** The middle of figure 7 of the paper: sets up a world, distributes the light, and merges the result. */
 public final class RenderJob {
 
     private final RendererOptions options;
@@ -44,29 +44,30 @@ public final class RenderJob {
         hostNotices = new HostNotices(user::message);
     }
 
-    /** How exact to become after what there is. */
+    /** Errors that a calculation is to reach, one after the other. */
     public interface Aims {
 
-        /** Relative error to go on to; nothing at the end. */
+        /** Relative error to reach after a result that reached the one before; empty where the calculation is done. */
         OptionalDouble after(RenderResult result) throws IOException;
 
-        /** One after the other. */
+        /** A fixed list of relative errors. */
         static Aims of(List<Double> errors) {
             Iterator<Double> rest = errors.iterator();
             return result -> rest.hasNext() ? OptionalDouble.of(rest.next()) : OptionalDouble.empty();
         }
     }
 
-    /** What to go on from, before the first round. */
+    /** Prepares a calculation before its first round, for example by resuming it from a saved state. */
     public interface Beginning {
         void of(ProgressiveRadiosity radiosity) throws IOException;
     }
 
     /**
-     * Calculates until it is done, or is not to go on.
+     * Calculates until all aims or the largest number of shots are reached, or until {@code goOn} returns false.
      *
-     * @param aims    asked each time that an error is reached
-     * @param journal kept meanwhile, where there is one
+     * @param aims    asked for the next error each time that one is reached
+     * @param journal written during the calculation
+     * @param goOn    asked after every round
      */
     public RenderResult run(RadiositySettings settings, Beginning beginning, Aims aims, Optional<Journal> journal,
             BooleanSupplier goOn) throws IOException {
@@ -112,7 +113,7 @@ public final class RenderJob {
                 hostNotices));
     }
 
-    /** Passes notices about hosts on; that a host cannot be used is a notice once, not in every calculation anew. */
+    /** Passes notices about hosts to the user; a notice that is repeated while hosts are opened is passed once only. */
     public static final class HostNotices implements Consumer<String> {
 
         private final Consumer<String> user;

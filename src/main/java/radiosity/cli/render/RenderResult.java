@@ -9,15 +9,15 @@ import radiosity.solution.Solution;
 import radiosity.solution.WorldStatistics;
 
 /**
- * What a calculation came to.
+ * The result of a calculation.
  *
- * @param settings    with which it was begun
- * @param asked       relative error that it was to have in the end, where one was asked for
- * @param patchArea   largest of the first mesh, square scene units
- * @param certificate of a calculation that was not cut
- * @param statistics  of its hosts, where there were any
- * @param isRounding  whether what is unsent is more than was asked for, but only rounding
- * @param isCut       whether it was stopped before it was done
+ * @param settings    with which the calculation began
+ * @param asked       relative error that was asked for last; empty where the schedule looks at no error
+ * @param patchArea   largest patch area of the initial mesh, square scene units
+ * @param certificate empty where the calculation was cut
+ * @param statistics  of the hosts; empty where there were none
+ * @param isRounding  whether more flux is unshot than the stop rule asks for, but only by rounding
+ * @param isCut       whether the calculation was stopped before its end
  */
 public record RenderResult(Solution solution, RadiositySettings settings, OptionalDouble asked, Progress progress,
                   double patchArea, Optional<Certificate> certificate, Optional<WorldStatistics> statistics,

@@ -9,16 +9,16 @@ import java.util.concurrent.TimeUnit;
 import radiosity.cli.terminal.StopRequest;
 
 /**
- * Holds up the end of the program on Ctrl-C or SIGTERM until the current round is done and saved, but not for long:
- * what takes longer to save is left to the journal.
+ * Delays the end of the process on Ctrl-C or SIGTERM until the current round is done and saved, but only for a limited
+ * time; a render that takes longer to save is left to its journal.
  *
- * <p>A shutdown hook, so the program's exit code stays what the signal makes it: 130 or 143.
+ * <p>Uses a shutdown hook, so that the exit code of the process stays the one of the signal: 130 or 143.
  */
 public final class SaveBeforeExit implements AutoCloseable {
 
-    /** From a signal to the end of the program take at most 10 s, of which the JVM needs some to end. */
+    /** Longest delay: the process is to end within 10 s after a signal, of which the JVM needs a part. */
     public static final Duration PATIENCE = Duration.ofSeconds(9);
-    /** How long a message may take: a terminal that was stopped with Ctrl-S takes none. */
+    /** Longest wait for the output of a message: a terminal that was stopped with Ctrl-S accepts none. */
     private static final long MESSAGE_MILLISECONDS = 300;
 
     private final StopRequest stop;
@@ -28,16 +28,16 @@ public final class SaveBeforeExit implements AutoCloseable {
     private boolean begun;
     private volatile Optional<Path> journal = Optional.empty();
 
-    /** @param patience how long a signal waits for the end of saving */
+    /** @param patience longest time that a signal waits until everything is saved */
     public SaveBeforeExit(StopRequest stop, Duration patience) {
         this.stop = stop;
         this.patience = patience;
     }
 
     /**
-     * From now on, until closed, there is something to save; frames begin one after another.
+     * Makes signals wait, from this call until {@link #close}, for results to be saved; called for each frame.
      *
-     * @param kept journal of it, where there is one
+     * @param kept journal of the calculation that begins, where it has one
      */
     public void begin(Optional<Path> kept) {
         journal = kept;
@@ -48,7 +48,7 @@ public final class SaveBeforeExit implements AutoCloseable {
         try {
             Runtime.getRuntime().addShutdownHook(hook);
         } catch (IllegalStateException e) {
-            stop.make(); // the program is ending already
+            stop.make(); // a signal has already begun the shutdown
         }
     }
 
@@ -69,7 +69,7 @@ public final class SaveBeforeExit implements AutoCloseable {
         return journal.filter(Files::exists).map(file -> "; the same command goes on from " + file).orElse("");
     }
 
-    /** Runs what prints a message without waiting for it. */
+    /** Starts a thread that prints a message, which may block. */
     private static Thread apart(Runnable message) {
         Thread thread = new Thread(message, "message before exit");
         thread.setDaemon(true);
@@ -77,14 +77,14 @@ public final class SaveBeforeExit implements AutoCloseable {
         return thread;
     }
 
-    /** Everything is saved. */
+    /** Lets a waiting signal end the process: everything is saved. */
     @Override
     public void close() {
         saved.countDown();
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException e) {
-            // the program is ending, and the hook has done its work
+            // the process is ending, and the hook has done its work
         }
     }
 }

@@ -19,23 +19,24 @@ import radiosity.settings.Schedule;
 import radiosity.solution.SavedState;
 
 /**
- * A calculation that a scene file keeps, to go on from ({@code -tf}).
+ * A calculation stored in a scene file, from which a later one can go on ({@code -tf}).
  *
- * @param file     as the user names it
- * @param shots    done so far
- * @param settings with which it was made; to go on needs the same
+ * @param file     path of the scene file as the user gave it
+ * @param shots    number of shots done
+ * @param settings of the calculation; only a calculation with the same settings can go on from it
  */
 public record SavedCalculation(Path file, int shots, RadiositySettings settings) {
 
-    /** What is left of an accuracy after it was a tolerance. */
+    /** Significant digits that an accuracy keeps when it is converted to a tolerance and back. */
     private static final MathContext DIGITS = new MathContext(9);
 
+    /** @throws SceneFormatException where the scene file keeps no calculation */
     public static SavedCalculation read(Path file) throws IOException {
         return find(file).orElseThrow(() -> new SceneFormatException(file.toString(), "", "a calculation to go on from",
                 "none"));
     }
 
-    /** The calculation of a scene file; nothing where it keeps none. */
+    /** The calculation of a scene file; empty where the file keeps none. */
     public static Optional<SavedCalculation> find(Path file) throws IOException {
         try (SceneFile saved = SceneFile.open(file)) {
             Map<String, Object> extras = saved.extras();
@@ -45,14 +46,14 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
         }
     }
 
-    /** Reads what {@link radiosity.solver.ProgressiveRadiosity#resume} takes; it is large, and not kept here. */
+    /** Reads the state, which is large, from the file for {@link radiosity.solver.ProgressiveRadiosity#resume}. */
     public SavedState state() throws IOException {
         try (SceneFile saved = SceneFile.open(file)) {
             return saved.state();
         }
     }
 
-    /** What {@link #read} finds again in a scene file. */
+    /** The settings as a scene file stores them and {@link #read} reads them. */
     static Map<String, Object> asJson(RadiositySettings settings) {
         Map<String, Object> json = new TreeMap<>();
         json.put("patchArea", settings.patchArea());
@@ -80,7 +81,7 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
                 formFactors(file, json));
     }
 
-    /** Those of the ray caster in files of before there were others. */
+    /** Kind of form factors; scene files of earlier versions, which had only the ray caster, do not name it. */
     private static FormFactors formFactors(Path file, Map<?, ?> json) throws SceneFormatException {
         Object name = json.get("formFactors");
         FormFactors factors = name == null ? FormFactors.RAYCAST
@@ -102,7 +103,7 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
         return new SceneFormatException(file.toString(), "extras.radiosity.settings", expected, String.valueOf(got));
     }
 
-    /** Fails unless the user counts from the number that the file was saved with. */
+    /** Fails unless the number of shots given with {@code -tf} is the number of shots in the file. */
     public void checkShots(int expected) {
         if (expected != shots) {
             throw Failure.commandLine("-tf", "expected " + shots + ", with which " + file + " was saved, got "
@@ -110,7 +111,7 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
         }
     }
 
-    /** Fails where an option asks for something else than the file was made with. */
+    /** Fails where an option differs from the settings of this calculation. */
     public void checkSettings(RadiositySettings asked) {
         checkSetting("-pa", settings.patchArea(), asked.patchArea());
         checkSetting("-nr", settings.rays(), asked.rays());
@@ -133,7 +134,7 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
                 + "%";
     }
 
-    /** As a user types it. */
+    /** A value as the user types it in an option; "none" for 0 and infinity. */
     private static String typed(Object value) {
         return value.equals(Double.POSITIVE_INFINITY) || value.equals(0.0) || value.equals(0) ? "none"
                 : value.toString().toLowerCase(Locale.ROOT);

@@ -14,14 +14,14 @@ import radiosity.settings.RadiositySettings;
 import radiosity.solution.Solution;
 import radiosity.util.ArraySize;
 
-/** What makes a render pointless or very long, reported before it starts. */
+/** Checks, before a render, for what would make it impossible, pointless or very long. */
 public final class SceneChecks {
 
-    /** Number of elements from which on, memory and time are worth a word. */
+    /** Number of elements above which the user is warned about memory and time. */
     static final long MANY = 10_000_000;
-    /** An element takes more than this, bytes. */
+    /** Lower bound of the memory per element, bytes. */
     private static final double LEAST_BYTES = 128;
-    /** Numbers per vertex in the longest array of pictures and points: 6 per element. */
+    /** Entries per vertex of the longest array that pictures and tables of points need: 6 per element. */
     private static final int LARGEST_PER_VERTEX = 12;
 
     private final Scene scene;
@@ -38,7 +38,7 @@ public final class SceneChecks {
         }
     }
 
-    /** Warns where the scene file will not name the objects. */
+    /** Warns where the scene has more objects than a scene file can name. */
     public void objects() {
         Hierarchy objects = scene.hierarchy();
         if (objects.written() != objects) {
@@ -48,7 +48,7 @@ public final class SceneChecks {
         }
     }
 
-    /** Fails where light could become too much for the floats of a scene file: where all is white it does so most. */
+    /** Fails where radiosity could exceed the floats of a scene file, by its bound exitance / (1 - reflectance). */
     public void emission() {
         double most = Solution.LARGEST * (1 - Surface.MAX_REFLECTANCE);
         for (Surface surface : scene.surfaces()) {
@@ -63,7 +63,7 @@ public final class SceneChecks {
     /**
      * Fails where the texture of a single triangle would be too large.
      *
-     * @param samples per scene unit
+     * @param samples texture samples per scene unit
      */
     public void textures(double samples) {
         for (int t = 0; t < scene.triangles(); t++) {
@@ -80,7 +80,7 @@ public final class SceneChecks {
         }
     }
 
-    /** Fails where more lamps have layers than can have. */
+    /** Fails where the light of each lamp is to be kept apart ({@code kept}) and there are too many lamps. */
     public void layers(boolean kept) {
         int lamps = scene.lamps().size();
         if (kept && lamps > RadiositySettings.MOST_LAMPS) {
@@ -90,10 +90,10 @@ public final class SceneChecks {
     }
 
     /**
-     * Warns of many elements, and fails where they cannot fit.
+     * Warns of many elements, and fails where they cannot fit into memory.
      *
-     * @param patchArea square scene units; 0: chosen from the scene, and then sensibly
-     * @param memory    bytes
+     * @param patchArea largest area of a patch, square scene units; 0 (chosen from the scene, within limits): no check
+     * @param memory    available memory, bytes
      */
     public void elements(double patchArea, long memory) {
         double count = patches(patchArea);
@@ -110,11 +110,11 @@ public final class SceneChecks {
     }
 
     /**
-     * Fails where the initial mesh alone has more light than an array holds, or more than a scene file does.
+     * Fails where the light on the initial mesh exceeds an array, or its scene file exceeds the limit of glTF.
      *
-     * @param patches  of the initial mesh; a plane mesh of n elements has more than n / 2 vertices
-     * @param channels in which light is computed
-     * @param layers   lamps whose light is kept apart, or 0
+     * @param patches  number of patches of the initial mesh; a plane mesh of n elements has more than n / 2 vertices
+     * @param channels number of channels in which light is computed
+     * @param layers   number of lamps whose light is kept apart; 0 for none
      */
     public static void sizes(double patches, int channels, int layers) {
         double vertices = patches / 2;
@@ -136,9 +136,9 @@ public final class SceneChecks {
     }
 
     /**
-     * Fails where pictures would be too high for the width that they have.
+     * Fails where the aspect ratio of the scene's camera makes pictures too high.
      *
-     * @param width of pictures in pixels
+     * @param width of pictures, pixels
      */
     public void pictures(int width) {
         long height = scene.camera().map(camera -> Snapshot.height(camera, width)).orElse(1L);
@@ -149,12 +149,12 @@ public final class SceneChecks {
         }
     }
 
-    /** Least number of elements that a patch area gives; 0 where it is chosen from the scene. */
+    /** Lower bound of the number of elements for a patch area; 0 where the area is 0 and so chosen from the scene. */
     public double patches(double patchArea) {
         return patchArea > 0 ? leastElements(patchArea) : 0;
     }
 
-    /** A triangle of k times the patch area gives k elements or more. */
+    /** A triangle of k times the patch area gives at least k elements on each radiating side. */
     private double leastElements(double patchArea) {
         double count = 0;
         for (int t = 0; t < scene.triangles(); t++) {

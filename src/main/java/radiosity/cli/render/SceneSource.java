@@ -16,17 +16,18 @@ import radiosity.output.image.SurfaceMaps;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 
-/** Finds what a scene file was made from, by the command line that it keeps. */
+/** Finds the model from which a scene file was rendered, by the command line that the scene file keeps. */
 public final class SceneSource {
 
     private SceneSource() { }
 
     /**
-     * Reads a scene file's calculation, and its model as the render did.
+     * Reads the calculation of a scene file, and its model with the options of the render.
      *
-     * @param model    where it is; without, where the command line says, from here or beside the scene file
-     * @param warnings gets a line for what was left out
-     * @throws SceneFormatException where the file does not say what it was made from
+     * @param file     the scene file
+     * @param model    path of the model; empty: as the command line names it, or with that name beside the scene file
+     * @param warnings receives a line for each kind of thing that was left out
+     * @throws SceneFormatException where the scene file does not keep its command line or calculation
      */
     public static EditSource read(Path file, Optional<Path> model, Consumer<String> warnings) throws IOException {
         SavedCalculation saved = SavedCalculation.read(file);

@@ -5,7 +5,7 @@ import java.util.Locale;
 import radiosity.solution.HostStatistics;
 import radiosity.solution.WorldStatistics;
 
-/** What was calculated where ({@code --statistics}). */
+/** Table of the work that each host has done ({@code --statistics}). */
 public final class StatisticsTable {
 
     private static final double MEBIBYTE = 1 << 20;

@@ -14,12 +14,12 @@ import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
 
-/** What a render came to: for the user in lines, for programs as JSON. */
+/** Summary of a render: for the user as lines, for programs as JSON. */
 public final class Summary {
 
-    /** From here on the estimates of errors are mostly about what is unsent. */
+    /** Part of the emitted flux above which estimates of errors are mostly about flux that is still unshot. */
     private static final double MUCH_UNSENT = 0.01;
-    /** Surfaces that are named where an error is larger than was asked for. */
+    /** Number of surfaces that are named where the error is larger than was asked for. */
     private static final int WORST = 3;
 
     private final RenderResult result;
@@ -30,8 +30,8 @@ public final class Summary {
     private final double seconds;
 
     /**
-     * @param inTime  what a time limit led to, where there was one
-     * @param seconds of wall time, of the whole program so far
+     * @param inTime  line about the time limit, where there was a time limit
+     * @param seconds wall time of the process so far
      */
     public Summary(RenderResult result, Optional<String> inTime, double seconds) {
         this.result = result;
@@ -76,8 +76,8 @@ public final class Summary {
     }
 
     /**
-     * What is said where the radiosity is less exact than was asked for, and on which surfaces most of the error is;
-     * nothing where it is exact enough, or its error is not known.
+     * The line for a radiosity that is less exact than was asked for, with the surfaces that have most of the error;
+     * empty where the radiosity is exact enough or its error is not known.
      */
     public Optional<String> shortfall() {
         double asked = result.asked().orElse(Double.POSITIVE_INFINITY);
@@ -94,12 +94,12 @@ public final class Summary {
                 .collect(Collectors.joining(", ", "; ", ""));
     }
 
-    /** Square of what a surface is off by, summed over its points, (W/m²)². */
+    /** Squared error of a surface's radiosity, summed over its test points, (W/m²)². */
     private static double square(Certificate.SurfaceError s) {
         return s.points() * s.radiosity() * s.radiosity() * (s.sampling() * s.sampling() + s.meshing() * s.meshing());
     }
 
-    /** Of JSON's types. */
+    /** The summary by names, for Jackson to write as JSON. */
     Map<String, Object> asJson() {
         Map<String, Object> json = new TreeMap<>();
         json.put("elements", progress.elements());

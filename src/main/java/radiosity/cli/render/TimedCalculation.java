@@ -16,15 +16,15 @@ import radiosity.settings.RadiositySettings;
 import radiosity.solver.ProgressiveRadiosity;
 
 /**
- * Calculates ever more exactly until the time is up ({@code --time}); what counts is the last solution that is whole.
+ * Calculates ever more exactly until a time limit ({@code --time}); the result is the last complete solution.
  *
- * <p>Time chooses the accuracies, never the bits: each solution is the one that {@code --accuracy} gives, and the
- * scene file says which. Each is saved as soon as it is there. Where not even the first calculation is done in time, it
- * is cut off after a shot, as by {@code -it}.
+ * <p>Time decides which accuracies are calculated, never the bits of a solution: each solution is the one that
+ * {@code --accuracy} gives with the value that the scene file names. Each solution is saved as soon as it is complete.
+ * If not even the first calculation ends in time, it is cut off after a shot, as by {@code -it}.
  */
 public final class TimedCalculation {
 
-    /** Time that is kept for what follows, part of the limit. */
+    /** Part of the time limit that is reserved for writing the outputs. */
     private static final double RESERVE = 0.03;
 
     private final RenderJob calculation;
@@ -35,24 +35,24 @@ public final class TimedCalculation {
     private final ConsoleSession user;
     private final StopRequest stop;
     private final OutputFiles files;
-    /** The first calculation goes on beyond the limit until no more of the emitted flux than this is unsent. */
+    /** The first calculation goes on beyond the limit until at most this part of the emitted flux is unshot. */
     private static final double LIT = 0.5;
 
-    /** The calculation that is under way. */
+    /** The current calculation. */
     private ProgressiveRadiosity current;
-    /** Patches that had shot when this was asked last. */
+    /** Number of shots at the last check after the limit. */
     private int shots;
     /** Whether the limit has cut off the first calculation. */
     private boolean isCutOff;
-    /** Whether the user knows that the first calculation takes longer than the limit. */
+    /** Whether the user has got the message that the first calculation takes longer than the limit. */
     private boolean isLate;
     private RenderResult best;
-    /** The accuracies that were reached, as the user would write them. */
+    /** The accuracies reached so far, as the user would write them. */
     private final List<String> reached = new ArrayList<>();
-    /** The relative error that is asked for now, and as the user would write it: 100 times it may be a digit more. */
+    /** The relative error asked for, and its text as the user would write it (100 times the error may be longer). */
     private double aim;
     private String perCent;
-    /** Time that was left when that began, s. */
+    /** Time left when the calculation of that accuracy began, s. */
     private double begin;
 
     public TimedCalculation(RenderJob calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
@@ -66,7 +66,11 @@ public final class TimedCalculation {
         this.files = files;
     }
 
-    /** The best that was done: at least the first solution until there is some light, however long that takes. */
+    /**
+     * Calculates until the limit, or beyond it until half of the light is distributed.
+     *
+     * @return the last complete solution, or the first one as far as it got
+     */
     public RenderResult run() throws IOException {
         aim(TimeLimit.perCent(AccuracyChoice.COARSEST));
         try {
@@ -91,7 +95,7 @@ public final class TimedCalculation {
         course.at(next);
     }
 
-    /** Told of a solution that is as exact as was asked for: how exact the next one is to be. */
+    /** Keeps a solution that is as exact as was asked for, and chooses the next relative error; empty for none. */
     private OptionalDouble after(RenderResult result) throws IOException {
         reached.add(perCent);
         keep(result);
@@ -111,7 +115,7 @@ public final class TimedCalculation {
         to.saveScene(result.solution(), result.settings(), result.certificate());
     }
 
-    /** What {@code --accuracy} gives the same with. */
+    /** The value of {@code --accuracy} that reproduces the best solution. */
     private String accuracies() {
         return reached.isEmpty() ? perCent : String.join(",", reached);
     }
@@ -135,7 +139,7 @@ public final class TimedCalculation {
         return best == null && !isCutOff;
     }
 
-    /** For the user: in what time what was done, and how to do it again to the last bit. */
+    /** A line for the user: the time of the calculation, and the options that reproduce it to the last bit. */
     public String summary() {
         String time = seconds(limit.seconds() - course.left());
         if (isCutOff) {

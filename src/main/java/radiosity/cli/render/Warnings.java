@@ -3,7 +3,7 @@ package radiosity.cli.render;
 import java.util.function.Consumer;
 import radiosity.cli.options.Failure;
 
-/** What the user should know before a render; with {@code --strict} it ends the program instead. */
+/** Passes warnings to the user; with {@code --strict}, a warning ends the program instead. */
 public final class Warnings implements Consumer<String> {
 
     private final Consumer<String> user;
@@ -22,7 +22,7 @@ public final class Warnings implements Consumer<String> {
         print(warning);
     }
 
-    /** For a warning that has been found not to be an error. */
+    /** Prints a warning of a scene reader, which has applied {@code --strict} itself. */
     public void print(String warning) {
         user.accept("warning: " + warning);
     }

@@ -1,4 +1,2 @@
-/**
- * One render from options to files: journal, stopping and resuming, summary.
- */
+/** One render from options to files: journal, stopping and resuming, summary. */
 package radiosity.cli.render;
