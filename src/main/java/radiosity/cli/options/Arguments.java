@@ -8,19 +8,23 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.TypeConversionException;
 
-/** What options that take several arguments share. */
+/** Helpers for options that take several arguments. */
 final class Arguments {
 
     private Arguments() { }
 
-    /** Fails where an option that takes several arguments has been given already. */
+    /** Fails if an option has been given already. */
     static void once(ArgSpec option) {
         if (option.getValue() != null) {
             throw wrong(option, "expected once, got twice");
         }
     }
 
-    /** The next argument, removed from the rest of the command line. */
+    /**
+     * Removes the next argument from the rest of the command line and returns it.
+     *
+     * @param expected description of the argument, for the message where none is left
+     */
     static String next(Stack<String> arguments, ArgSpec option, String expected) {
         if (arguments.isEmpty()) {
             throw wrong(option, "expected " + expected + ", got nothing");
@@ -36,7 +40,7 @@ final class Arguments {
         }
     }
 
-    /** A path as this system takes it: on Windows without question marks, say. */
+    /** Converts an argument to a path; fails where the system does not allow it, like question marks on Windows. */
     static Path path(String text, ArgSpec option) {
         try {
             return Path.of(text);
@@ -45,7 +49,7 @@ final class Arguments {
         }
     }
 
-    /** Whether a text is a name of a scene, by its ending. */
+    /** Whether an argument is the name of a scene or model, by its file name extension. */
     static boolean isModel(String text) {
         return text.toLowerCase(Locale.ROOT).matches(".*\\.(lws|lwo|gltf|glb|obj|mtl|scene)");
     }
@@ -54,7 +58,7 @@ final class Arguments {
         return Failure.commandLine(name(option), what);
     }
 
-    /** The paper's name of an option, or what stands for it in the help. */
+    /** Shortest name of an option, which is the paper's, or the label of a positional parameter. */
     static String name(ArgSpec argument) {
         return argument instanceof OptionSpec option ? option.shortestName() : argument.paramLabel();
     }

@@ -11,7 +11,7 @@ import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
 
-/** How finely to calculate, and when to stop. */
+/** Options for the accuracy of the calculation and for when to stop. */
 public final class CalculationOptions {
 
     @Option(names = {"-pa", "--patch-area"}, paramLabel = "<n>", converter = PatchArea.Parser.class,
@@ -68,21 +68,21 @@ public final class CalculationOptions {
             description = "Number of threads. Default: one per processor.")
     public int threads = Runtime.getRuntime().availableProcessors();
 
-    /** Reads the name of a way to find form factors. */
+    /** Parses the name of a kind of form factors. */
     public static final class FormFactorsParser extends Values.Choice<FormFactors> {
         public FormFactorsParser() {
             super(FormFactors.class);
         }
     }
 
-    /** Reads the name of a schedule. */
+    /** Parses the name of a schedule. */
     public static final class ScheduleParser extends Values.Choice<Schedule> {
         public ScheduleParser() {
             super(Schedule.class);
         }
     }
 
-    /** @param otherwise for what is not given */
+    /** @param otherwise settings that apply where an option is not given */
     public RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
         RadiositySettings asked = new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
@@ -96,7 +96,7 @@ public final class CalculationOptions {
         return accuracy == null ? asked : asked.accurate(accuracy.get(0));
     }
 
-    /** Without options of this kind; a stop rule of the paper's selects the paper's schedule. */
+    /** The settings where no option is given, but for one: a stop rule of the paper selects the paper's schedule. */
     public RadiositySettings defaults() {
         RadiositySettings defaults = RadiositySettings.defaults();
         boolean papers = iterations != null || unsent != null;
@@ -108,7 +108,7 @@ public final class CalculationOptions {
                 papers ? Schedule.PAPER : defaults.schedule());
     }
 
-    /** Relative error with which the calculation ends; NaN where it ends by something else. */
+    /** Relative error with which the calculation ends; NaN where it ends by another criterion. */
     public double lastAccuracy() {
         return accuracy != null ? accuracy.get(accuracy.size() - 1)
                 : defaults().schedule() == Schedule.PREDICT && schedule == null ? Accuracy.DEFAULT : Double.NaN;
@@ -123,12 +123,12 @@ public final class CalculationOptions {
         }
     }
 
-    /** What to go on to after the first accuracy. */
+    /** Relative errors to reach after the first one, in their order. */
     public List<Double> aims() {
         return accuracy == null ? List.of() : accuracy.subList(1, accuracy.size());
     }
 
-    /** Whether nothing but the accuracy that is asked for ends the calculation. */
+    /** Whether only the accuracy asked for ends the calculation. */
     public boolean isAccuracyAsked() {
         return accuracy != null && iterations == null && unsent == null && time == null;
     }

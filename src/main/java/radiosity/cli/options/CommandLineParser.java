@@ -12,14 +12,14 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Reads a command line; whatever is wrong with it becomes one line. */
+/** Parses a command line; any error in the command line becomes a {@link Failure} of one line. */
 public final class CommandLineParser {
 
     private static final int MOST_SIMILAR = 2;
 
     private final CommandLine commandLine;
 
-    /** @param options annotated; filled by {@link #parse} */
+    /** @param options object with picocli annotations, filled by {@link #parse} */
     public CommandLineParser(Object options) {
         commandLine = new CommandLine(options)
                 .setPosixClusteredShortOptionsAllowed(false)
@@ -68,7 +68,7 @@ public final class CommandLineParser {
                 || name.startsWith("--") && written.length() > 4 && name.contains(written.replaceFirst("^-+", ""));
     }
 
-    /** Letters to insert, to delete, to replace or to swap with their neighbours that make one text the other. */
+    /** Least number of single-letter insertions, deletions, replacements and swaps of neighbours between two texts. */
     private static int edits(String a, String b) {
         int[][] edits = new int[a.length() + 1][b.length() + 1];
         for (int i = 0; i <= a.length(); i++) {

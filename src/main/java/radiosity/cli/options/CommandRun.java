@@ -2,10 +2,10 @@ package radiosity.cli.options;
 
 import picocli.CommandLine.ParseResult;
 
-/** One run of a program: reads its command line, answers --help and --version, and says in one line what went wrong. */
+/** Runs a program: parses its command line, answers --help and --version, and reports an error in one line. */
 public final class CommandRun {
 
-    /** What a program does. */
+    /** The work of a program. */
     public interface Work {
         void run() throws Exception;
     }
@@ -15,10 +15,10 @@ public final class CommandRun {
     /**
      * Runs a program.
      *
-     * @param options   annotated; filled before the work begins
-     * @param common    among them
-     * @param arguments of the command line
-     * @return its {@link ExitCode}
+     * @param options   object with picocli annotations, filled before the work begins
+     * @param common    the part of {@code options} that all programs share
+     * @param arguments the command line
+     * @return the {@link ExitCode}
      */
     public static int of(Object options, CommonOptions common, Work work, String... arguments) {
         try {

@@ -2,10 +2,10 @@ package radiosity.cli.options;
 
 import picocli.CommandLine.Option;
 
-/** What all programs have. */
+/** Options of all programs. */
 public final class CommonOptions {
 
-    /** The group of the help in which they stand, with a command's own. */
+    /** Heading in the help of these options and of the options of a program that belong to no other group. */
     static final String GROUP = "Besides";
 
     @Option(names = "--debug", description = "Print where in the program an error came from.")

@@ -9,13 +9,13 @@ import radiosity.scene.SceneFormatException;
 import radiosity.util.NoNumberException;
 import radiosity.util.TooLargeException;
 
-/** What a program returns, and says in one line, for whatever ended it. */
+/** Turns the error that ended a program into a message for the user and an {@link ExitCode}. */
 public final class ErrorReport {
 
     private final PrintStream err;
     private final boolean debug;
 
-    /** @param debug whether to print where in the program an error came from */
+    /** @param debug whether to print stack traces */
     ErrorReport(PrintStream err, boolean debug) {
         this.err = err;
         this.debug = debug;
@@ -39,7 +39,7 @@ public final class ErrorReport {
         return error instanceof IOException ? ExitCode.FILE : ExitCode.FAILED;
     }
 
-    /** What went wrong, for the user. */
+    /** The message of an error for the user. */
     public static String line(Throwable error) {
         if (error instanceof OutOfMemoryError) {
             return outOfMemory();
@@ -55,14 +55,14 @@ public final class ErrorReport {
                 + "; please report it with the output of --debug";
     }
 
-    /** Section C.7 of the paper. */
+    /** The message for a full heap (section C.7 of the paper). */
     private static String outOfMemory() {
         long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
         return "memory: expected more than " + mebibytes + " MiB; give, say, JAVA_OPTS=-Xmx" + 2 * mebibytes
                 + "m, or a larger -pa";
     }
 
-    /** Why a file cannot be used, without its name. */
+    /** Why a file cannot be used, without the file's name; "none" where there is no such file. */
     public static String reason(IOException e) {
         if (e instanceof NoSuchFileException) {
             return "none";

@@ -1,20 +1,20 @@
 package radiosity.cli.options;
 
-/** What a program returns to its caller. */
+/** Exit codes of the programs. */
 public final class ExitCode {
 
-    /** The work is done, also when a key ended it early. */
+    /** The work is done, also where a key press ended it early. */
     public static final int DONE = 0;
-    /** It failed for a reason that is neither the command line's nor a file's. */
+    /** The program failed for a reason that concerns neither the command line nor a file. */
     public static final int FAILED = 1;
-    /** The command line asks for something that cannot be meant. */
+    /** The command line is wrong or contradicts itself. */
     public static final int COMMAND_LINE = 2;
-    /** A file cannot be read or written. */
+    /** A file cannot be read or written, or there was a warning under {@code --strict}. */
     public static final int FILE = 3;
     /** None of the hosts could be used. */
     static final int NO_WORKER = 4;
 
-    /** The work is done, but not as exactly as {@code --accuracy} asked for. */
+    /** The work is done, but less exactly than {@code --accuracy} asks for. */
     public static final int NOT_ACCURATE = 5;
 
     private ExitCode() { }

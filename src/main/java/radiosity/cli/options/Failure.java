@@ -25,12 +25,12 @@ public final class Failure extends RuntimeException {
         return new Failure(ExitCode.FILE, where + ": " + what, cause);
     }
 
-    /** All is done and saved, but the accuracy that was asked for was not reached. */
+    /** Failure of a render that is done and saved, but less exact than was asked for. */
     public static Failure notAccurate(String line) {
         return new Failure(ExitCode.NOT_ACCURATE, line, null);
     }
 
-    /** For a reason that is neither the command line's nor a file's. */
+    /** Failure for a reason that concerns neither the command line nor a file. */
     public static Failure failed(String line, Throwable cause) {
         return new Failure(ExitCode.FAILED, line, cause);
     }
@@ -41,9 +41,9 @@ public final class Failure extends RuntimeException {
     }
 
     /**
-     * Several failures, each with a line of its own.
+     * Combines several failures, each with a line of its own.
      *
-     * @param failures at least one; the exit code is the first one's
+     * @param failures at least one; the exit code is that of the first failure
      */
     public static Failure several(List<Exception> failures) {
         String lines = failures.stream().map(ErrorReport::line).collect(Collectors.joining(System.lineSeparator()));

@@ -11,7 +11,7 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
-/** What else to read and write, and when. */
+/** Options for further files to read and write, and for when to write them. */
 public final class FileOptions {
 
     @Option(names = {"-dr", "--disable-rendering"},
@@ -63,7 +63,7 @@ public final class FileOptions {
     @Option(names = "--report", paramLabel = "<file>", description = "Write figures about the solution as JSON.")
     public Path report;
 
-    /** Fails where the options of lightmap or grids do not fit. */
+    /** Fails where the options for changes, lightmaps or grids contradict each other or need another option. */
     void check() {
         if (change != null && resume != null) {
             throw Failure.commandLine("--change", "expected without -tf, got both");
@@ -81,30 +81,30 @@ public final class FileOptions {
     }
 
     /**
-     * From where to go on ({@code -tf}).
+     * Where to go on from ({@code -tf}).
      *
      * @param file  a scene file
-     * @param shots with how many shots it was saved, where the user says so
+     * @param shots number of shots with which the file was saved; empty where the user does not give it
      */
     public record Resume(Path file, OptionalInt shots) { }
 
     /**
-     * Points at which the solution is wanted ({@code --points}).
+     * Points at which to write the solution ({@code --points}).
      *
-     * @param in  x, y, z, nx, ny, nz per line
-     * @param out to be written
+     * @param in  table to read, x, y, z, nx, ny, nz per line
+     * @param out table to write
      */
     public record PointFiles(Path in, Path out) { }
 
     /**
-     * A grid that is wanted ({@code --grid}).
+     * Grid on which to write the illuminance ({@code --grid}).
      *
-     * @param where a surface's name or a plane
-     * @param out   to be written
+     * @param where name of a surface, or a plane such as y=0.85
+     * @param out   table to write
      */
     public record GridFile(String where, Path out) { }
 
-    /** Takes {@code where out.csv}. */
+    /** Parses {@code <where> <out.csv>}. */
     static final class GridConsumer implements IParameterConsumer {
 
         private static final String TWO = "a surface or plane and a table to write";
@@ -122,7 +122,7 @@ public final class FileOptions {
         }
     }
 
-    /** Takes {@code f n}. */
+    /** Parses {@code <f> [<n>]}. */
     static final class ResumeConsumer implements IParameterConsumer {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
@@ -136,7 +136,7 @@ public final class FileOptions {
         }
     }
 
-    /** Takes {@code in.csv out.csv}. */
+    /** Parses {@code <in.csv> <out.csv>}. */
     static final class PointsConsumer implements IParameterConsumer {
 
         private static final String TWO = "a table of points to read and one to write";

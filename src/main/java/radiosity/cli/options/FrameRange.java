@@ -7,17 +7,17 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
 /**
- * Frames of an animation.
+ * Range of frames of an animation.
  *
  * @param first at least 0
- * @param last  at least the first
- * @param step  from one to the next, at least 1
+ * @param last  at least {@code first}
+ * @param step  from one frame to the next, at least 1
  */
 public record FrameRange(int first, int last, int step) {
 
     private static final Pattern TEXT = Pattern.compile("(\\d{1,6})-(\\d{1,6})(?::(\\d{1,6}))?");
 
-    /** Reads {@code 0-100} and {@code 0-100:2}. */
+    /** Parses {@code 0-100} and {@code 0-100:2}. */
     static final class Parser extends Values.Value<FrameRange> {
 
         @Override
@@ -37,12 +37,12 @@ public record FrameRange(int first, int last, int step) {
         }
     }
 
-    /** All of them, in their order. */
+    /** The numbers of all frames, ascending. */
     public int[] all() {
         return IntStream.rangeClosed(0, (last - first) / step).map(i -> first + i * step).toArray();
     }
 
-    /** A file's name with the number of a frame before its ending: {@code room-0012.scene}. */
+    /** A file name with the number of a frame inserted before its extension: {@code room-0012.scene}. */
     static Path numbered(Path file, int frame) {
         String name = file.getFileName().toString();
         int dot = name.lastIndexOf('.');

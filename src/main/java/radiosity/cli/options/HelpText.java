@@ -11,10 +11,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
-/** What {@code --help} prints: options in groups, one for each mixin of a command, headed by its name; then its own. */
+/** The text of {@code --help}: a group of options per mixin, headed by its name; then the command's other options. */
 final class HelpText {
 
-    /** Columns for an option's names, and for what it does. */
+    /** Widths of the columns for the names and for the description of an option, characters. */
     private static final int[] WIDTHS = {40, 60};
 
     private HelpText() { }

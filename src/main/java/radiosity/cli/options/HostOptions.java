@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import radiosity.rmi.HostAddress;
 
-/** Distributed mode. */
+/** Options of distributed mode. */
 public final class HostOptions {
 
     @Option(names = {"-h", "--hosts"}, paramLabel = "<n> <h1> .. <hn>", arity = "1..*", hideParamSyntax = true,
@@ -22,7 +22,7 @@ public final class HostOptions {
             description = "The key file that the hosts were started with.")
     public Path key;
 
-    /** Takes {@code n h1 ... hn}. */
+    /** Parses {@code <n> <h1> ... <hn>}. */
     static final class HostsConsumer implements IParameterConsumer {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {

@@ -5,17 +5,17 @@ import radiosity.scene.Scene;
 /**
  * The largest area of a patch as the user gives it ({@code -pa}).
  *
- * @param amount   square scene units, or per cent of the area of the scene
- * @param relative whether it is per cent
+ * @param amount   above 0; square scene units, or per cent of the area of the scene
+ * @param relative whether the amount is in per cent
  */
 public record PatchArea(double amount, boolean relative) {
 
-    /** Square scene units. */
+    /** The largest area of a patch in a scene, square scene units. */
     double in(Scene scene) {
         return relative ? amount / 100 * scene.area() : amount;
     }
 
-    /** Reads {@code 1000} and {@code 0.5%}. */
+    /** Parses {@code 1000} and {@code 0.5%}. */
     static final class Parser extends Values.Value<PatchArea> {
         @Override
         String expected() {

@@ -11,7 +11,7 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
 import radiosity.solution.Solution;
 
-/** Pictures without a display. */
+/** Options for pictures that are drawn without a display. */
 public final class PictureOptions {
 
     private static final int USUAL_WIDTH = 800;
@@ -47,45 +47,45 @@ public final class PictureOptions {
                     + " a look, 1024 for a smooth picture.")
     Integer finalGather;
 
-    /** Reads a number of rays. */
+    /** Parses a number of rays. */
     static final class GatherRays extends Values.Whole {
         GatherRays() {
             super("a whole number from 1 to " + Snapshot.Drawing.MOST_GATHERED, 1, Snapshot.Drawing.MOST_GATHERED);
         }
     }
 
-    /** Rays per pixel that gather light; 0 where the mesh's is taken. */
+    /** Number of rays per pixel that gather light; 0 where light is interpolated in the mesh. */
     public int gathered() {
         return finalGather == null ? 0 : finalGather;
     }
 
-    /** Reads {@code linear}, {@code reinhard} and {@code filmic}. */
+    /** Parses {@code linear}, {@code reinhard} and {@code filmic}. */
     static final class CurveParser extends Values.Choice<ToneMapping.Operator> {
         CurveParser() {
             super(ToneMapping.Operator.class);
         }
     }
 
-    /** Reads stops. */
+    /** Parses a number of stops. */
     static final class Stops extends Values.Decimal {
         Stops() {
             super("a number from -100 to 100", x -> Math.abs(x) <= 100);
         }
     }
 
-    /** The scene's, or one chosen; where a size is given, as wide as that. */
+    /** The scene's camera, or one chosen for the solution; {@code --size}, where given, defines its aspect ratio. */
     public Camera camera(Solution solution) {
         Camera camera = DefaultCamera.of(solution);
         return size == null ? camera : new Camera(camera.position(), camera.forward(), camera.up(),
                 camera.verticalHalfAngle(), (double) size.width() / size.height());
     }
 
-    /** Whether any picture is to be made. */
+    /** Whether any option asks for a picture. */
     public boolean isWanted() {
         return !pictures.isEmpty() || !falseColours.isEmpty() || snapshotInterval != null;
     }
 
-    /** Pixels. */
+    /** Width of the pictures, pixels. */
     public int width() {
         return size == null ? USUAL_WIDTH : size.width();
     }
@@ -94,7 +94,7 @@ public final class PictureOptions {
         return ToneMapping.automatic(curve, solution, exposure);
     }
 
-    /** Fails where a picture's name says no kind of picture. */
+    /** Fails where a picture's name has the extension of no known format, or an option needs a picture and has none. */
     void check() {
         if (size != null && !isWanted()) {
             throw Failure.commandLine("--size", "expected with --picture, --false-colour or -sn, got it without");

@@ -8,10 +8,10 @@ package radiosity.cli.options;
  */
 public record PictureSize(int width, int height) {
 
-    /** Largest edge: its square still fits an array. */
+    /** Largest width and height: the pixels of such a picture still fit into an array. */
     public static final int MOST = 16384;
 
-    /** Reads {@code 640x480}. */
+    /** Parses {@code 640x480}. */
     static final class Parser extends Values.Value<PictureSize> {
         @Override
         String expected() {

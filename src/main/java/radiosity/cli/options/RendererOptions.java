@@ -63,7 +63,7 @@ public final class RendererOptions {
     @Mixin(name = CommonOptions.GROUP)
     public final CommonOptions common = new CommonOptions();
 
-    /** Of files that are pictures, tables, or scenes to be read: a scene file is none of them. */
+    /** Names of pictures, of scenes to read, and of other files that are no scene files. */
     private static final Pattern PICTURE = Pattern.compile("(?i).*\\.(png|jpe?g|hdr|exr|gif|bmp|tiff?|webp)");
     private static final Pattern MODEL = Pattern.compile("(?i).*\\.(lws|lwo|gltf|glb|obj)");
     private static final Pattern OTHER = Pattern.compile("(?i).*\\.(lws|lwo|obj|mtl|gltf|fbx|csv|txt|json|key)");
@@ -71,7 +71,7 @@ public final class RendererOptions {
     @Spec
     CommandSpec command;
 
-    /** Fails where the command line asks for what cannot be meant, or is not there. */
+    /** Fails where options contradict each other, an option lacks one that it needs, or there are not two files. */
     public void check() {
         scene.check();
         file.check();
@@ -112,7 +112,7 @@ public final class RendererOptions {
         }
     }
 
-    /** The scene file that {@code --info} describes; fails where something is asked for besides. */
+    /** The scene file that {@code --info} describes; fails where the command line asks for anything else. */
     public Path described() {
         for (OptionSpec other : command.commandLine().getParseResult().matchedOptions()) {
             if (!other.longestName().equals("--info") && !other.longestName().equals("--debug")) {
@@ -126,7 +126,7 @@ public final class RendererOptions {
         return file.info;
     }
 
-    /** A time limit chooses the accuracy, and for that it calculates several times. */
+    /** Fails for options that exclude a time limit, which chooses the accuracy and calculates several times. */
     private void checkTime() {
         Map<String, Boolean> others = new LinkedHashMap<>();
         others.put("--accuracy", calculation.accuracy != null);
@@ -142,7 +142,7 @@ public final class RendererOptions {
         });
     }
 
-    /** Fails where frames are asked for with what is not numbered, or of what has none. */
+    /** Fails where an option excludes {@code --frames}, or the scene is no LightWave scene and so has no frames. */
     private void checkFrames() {
         Map<String, Boolean> others = new LinkedHashMap<>();
         others.put("--frame", scene.frame != null);
@@ -161,9 +161,10 @@ public final class RendererOptions {
     }
 
     /**
-     * Makes the options those of one of {@code --frames}: outputs are numbered.
+     * Changes these options to those of one frame of {@code --frames}; the number of the frame is added to output
+     * names.
      *
-     * @param before scene file to go on from, or null
+     * @param before scene file of the frame before, to go on from; null for none
      */
     public void toFrame(int frame, Path before) {
         scene.frame = (double) frame;
@@ -177,12 +178,12 @@ public final class RendererOptions {
                 : new FileOptions.PointFiles(file.points.in(), FrameRange.numbered(file.points.out(), frame));
     }
 
-    /** The scene to be lit. */
+    /** The scene to render. */
     public Path input() {
         return files.get(0);
     }
 
-    /** The scene file to be written. */
+    /** The scene file to write. */
     public Path output() {
         return files.get(1);
     }

@@ -18,7 +18,7 @@ import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
 
-/** How to read the scene. */
+/** Options for reading the scene. */
 public final class SceneOptions {
 
     private static final double USUAL_SKY = 10_000;
@@ -80,7 +80,7 @@ public final class SceneOptions {
     @Option(names = "--strict", description = "Every warning about the scene is an error (exit code 3).")
     public boolean strict;
 
-    /** Reads {@code cie-overcast=5000}. */
+    /** Parses {@code cie-overcast=5000}, a kind of sky and its illuminance in lx. */
     static final class SkyParser extends Values.Value<Map.Entry<Light.Kind, Double>> {
 
         private static final Map<String, Light.Kind> SKIES = Map.of("cie-overcast", Light.Kind.SKY_OVERCAST,
@@ -99,7 +99,7 @@ public final class SceneOptions {
         }
     }
 
-    /** Takes {@code x,y,z lx}. */
+    /** Parses {@code <x,y,z> <lx>}. */
     static final class SunConsumer implements IParameterConsumer {
 
         private static final String TWO = "a direction x,y,z and an illuminance in lx";
@@ -118,7 +118,7 @@ public final class SceneOptions {
         }
     }
 
-    /** The scene with sky and sun. */
+    /** The scene with the sky and the sun of the options, then photometric; the scene itself without sky and sun. */
     public Scene daylight(Scene scene) {
         if (sky == null && sun == null) {
             return scene;
@@ -139,7 +139,7 @@ public final class SceneOptions {
         return scene.with(scene.surfaces(), all).with(scene.units().withPhotometric(true));
     }
 
-    /** Reads a unit of length, m. */
+    /** Parses a unit of length to its length in metres. */
     static final class UnitParser extends Values.Value<Double> {
 
         private static final Map<String, Double> UNITS = Map.of("mm", 1e-3, "cm", 1e-2, "m", 1.0, "in", 0.0254, "ft",
@@ -156,21 +156,21 @@ public final class SceneOptions {
         }
     }
 
-    /** Reads {@code luminosity} and {@code specular}. */
+    /** Parses {@code luminosity} and {@code specular}. */
     static final class EmissionParser extends Values.Choice<ReadOptions.Emission> {
         EmissionParser() {
             super(ReadOptions.Emission.class);
         }
     }
 
-    /** Reads {@code auto}, {@code ignore} and {@code emitters}. */
+    /** Parses {@code auto}, {@code ignore} and {@code emitters}. */
     static final class LightsParser extends Values.Choice<ReadOptions.Lights> {
         LightsParser() {
             super(ReadOptions.Lights.class);
         }
     }
 
-    /** Fails where a directory is none. */
+    /** Fails where {@code --content} or {@code --map} names no directory. */
     void check() {
         content.forEach(directory -> check("--content", directory));
         map.forEach((prefix, directory) -> check("--map " + prefix, directory));
@@ -190,7 +190,7 @@ public final class SceneOptions {
         return frame == null ? options : options.withFrame(frame);
     }
 
-    /** Fails where a unit was given for a scene whose format has its own. */
+    /** Fails where {@code --unit} is given for a scene whose format defines the unit. */
     public void check(Scene scene) {
         if (unit != null && scene.units().metres() != unit) {
             throw Failure.commandLine("--unit", "expected with LightWave or OBJ, got it with " + scene.name()

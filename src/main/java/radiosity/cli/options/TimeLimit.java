@@ -9,34 +9,47 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * How long a render may take ({@code --time}).
+ * Wall time that a render may take ({@code --time}).
  *
  * @param text    as the user wrote it
- * @param seconds above 0, of wall time since the process began
+ * @param seconds above 0; counted from the start of the process
  */
 public record TimeLimit(String text, double seconds) {
 
     public static final String OPTION = "--time";
     private static final String ACCURACY = "--accuracy";
-    /** Options that {@link #cutOff} stands for. */
+    /** Options that the options of {@link #cutOff} replace. */
     private static final Set<String> REPLACED = Set.of(OPTION, ACCURACY, "--schedule", "-it", "--iterations");
     private static final MathContext DIGITS = new MathContext(3, RoundingMode.CEILING);
 
-    /** Seconds that the units have; none is seconds. */
+    /** Lengths of the units in seconds; a number without a unit is in seconds. */
     private static final Map<String,
             Double> UNITS = Map.of("", 1.0, "ms", 1e-3, "s", 1.0, "m", 60.0, "min", 60.0, "h", 3600.0);
 
-    /** An accuracy as {@code --accuracy} reads it: three digits, not finer than the given part of 1. */
+    /**
+     * An accuracy as {@code --accuracy} reads it, rounded up to three digits.
+     *
+     * @param accuracy a relative error, above 0
+     */
     public static String perCent(double accuracy) {
         return BigDecimal.valueOf(100 * accuracy).round(DIGITS).stripTrailingZeros().toPlainString() + "%";
     }
 
-    /** The options that give to the last bit what a time limit has cut off after a number of shots. */
+    /**
+     * The options that reproduce, to the last bit, a calculation that a time limit cut off.
+     *
+     * @param accuracy value of {@code --accuracy}
+     * @param shots    number of shots of the calculation
+     */
     public static List<String> cutOff(String accuracy, int shots) {
         return List.of("--schedule", "predict", ACCURACY, accuracy, "-it", Integer.toString(shots));
     }
 
-    /** The command line that gives to the last bit what a time limit has cut off after a number of shots. */
+    /**
+     * The command line that reproduces a calculation that a time limit cut off, see {@link #cutOff}.
+     *
+     * @param arguments command line with the time limit; not modified
+     */
     public static List<String> reproducing(List<String> arguments, String accuracy, int shots) {
         List<String> same = new ArrayList<>(cutOff(accuracy, shots));
         for (int i = 0; i < arguments.size(); i++) {
@@ -44,13 +57,18 @@ public record TimeLimit(String text, double seconds) {
             if (!REPLACED.contains(option)) {
                 same.add(arguments.get(i));
             } else if (option.equals(arguments.get(i))) {
-                i++; // its value
+                i++; // skips the option's value
             }
         }
         return same;
     }
 
-    /** The command line that gives to the last bit what came of one with a time limit. */
+    /**
+     * The command line that reproduces, to the last bit, the result of a command line with a time limit.
+     *
+     * @param arguments command line with the time limit; not modified
+     * @param accuracy  value of {@code --accuracy} that replaces the time limit
+     */
     public static List<String> reproducing(List<String> arguments, String accuracy) {
         List<String> same = new ArrayList<>(arguments);
         for (int i = 0; i < same.size(); i++) {
@@ -64,7 +82,7 @@ public record TimeLimit(String text, double seconds) {
         return same;
     }
 
-    /** Reads {@code 60s}, {@code 1ms}, {@code 2m}, {@code 1.5h} and plain seconds. */
+    /** Parses {@code 60s}, {@code 1ms}, {@code 2m}, {@code 1.5h} and numbers without a unit, which are seconds. */
     public static final class Parser extends Values.Value<TimeLimit> {
         @Override
         String expected() {

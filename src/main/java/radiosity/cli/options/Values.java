@@ -6,23 +6,23 @@ import java.util.function.DoublePredicate;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** The kinds of value that options take: each says what it expects. */
+/** The kinds of values of options. */
 public final class Values {
 
     private static final int MOST_PORT = 65535;
 
     private Values() { }
 
-    /** A value that says what it expects, so that a wrong one and a missing one get the same words. */
+    /** A kind of value with a description, so that messages about wrong and about missing values use the same words. */
     public abstract static class Value<T> implements ITypeConverter<T> {
 
-        /** What may stand here, after "expected". */
+        /** Description of the allowed values, to follow "expected" in a message. */
         abstract String expected();
 
-        /** The value, or null where the text is none. */
+        /** The value of a text; null where the text is no value of this kind. */
         public abstract T parse(String text);
 
-        /** What may be meant by a text that is no value, to stand behind the message; empty: not known. */
+        /** Suggests what a text that is no value may mean, to be appended to the message; empty: no suggestion. */
         String instead(String text) {
             return "";
         }
@@ -41,7 +41,7 @@ public final class Values {
         return text.isBlank() ? "nothing" : text.strip();
     }
 
-    /** A finite decimal number, or NaN where the text is none; "NaN", "1d" and "0x1" are none. */
+    /** The finite decimal number in a text; NaN where there is none, as in "NaN", "1d" and "0x1". */
     static double decimal(String text) {
         try {
             double value = new BigDecimal(text).doubleValue();
@@ -51,7 +51,7 @@ public final class Values {
         }
     }
 
-    /** A whole number in [least, most], or null. */
+    /** The whole number in a text; null where there is none or it is not in [least, most]. */
     static Integer whole(String text, int least, int most) {
         try {
             int value = Integer.parseInt(text);
@@ -61,7 +61,7 @@ public final class Values {
         }
     }
 
-    /** A finite decimal number of some kind. */
+    /** A finite decimal number that satisfies a condition. */
     abstract static class Decimal extends Value<Double> {
 
         private final String expected;
@@ -105,7 +105,7 @@ public final class Values {
         }
     }
 
-    /** A part of a whole. */
+    /** A part of a whole, in [0, 1]. */
     static final class Part extends Decimal {
         Part() {
             super("a number from 0 to 1", x -> x >= 0 && x <= 1);
@@ -150,21 +150,24 @@ public final class Values {
         }
     }
 
-    /** A number of a TCP port. */
+    /** The number of a TCP port. */
     static final class Port extends Whole {
         Port() {
             super("a port from 1 to " + MOST_PORT, 1, MOST_PORT);
         }
     }
 
-    /** A number of a TCP port, or 0 for any. */
+    /** The number of a TCP port, or 0 for any port. */
     static final class AnyPort extends Whole {
         AnyPort() {
             super("a port from 0 to " + MOST_PORT, 0, MOST_PORT);
         }
     }
 
-    /** {@code 2%} or {@code 0.02}, above 0 and at most 100 %; as a part of 1, below 0.1 where there is no sign. */
+    /**
+     * A percentage above 0 and at most 100 %, converted to a part of 1: {@code 2%} or {@code 0.02}. A number without a
+     * per cent sign must be below 0.1, as its meaning would be in doubt otherwise.
+     */
     public static final class PerCent extends Value<Double> {
 
         private static final double DOUBTFUL = 0.1;
@@ -181,7 +184,7 @@ public final class Values {
             return value > 0 && value <= 1 && (hundredths || value < DOUBTFUL) ? value : null;
         }
 
-        /** A number without a sign that may be either. */
+        /** Suggests both meanings of a number without a per cent sign. */
         @Override
         String instead(String text) {
             double value = decimal(text);
@@ -190,7 +193,7 @@ public final class Values {
         }
     }
 
-    /** One of an enum's constants, written in small letters. */
+    /** One of an enum's constants, written in lower case with hyphens. */
     public abstract static class Choice<E extends Enum<E>> extends Value<E> {
 
         private final E[] constants;

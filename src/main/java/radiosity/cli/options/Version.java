@@ -2,7 +2,7 @@ package radiosity.cli.options;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** Which program this is. */
+/** Name and version of the program. */
 final class Version implements IVersionProvider {
 
     @Override
@@ -10,7 +10,7 @@ final class Version implements IVersionProvider {
         return new String[] {text()};
     }
 
-    /** Title and version as the jar states them. */
+    /** Name and version; the version is read from the jar's manifest. */
     static String text() {
         String version = Version.class.getPackage().getImplementationVersion();
         return "radiosity " + (version == null ? "(not from a jar)" : version);

@@ -42,7 +42,7 @@ public final class ViewOptions {
     @Mixin(name = CommonOptions.GROUP)
     public final CommonOptions common = new CommonOptions();
 
-    /** Fails where the command line asks for what cannot be meant, or is not there. */
+    /** Fails where options contradict each other, an option lacks one that it needs, or there is not one file. */
     public void check() {
         if (files.size() != 1) {
             String got = files.stream().map(Path::toString).collect(Collectors.joining(" "));
@@ -79,7 +79,7 @@ public final class ViewOptions {
         return files.get(0);
     }
 
-    /** @param editing reads what the scene file was made from */
+    /** @param editing reads, for editing, the model and the calculation from which the scene file was made */
     public ViewSettings settings(Callable<EditSource> editing) {
         WindowOptions w = window;
         Optional<ToneMapping> unlit = w.lightWave

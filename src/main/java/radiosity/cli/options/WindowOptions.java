@@ -5,7 +5,7 @@ import picocli.CommandLine.Option;
 import radiosity.cli.ViewSceneFile;
 import radiosity.output.image.ToneMapping;
 
-/** What {@link ViewSceneFile} shows, and where (appendix C.5 of the paper). */
+/** Options for what {@link ViewSceneFile} shows, and where (appendix C.5 of the paper). */
 public final class WindowOptions {
 
     static final int USUAL_WIDTH = 800;
@@ -51,7 +51,7 @@ public final class WindowOptions {
             description = "Where to serve it, 0 for any free port. Default: " + USUAL_PORT + ".")
     Integer port;
 
-    /** Where to serve the page. */
+    /** Port on which to serve the page; 0 for any free port. */
     public int port() {
         return port == null ? USUAL_PORT : port;
     }
