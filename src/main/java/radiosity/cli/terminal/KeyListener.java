@@ -8,7 +8,7 @@ import org.jline.terminal.TerminalBuilder;
 /**
  * Waits for any key on the terminal (section C.2 of the paper). Standard input that is no terminal is not read.
  *
- * <p>Ctrl-C stays what it is: only line editing and echo are switched off meanwhile.
+ * <p>Ctrl-C still interrupts the program: only line editing and echo are switched off while the listener waits.
  */
 public final class KeyListener implements AutoCloseable {
 
@@ -18,13 +18,13 @@ public final class KeyListener implements AutoCloseable {
     private final Thread thread = new Thread(this::openTerminal, "key listener");
     private volatile boolean closed;
 
-    /** @param pressed called once, on a thread of its own */
+    /** @param pressed called on the first key, on the listener's own thread */
     public KeyListener(Runnable pressed) {
         this.pressed = pressed;
         thread.setDaemon(true);
     }
 
-    /** Begins to wait; returns at once. */
+    /** Starts to wait for a key; returns at once. */
     public void listen() {
         thread.start();
     }
@@ -41,7 +41,7 @@ public final class KeyListener implements AutoCloseable {
                 terminal.setAttributes(before);
             }
         } catch (IOException | IllegalStateException e) {
-            // the terminal has gone away, and with it the keys
+            // the terminal has gone away: no key can be pressed
         }
     }
 
@@ -55,10 +55,10 @@ public final class KeyListener implements AutoCloseable {
     }
 
     /**
-     * Returns when the terminal is as it was.
+     * Stops waiting and restores the terminal.
      *
-     * <p>On Ctrl-C the terminal library gives it back itself, and the thread may then wait for a whole line; so it is
-     * not waited for without end.
+     * <p>On Ctrl-C the terminal library restores the terminal itself, and the listener's thread may then wait for a
+     * whole line of input; therefore this method waits for the thread for a limited time only.
      */
     @Override
     public void close() {

@@ -3,7 +3,7 @@ package radiosity.cli.terminal;
 import java.io.PrintStream;
 import radiosity.solution.Progress;
 
-/** Quiet mode ({@code -q}): messages only. */
+/** Display of quiet mode ({@code -q}): prints messages only. */
 public final class NoProgress implements ProgressDisplay {
 
     private final PrintStream err;

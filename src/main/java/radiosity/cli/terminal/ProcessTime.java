@@ -9,7 +9,7 @@ public final class ProcessTime {
 
     private ProcessTime() { }
 
-    /** Since the process began; since the JVM began where scripts/start.sh had to build the program in it before. */
+    /** Seconds since the process began; since the JVM began, where scripts/start.sh first built the program. */
     public static double seconds() {
         Instant now = Instant.now();
         return Duration.between(start(now), now).toMillis() / 1000.0;

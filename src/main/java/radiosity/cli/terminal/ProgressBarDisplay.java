@@ -5,7 +5,7 @@ import java.util.function.IntSupplier;
 import java.util.function.LongSupplier;
 import radiosity.solution.Progress;
 
-/** One line of a terminal, written again and again, and gone at the end. */
+/** Shows progress on one line of a terminal, which is rewritten at every change and erased at the end. */
 public final class ProgressBarDisplay implements ProgressDisplay {
 
     private static final long NANOSECONDS_BETWEEN = 100_000_000L;
@@ -15,11 +15,11 @@ public final class ProgressBarDisplay implements ProgressDisplay {
     private final ProgressText text;
     private final LongSupplier clock;
     private long drawn;
-    /** Characters that stand on the line. */
+    /** Number of characters on the line. */
     private int shown;
 
     /**
-     * @param width of the terminal, characters; asked for anew whenever the line is written
+     * @param width of the terminal, characters; asked for whenever the line is written
      * @param clock nanoseconds, as {@link System#nanoTime}
      */
     public ProgressBarDisplay(PrintStream err, IntSupplier width, ProgressText text, LongSupplier clock) {

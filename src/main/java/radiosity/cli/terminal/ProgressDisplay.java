@@ -2,27 +2,27 @@ package radiosity.cli.terminal;
 
 import radiosity.solution.Progress;
 
-/** Where the user sees how far a calculation is. */
+/** Shows the user how far a render is. */
 public interface ProgressDisplay extends AutoCloseable {
 
-    /** @param name of what begins now and is no round, such as "reading a.lws" */
+    /** @param name of a phase without rounds that begins, such as "reading a.lws" */
     void phase(String name);
 
     /**
-     * How far something is that takes a while and is no calculation.
+     * Shows how far a long task other than the calculation is.
      *
-     * @param name of it, such as "drawing a.png"
-     * @param done part of it, from 0 to 1
+     * @param name of the task, such as "drawing a.png"
+     * @param done part of the task that is done, from 0 to 1
      */
     void part(String name, double done);
 
-    /** After a round. */
+    /** Shows the progress after a round. */
     void show(Progress progress);
 
-    /** A line besides, such as an error that does not end the work. */
+    /** Prints a line, such as an error that does not end the work. */
     void message(String line);
 
-    /** Ends it: what is printed afterwards stands on a line of its own. */
+    /** Ends the display, so that text printed later begins on a new line. */
     @Override
     void close();
 }

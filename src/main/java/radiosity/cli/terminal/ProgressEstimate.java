@@ -2,18 +2,18 @@ package radiosity.cli.terminal;
 
 import radiosity.solution.Progress;
 
-/** How far a render is on its way. */
+/** Estimates how much of a render is done. */
 public interface ProgressEstimate {
 
-    /** Part of the way, in [0, 1]. */
+    /** Part of the render that is done, in [0, 1]. */
     double done(Progress now);
 
-    /** Seconds that it still takes; 0: not known. */
+    /** Time until the render ends, s; 0: not known. */
     double left(Progress now);
 
-    /** Relative error at which the way ends; NaN where it ends by something else. */
+    /** Relative error at which the render ends; NaN where it ends by another criterion. */
     double asked();
 
-    /** Words before the progress; empty: none. */
+    /** Text to print before the progress; empty: none. */
     String label();
 }

@@ -4,11 +4,11 @@ import java.io.PrintStream;
 import java.util.function.LongSupplier;
 import radiosity.solution.Progress;
 
-/** Plain lines where there is no terminal, for log files: one for each longer phase, and one a second at most. */
+/** Prints progress as plain lines, for log files: a line for each longer phase, and at most one line a second. */
 public final class ProgressLines implements ProgressDisplay {
 
     private static final long SECOND = 1_000_000_000L;
-    /** Shorter phases get no line: a file that cannot be read is reported by its error alone. */
+    /** Phases shorter than this get no line: a file that cannot be read is reported by its error alone. */
     private static final long SHORT_MILLISECONDS = 400;
 
     private final PrintStream err;
@@ -17,9 +17,9 @@ public final class ProgressLines implements ProgressDisplay {
     private long printed;
     /** Whether the latest progress has not been printed. */
     private boolean isDue;
-    /** The phase that waits to be printed, or null. */
+    /** The thread that prints the current phase if the phase lasts long enough; null for none. */
     private Thread waiting;
-    /** What had its part done told last. */
+    /** Name of the task of the last call of {@link #part}. */
     private String part = "";
 
     /** @param clock nanoseconds, as {@link System#nanoTime} */
@@ -52,7 +52,7 @@ public final class ProgressLines implements ProgressDisplay {
         }
     }
 
-    /** The first line comes after a second. */
+    /** Prints the first line of a task after a second. */
     @Override
     public synchronized void part(String name, double done) {
         waiting = null;
@@ -87,7 +87,7 @@ public final class ProgressLines implements ProgressDisplay {
         err.println(line);
     }
 
-    /** The last line is always printed. */
+    /** Prints the latest progress if it has not been printed. */
     @Override
     public synchronized void close() {
         waiting = null;

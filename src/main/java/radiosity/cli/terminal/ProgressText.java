@@ -3,10 +3,10 @@ package radiosity.cli.terminal;
 import java.util.Locale;
 import radiosity.solution.Progress;
 
-/** How far a render is, in words: what is being done, the share that is done, and the time that it will still take. */
+/** Text about the progress of a render: the phase, the part that is done, and the time left. */
 public final class ProgressText {
 
-    /** Below this, per cent, is rounding only. */
+    /** Percentages below this are rounding errors. */
     private static final double LEAST = 1e-8;
     private static final int LONGEST_BAR = 40;
     private static final int SHORTEST_BAR = 8;
@@ -15,30 +15,33 @@ public final class ProgressText {
     private String phase = "";
     private Progress latest;
     private double left;
-    /** Part of the way, in [0, 1]; it only grows. */
+    /** Part of the render that is done, in [0, 1], which only grows; or part of a task, see {@link #isPart}. */
     private double done;
-    /** Whether the part that is done is that of the phase, and not of the calculation. */
+    /** Whether {@link #done} is the part of a task, see {@link #part}, and not of the render. */
     private boolean isPart;
 
     public ProgressText(ProgressEstimate course) {
         this.course = course;
     }
 
-    /** @param name of what begins now */
+    /** @param name of the phase that begins */
     public void phase(String name) {
         phase = name;
         latest = null;
         isPart = false;
     }
 
-    /** @param part of it that is done, from 0 to 1 */
+    /**
+     * @param name of a task other than the calculation
+     * @param part of the task that is done; limited to [0, 1]
+     */
     public void part(String name, double part) {
         phase(name);
         isPart = true;
         done = Math.max(0, Math.min(1, part));
     }
 
-    /** After a round. */
+    /** Takes the progress after a round. */
     public void show(Progress progress) {
         latest = progress;
         phase = progress.shots() == 0 ? "preparing" : progress.gathers() ? "refining the mesh" : "distributing light";
@@ -46,16 +49,17 @@ public final class ProgressText {
         left = course.left(progress);
     }
 
-    /** A line for a log file. */
+    /** The progress as a line of a log file. */
     public String line() {
         return course.label() + phase + (latest != null || isPart ? ", " + share() : "")
                 + (latest == null ? "" : ": " + details() + time());
     }
 
     /**
-     * A line for a terminal, with a bar; what does not fit is left out: first the numbers of things, then the bar.
+     * The progress as a line of a terminal, with a bar. Where the line is too narrow, the numbers of shots and elements
+     * are left out first, then the bar.
      *
-     * @param width most characters that it may have
+     * @param width largest number of characters of the line
      */
     public String bar(int width) {
         String head = course.label() + phase;
@@ -87,19 +91,19 @@ public final class ProgressText {
                 : ", " + time(left) + " left";
     }
 
-    /** A number of things. */
+    /** A number of things in words, such as "1 shot" and "2,048 shots". */
     public static String count(int number, String thing) {
         return String.format(Locale.ROOT, "%,d %s%s", number, thing, number == 1 ? "" : "s");
     }
 
-    /** Two digits that count; rounding errors are 0. */
+    /** A part of 1 as a percentage with two significant digits; rounding errors become "0 %". */
     public static String perCent(double part) {
         double value = 100 * part;
         int decimals = value >= LEAST ? (int) Math.max(0, 1 - Math.floor(StrictMath.log10(value))) : 0;
         return String.format(Locale.ROOT, "%." + decimals + "f %%", value);
     }
 
-    /** In words, from seconds. */
+    /** A duration in seconds in words, such as "5 s" and "2 h 3 min". */
     public static String time(double seconds) {
         long s = Math.round(seconds);
         if (s < 60) {

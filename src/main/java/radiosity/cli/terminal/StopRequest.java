@@ -2,14 +2,14 @@ package radiosity.cli.terminal;
 
 import java.util.function.Consumer;
 
-/** Whether somebody wants the calculation to end after the current round, or pictures not to be drawn. */
+/** The user's request to end the calculation after the current round, or to leave out unfinished pictures. */
 public final class StopRequest {
 
     private volatile boolean made;
     private volatile String answer = "stopping after this round, then saving";
     private volatile Consumer<String> user = line -> { };
 
-    /** @param to gets a line when the request is made: a round may take a while */
+    /** @param to receives a line when the request is made, as the current round may take a while */
     public void tell(Consumer<String> to) {
         user = to;
     }
@@ -19,13 +19,17 @@ public final class StopRequest {
         say(answer);
     }
 
-    /** From now on something else is under way: what was asked before has been done, and a request means that. */
+    /**
+     * Clears the request, which has been fulfilled, when other work begins.
+     *
+     * @param newAnswer line for the user when the next request is made
+     */
     public void renew(String newAnswer) {
         answer = newAnswer;
         made = false;
     }
 
-    /** A message about the stop. */
+    /** Sends a line about the stop to the user. */
     public void say(String line) {
         user.accept(line);
     }

@@ -5,20 +5,23 @@ import radiosity.settings.StopRule;
 import radiosity.solution.Progress;
 
 /**
- * From the first progress seen to the stop rule, to the nearer of its two ends; then, where the error that was found is
- * larger than the one that is asked for, to that.
+ * Estimates progress by the stop rule, from the first progress seen to the nearer of the rule's two limits. Where the
+ * latest estimate of the error is larger than the error asked for, progress is estimated from the two errors instead.
  */
 public final class StopRuleCourse implements ProgressEstimate {
 
     private static final double NANOSECONDS = 1e9;
-    /** A smaller part that is done says nothing about the rest: a first shot may change almost nothing. */
+    /** Least part done from which the time left is estimated, as a first shot may change almost nothing. */
     private static final double LEAST_DONE = 1e-4;
-    /** What the distribution of light is of the whole way; the estimate of the error and writing follow. */
+    /** Part of the render that is distribution of light; the estimate of the error and the writing of files follow. */
     private static final double DISTRIBUTION = .95;
-    /** Before, little is known, s. */
+    /** Least time after which the time left is estimated, s. */
     private static final double LEAST_SECONDS = 5;
 
-    /** Time grows with this power of 1 / error: N elements leave about 1 / N of it, and each gathers with more rays. */
+    /**
+     * Time grows with this power of 1 / error: N elements leave an error of about 1 / N and each gathers with more
+     * rays.
+     */
     private static final double POWER = 1.5;
 
     private final StopRule stop;
@@ -26,12 +29,12 @@ public final class StopRuleCourse implements ProgressEstimate {
     private final LongSupplier clock;
     private Progress first;
     private long start;
-    /** The error that was found last, and the time that all will take by it, s. */
+    /** The latest error found, and the time of the whole calculation predicted from it, s. */
     private double error = Double.NaN;
     private double whole;
 
     /**
-     * @param asked relative error at which it ends; NaN: the stop rule only
+     * @param asked relative error at which the calculation ends; NaN: by the stop rule only
      * @param clock nanoseconds, as {@link System#nanoTime}
      */
     public StopRuleCourse(StopRule stop, double asked, LongSupplier clock) {
@@ -59,7 +62,7 @@ public final class StopRuleCourse implements ProgressEstimate {
         return whole > 0 && gone > 0 ? Math.min(1, gone / whole) : 0;
     }
 
-    /** If it goes on as so far; 0 where little is known of that. */
+    /** The time left at the speed so far, s; 0 where too little is done to know. */
     @Override
     public double left(Progress now) {
         double done = done(now);

@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import org.jline.terminal.spi.SystemStream;
 import org.jline.terminal.spi.TerminalProvider;
 
-/** Which of the standard streams are a terminal. */
+/** Tells which of the standard streams are a terminal. */
 public final class TerminalStreams {
 
     private static final int USUAL_WIDTH = 80;
@@ -13,7 +13,9 @@ public final class TerminalStreams {
 
     private TerminalStreams() { }
 
-    /** Null where the machine has no library for it: then nothing is a terminal. */
+    /**
+     * JLine's provider; null where the machine has no native library for it, so that no stream counts as a terminal.
+     */
     private static TerminalProvider provider() {
         try {
             return TerminalProvider.load("jni");
@@ -30,18 +32,18 @@ public final class TerminalStreams {
         }
     }
 
-    /** Whether a user sees what is written to the error stream. */
+    /** Whether a user sees the error stream, which then is a terminal. */
     public static boolean seen() {
         return is(SystemStream.Error);
     }
 
-    /** Width of that terminal, characters. */
+    /** Width of the error stream's terminal, characters; only to be called where the error stream is a terminal. */
     public static int width() {
         int width = PROVIDER.systemStreamWidth(SystemStream.Error);
         return width > 0 ? width : USUAL_WIDTH;
     }
 
-    /** Whether keys that a user presses come to this program: not so in the background, where asking would stop it. */
+    /** Whether key presses reach this program: not in the background, where reading the terminal would stop it. */
     static boolean keys() {
         return is(SystemStream.Input) && foreground();
     }

@@ -3,7 +3,7 @@ package radiosity.cli.terminal;
 import java.util.function.DoubleSupplier;
 import radiosity.solution.Progress;
 
-/** From the start of the process to the end of the time that the user gives it. */
+/** Estimates progress by a time limit, from the start of the process to the end of the limit. */
 public final class TimeCourse implements ProgressEstimate {
 
     private final double seconds;
@@ -11,15 +11,15 @@ public final class TimeCourse implements ProgressEstimate {
     private String label = "";
 
     /**
-     * @param seconds above 0
-     * @param gone    seconds since the process began
+     * @param seconds the time limit, above 0
+     * @param gone    supplies the seconds since the process began
      */
     public TimeCourse(double seconds, DoubleSupplier gone) {
         this.seconds = seconds;
         this.gone = gone;
     }
 
-    /** Seconds; negative when the time is over. */
+    /** Rest of the time limit, s; negative after its end. */
     public double left() {
         return seconds - gone.getAsDouble();
     }
@@ -39,7 +39,7 @@ public final class TimeCourse implements ProgressEstimate {
         return Double.NaN;
     }
 
-    /** @param accuracy that is being calculated with, as the user would write it */
+    /** @param accuracy of the current calculation, as the user would write it; becomes the label */
     public void at(String accuracy) {
         label = "at " + accuracy + ": ";
     }
