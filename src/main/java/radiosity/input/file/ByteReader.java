@@ -3,9 +3,9 @@ package radiosity.input.file;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A window on the bytes of a file, read from its start to its end, big-endian.
+ * Reads a window of a file's bytes from its start to its end, big-endian.
  *
- * <p>Never reads outside the window: what is missing counts as zero, and {@link #ranOut()} tells of it.
+ * <p>Never reads outside the window: missing bytes count as zero, and {@link #ranOut()} reports them.
  */
 public final class ByteReader {
 
@@ -25,19 +25,19 @@ public final class ByteReader {
         this.end = end;
     }
 
-    /** The next bytes as a window of their own: n of them, or what is left. */
+    /** The next n bytes, or the rest where fewer are left, as a window of their own; this window moves past them. */
     public ByteReader window(long n) {
         ByteReader part = new ByteReader(file, at, at + (int) Math.max(0, Math.min(n, left())));
         at = part.end;
         return part;
     }
 
-    /** This window again from where it now stands. */
+    /** A window from the current position to the end of this window. */
     public ByteReader copy() {
         return new ByteReader(file, at, end);
     }
 
-    /** Offset in the file. */
+    /** Current position as an offset in the file, bytes. */
     public int offset() {
         return at;
     }
@@ -50,7 +50,7 @@ public final class ByteReader {
         return left() >= n;
     }
 
-    /** Whether more was read than there is. */
+    /** Whether a read went beyond the end of the window. */
     public boolean ranOut() {
         return ranOut;
     }
@@ -67,7 +67,7 @@ public final class ByteReader {
         return file[at++] & 0xFF;
     }
 
-    /** The byte at some distance, without moving; -1 beyond the end. */
+    /** The byte at a distance from the current position, which stays as it is; -1 beyond the end. */
     public int peek(int distance) {
         return has(distance + 1) ? file[at + distance] & 0xFF : -1;
     }
@@ -92,17 +92,17 @@ public final class ByteReader {
         return Double.longBitsToDouble(u4() << 32 | u4());
     }
 
-    /** An index of 2 bytes, or of 4 if the first is 0xFF. */
+    /** Reads an index of 2 bytes, or of 4 bytes if the first byte is 0xFF. */
     public int vx() {
         return peek(0) == 0xFF ? (int) (u4() & 0x00FFFFFF) : u2();
     }
 
-    /** Whether a whole index stands here. */
+    /** Whether a complete index follows. */
     public boolean hasVx() {
         return has(peek(0) == 0xFF ? 4 : 2);
     }
 
-    /** Four characters. */
+    /** Reads four characters. */
     public String id() {
         String id = new String(file, at, Math.min(4, left()), StandardCharsets.ISO_8859_1);
         ranOut |= left() < 4;
@@ -110,7 +110,7 @@ public final class ByteReader {
         return id;
     }
 
-    /** Text up to a zero byte or the end, padded to an even length. */
+    /** Reads text up to a zero byte or the end; text and zero byte are padded to an even length. */
     public String s0() {
         int stop = at;
         while (stop < end && file[stop] != 0) {

@@ -6,9 +6,9 @@ import java.util.function.Consumer;
 import radiosity.scene.SceneFormatException;
 
 /**
- * What there is to say about one file: each kind of remark once, with the first place it holds for and how often.
+ * Remarks about one file: each kind of remark is reported once, with its first place and the number of its occurrences.
  *
- * <p>So a file with a million bad polygons makes one line. Remarks come out at {@link #flush()}.
+ * <p>Thus a file with a million bad polygons makes one line. {@link #flush()} reports the remarks.
  */
 public final class Diagnostics {
 
@@ -31,9 +31,9 @@ public final class Diagnostics {
     }
 
     /**
-     * @param file     its name as the user knows it
-     * @param warnings gets one line per remark
-     * @param strict   the first remark is thrown as an exception instead
+     * @param file     name of the file as the user knows it
+     * @param warnings receives a line per kind of remark
+     * @param strict   whether the first remark is thrown as an exception instead
      */
     public Diagnostics(String file, Consumer<String> warnings, boolean strict) {
         this.file = file;
@@ -41,7 +41,7 @@ public final class Diagnostics {
         this.strict = strict;
     }
 
-    /** The same way of telling, about another file. */
+    /** Diagnostics of another file, which are reported in the same way. */
     public Diagnostics about(String otherFile) {
         return new Diagnostics(otherFile, warnings, strict);
     }
@@ -51,15 +51,15 @@ public final class Diagnostics {
     }
 
     /**
-     * @param place  where in the file; empty for the whole of it
-     * @param remark the kind: a fixed text of this program
-     * @param detail what the file says there; only the first one of a kind is reported
+     * @param place  place in the file; empty for the whole file
+     * @param remark kind of the remark, a fixed text of this program
+     * @param detail content of the file at the place; only the first detail of a kind is reported
      */
     public void note(String place, String remark, String detail) {
         remarks.computeIfAbsent(remark, r -> new Remark(place, shorten(detail))).count++;
     }
 
-    /** Reports something that is no fault of the file, so no error under --strict either. */
+    /** Reports, at once, something that is no fault of the file and so no error under --strict either. */
     public void remark(String remark) {
         warnings.accept(line("", remark));
     }
@@ -68,7 +68,11 @@ public final class Diagnostics {
         return new SceneFormatException(file, place, expected, shorten(got));
     }
 
-    /** Reports what was noted since the last call. */
+    /**
+     * Reports the remarks noted since the last call.
+     *
+     * @throws SceneFormatException with the first remark, under --strict
+     */
     public void flush() throws SceneFormatException {
         for (Map.Entry<String, Remark> entry : remarks.entrySet()) {
             Remark remark = entry.getValue();

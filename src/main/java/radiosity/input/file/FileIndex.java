@@ -21,15 +21,15 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * The files below some directories by their names without case. Directories that are links and those whose names begin
- * with a dot are not entered; a bounded number of entries is looked at.
+ * Index of the files below some directories, by their names without case. Directories that are links or whose names
+ * begin with a dot are not entered; the number of entries that are examined is limited.
  */
 public final class FileIndex {
 
     private static final int MOST_ENTRIES = 200_000;
     private static final int DEEPEST = 32;
 
-    /** By name in the order of Unicode, and not as the operating system orders or a file system lists files. */
+    /** Orders paths by Unicode, independently of the operating system and the file system. */
     private static final Comparator<Path> ORDER = Comparator.comparing(path -> path.toString().replace('\\', '/'));
 
     private final Map<String, List<Path>> byName = new HashMap<>();
@@ -40,7 +40,7 @@ public final class FileIndex {
         this(roots, notes, MOST_ENTRIES);
     }
 
-    /** @param most entries of directories that are looked at, in the order of directories and names */
+    /** @param most largest number of directory entries that are examined, in the order of directories and names */
     public FileIndex(List<Path> roots, Diagnostics notes, int most) {
         this.most = most;
         Set<Path> entered = new HashSet<>();
@@ -58,7 +58,7 @@ public final class FileIndex {
         }
     }
 
-    /** Entries of a directory; where there are too many, the first by name. */
+    /** Entries of a directory, sorted; where there are too many, the first ones by name. */
     private Collection<Path> list(Path directory) {
         NavigableSet<Path> found = new TreeSet<>(ORDER);
         try (DirectoryStream<Path> stream = Files.newDirectoryStream(directory)) {
@@ -86,7 +86,7 @@ public final class FileIndex {
         }
     }
 
-    /** Files of a name, in the order of directories. */
+    /** Files with a name, without case, in the order of directories. */
     List<Path> named(String name) {
         return byName.getOrDefault(name.toLowerCase(Locale.ROOT), List.of());
     }

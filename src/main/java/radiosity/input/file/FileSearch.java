@@ -16,12 +16,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Finds the files that a scene names, on a disk where they no longer lie where they did.
+ * Finds the files that a scene names, on a disk where the files may no longer lie where the scene says.
  *
- * <p>In this order: the directories given by the beginning of the path; relative to the scene; relative to each content
- * root; the file below the roots whose path ends as the written one does for the longest, without case, then the
- * nearest to the scene; all of this again with ".lwo" added or removed; a name shortened to 8.3. Never a file outside
- * of the roots, links followed.
+ * <p>Tries in this order: a directory given for the beginning of the path; the path relative to the scene; the path
+ * relative to each content root; the file below the roots whose path has the longest end in common with the path in the
+ * scene, without case, and among equals the nearest to the scene; all of this with ".lwo" added or removed; a name
+ * shortened to 8.3. Never finds a file that is outside the roots when links are followed.
  */
 public final class FileSearch {
 
@@ -37,10 +37,10 @@ public final class FileSearch {
     private FileIndex index;
 
     /**
-     * @param scene    whose folder is searched first
+     * @param scene    the scene's file, whose folder is searched first
      * @param content  further directories to search
      * @param prefixes directories by the beginning of the paths that lie in them
-     * @param isObject tells by the first 12 bytes of a file whether it is an object
+     * @param isObject says by the first 12 bytes of a file whether the file is an object
      */
     public FileSearch(Path scene, List<Path> content, Map<String, Path> prefixes, Predicate<byte[]> isObject,
             Diagnostics notes)
@@ -73,13 +73,13 @@ public final class FileSearch {
                 return Optional.of(real);
             }
         } catch (IOException e) {
-            // told below: it makes no difference why it cannot be used
+            // reported below, whatever the reason
         }
         notes.note("", "a directory of objects cannot be used", directory.toString());
         return Optional.empty();
     }
 
-    /** The directory that holds the folder "Scenes" in which the scene lies; null if there is none. */
+    /** The directory that contains the folder "Scenes" in which the scene lies; null if there is none. */
     private static Path aboveScenes(Path folder) {
         for (Path p = folder; p != null && p.getFileName() != null; p = p.getParent()) {
             if (p.getFileName().toString().equalsIgnoreCase("scenes")) {
@@ -93,12 +93,14 @@ public final class FileSearch {
         return path.replace('\\', '/');
     }
 
-    /** The object file that a scene names. */
+    /** The object file for a path in a scene; empty where there is none. */
     public Optional<Path> object(String written) {
         return found.computeIfAbsent("object " + written, w -> search(written, this::isObject));
     }
 
-    /** A file of any other kind that a scene or an object names: an image, materials, bytes. */
+    /**
+     * A file of any other kind (image, materials, bytes) for a path in a scene or an object; empty if there is none.
+     */
     public Optional<Path> file(String written) {
         return found.computeIfAbsent("file " + written, w -> search(written, p -> true));
     }
@@ -116,7 +118,7 @@ public final class FileSearch {
                 .or(() -> byShortName(parts, wanted));
     }
 
-    /** The names of a path without drive, volume and steps up. */
+    /** The names in a path without drive, volume, "." and "..". */
     private static List<String> parts(String path) {
         String plain = path.substring(path.lastIndexOf(':') + 1);
         List<String> parts = new ArrayList<>();
@@ -136,7 +138,7 @@ public final class FileSearch {
                 .flatMap(Optional::stream).filter(wanted).findFirst();
     }
 
-    /** Whether a path begins with whole names of another. */
+    /** Whether a path begins with a prefix that ends between two names. */
     private static boolean beginsWith(String path, String prefix) {
         int end = prefix.length();
         return path.startsWith(prefix) && (end == 0 || end == path.length() || path.charAt(end) == '/'
@@ -150,7 +152,7 @@ public final class FileSearch {
         return roots.stream().map(root -> below(root, path)).flatMap(Optional::stream).filter(wanted).findFirst();
     }
 
-    /** A regular file by its path from a directory, if it lies below any of the roots with all links followed. */
+    /** The regular file at a path relative to a directory, if its real path lies below any of the roots. */
     private Optional<Path> below(Path directory, String path) {
         try {
             return inRoots(directory.resolve(path));
@@ -195,7 +197,7 @@ public final class FileSearch {
         return n;
     }
 
-    /** Steps from the scene's folder to that of a file; by way of both roots where they lie on different drives. */
+    /** Number of steps from the scene's folder to a file's folder; through both roots where their drives differ. */
     private int distance(Path file) {
         Path folder = file.getParent();
         if (!hasSameRoot(folder)) {
@@ -205,7 +207,7 @@ public final class FileSearch {
         return way.toString().isEmpty() ? 0 : way.getNameCount();
     }
 
-    /** There is no relative path from one drive of Windows to another, or to a share of another machine. */
+    /** Whether a file can have a path relative to the scene, which Windows does not have between drives or shares. */
     private boolean hasSameRoot(Path file) {
         return sceneFolder.getRoot().equals(file.getRoot());
     }
@@ -246,7 +248,7 @@ public final class FileSearch {
         return index;
     }
 
-    /** Looks into a file as far as its type, never at the files of attributes that Macs leave. */
+    /** Whether a file is an object, by its first bytes; files of Mac attributes (._name) are not read. */
     private boolean isObject(Path file) {
         if (file.getFileName().toString().startsWith("._")) {
             return false;
@@ -258,7 +260,7 @@ public final class FileSearch {
         }
     }
 
-    /** How a found file is called in messages: from the scene's folder, or in full where it lies on another drive. */
+    /** The name of a found file in messages: relative to the scene's folder, or absolute on another drive. */
     public String shown(Path file) {
         return slashes((hasSameRoot(file) ? sceneFolder.relativize(file) : file).toString());
     }

@@ -6,19 +6,19 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** Says what a file is that is none of those that are read, for messages: by its content, then by its name. */
+/** Describes, for messages, a file that the program cannot read: by its content, else by its name. */
 public final class FileSniffer {
 
-    /** Number of bytes of a file that is enough to recognise it. */
+    /** Number of bytes at the beginning of a file that suffice to recognise the file. */
     public static final int START = 1 << 16;
 
     private static final int SHOWN = 12;
 
-    /** How files begin, in ISO 8859-1, and what they are then. */
+    /** Descriptions of files by their first bytes, in ISO 8859-1. */
     private static final Map<String, String> BEGINNINGS = new LinkedHashMap<>();
-    /** What stands among the first bytes of a text, and what it is then. */
+    /** Descriptions of XML files by a text among their first bytes. */
     private static final Map<String, String> CONTENTS = new LinkedHashMap<>();
-    /** What files are whose content does not say it, by the ending of their names. */
+    /** Descriptions of files that their content does not identify, by the extension of their names. */
     private static final Map<String, String> ENDINGS = new LinkedHashMap<>();
 
     static {
@@ -90,7 +90,7 @@ public final class FileSniffer {
     private FileSniffer() {
     }
 
-    /** What a file is by its content alone, if that is no doubt. */
+    /** Describes a file by its content alone; empty where the content leaves any doubt. */
     public static Optional<String> foreign(byte[] start) {
         String text = text(start);
         Optional<String> beginning = BEGINNINGS.entrySet().stream().filter(entry -> text.startsWith(entry.getKey()))
@@ -113,15 +113,15 @@ public final class FileSniffer {
                 ? Optional.of(ENDINGS.get("mtl")) : Optional.empty();
     }
 
-    /** What a file is, of whose name nothing is known. */
+    /** Describes a file without a known name. */
     public static String describe(byte[] start) {
         return describe(start, "");
     }
 
     /**
-     * What a file is.
+     * Describes a file.
      *
-     * @param start the first bytes of it, {@value #START} or all
+     * @param start the first {@value #START} bytes of the file, or all
      * @param name  of the file
      */
     public static String describe(byte[] start, String name) {

@@ -6,18 +6,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import radiosity.scene.SceneFormatException;
 
-/** Reads a file into memory once, if it is one and not too large. */
+/** Reads a regular file into memory in one go, if the file is not too large. */
 public final class InputFile {
 
-    /** What is read from a file may take this many times its size. */
+    /** Factor by which the data read from a file may be larger than the file; limits the size to a part of the heap. */
     private static final int GROWTH = 16;
 
     private InputFile() {
     }
 
     /**
-     * @param name     the file as the user knows it
-     * @param maxBytes largest size that is read, bytes
+     * @param name     of the file as the user knows it
+     * @param maxBytes largest size of a file, bytes
+     * @throws SceneFormatException where there is no regular file, or the file is too large
      */
     public static byte[] read(Path file, String name, long maxBytes) throws IOException {
         check(file, name);
@@ -34,7 +35,7 @@ public final class InputFile {
     }
 
     /**
-     * Checks that there is a file.
+     * Checks that a regular file exists.
      *
      * @throws SceneFormatException where there is nothing, a directory or a device
      */

@@ -29,7 +29,7 @@ public final class IntList {
         return size;
     }
 
-    /** Keeps the first n only. */
+    /** Keeps only the first n numbers. */
     public void cut(int n) {
         size = Math.min(size, n);
     }

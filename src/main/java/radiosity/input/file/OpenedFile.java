@@ -6,20 +6,20 @@ import java.util.function.Consumer;
 import radiosity.settings.ReadOptions;
 
 /**
- * A scene's file as its reader finds it.
+ * The file of a scene with everything that its reader needs.
  *
  * @param bytes  the whole file; not copied
- * @param name   without directories, for messages
- * @param search for the files that it names
- * @param notes  takes one line for each kind of thing that is left out or mended
+ * @param name   of the file without directories, for messages
+ * @param search finds the files that the scene names
+ * @param notes  collects remarks about things that are left out or repaired
  */
 public record OpenedFile(byte[] bytes, String name, FileSearch search, Diagnostics notes) {
 
     /**
      * Reads a file.
      *
-     * @param warnings gets the lines of the notes
-     * @throws IOException if the file cannot be read, or is larger than the options allow
+     * @param warnings receives the lines of the notes
+     * @throws IOException where the file cannot be read, or is larger than the options allow
      */
     public static OpenedFile of(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());

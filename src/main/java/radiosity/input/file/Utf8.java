@@ -14,11 +14,12 @@ public final class Utf8 {
     private Utf8() {
     }
 
+    /** Whether a file begins with the byte order mark of UTF-8. */
     public static boolean hasMark(byte[] file) {
         return file.length >= 3 && file[0] == (byte) 0xEF && file[1] == (byte) 0xBB && file[2] == (byte) 0xBF;
     }
 
-    /** Whether all bytes are sound UTF-8; needs no more memory than a piece of the file. */
+    /** Whether all bytes are valid UTF-8; decodes the file in pieces, so that little memory is needed. */
     public static boolean isValid(byte[] file) {
         CharsetDecoder decoder = StandardCharsets.UTF_8.newDecoder();
         CharBuffer piece = CharBuffer.allocate(PIECE);

@@ -1,8 +1,8 @@
 package radiosity.input.file;
 
 /**
- * What the cutting of polygons may cost in a whole scene, in steps of some nanoseconds: a sum that grows with what
- * there is to cut, and one reserve for polygons that cost far more than their corners should.
+ * Limits the work of cutting polygons into triangles, in steps of some nanoseconds. The budget is a reserve, for
+ * polygons that cost far more than their number of corners suggests, and an allowance for each corner.
  */
 public final class WorkBudget {
 
@@ -11,7 +11,7 @@ public final class WorkBudget {
 
     private long left = RESERVE;
 
-    /** More corners are there to be cut. */
+    /** Adds the allowance for corners that are to be cut. */
     public void grant(int corners) {
         left = Math.min(Long.MAX_VALUE / 2, left + PER_CORNER * corners);
     }
