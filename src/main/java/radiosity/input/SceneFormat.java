@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.lightwave.LightWaveReader;
 
-/** The formats that are read. What a file is its content says; its name where the content leaves it open. */
+/** Formats of scenes that can be read. A file is recognised by its content, or else by the extension of its name. */
 enum SceneFormat {
 
     LIGHTWAVE(Set.of("lws", "lwo")),
@@ -17,7 +17,7 @@ enum SceneFormat {
 
     private static final Pattern GLTF_JSON = Pattern.compile("\\A\\s*\\{.*\"(asset|meshes|nodes|accessors)\"\\s*:.*",
             Pattern.DOTALL);
-    /** What may stand in an OBJ file before its first vertex or library of materials. */
+    /** First words of the lines that may precede the first vertex or material library of an OBJ file. */
     private static final Set<String> OBJ_BEFORE = Set.of("", "o", "g", "s", "usemtl", "mg", "vt", "vn");
     private static final Pattern OBJ_FIRST = Pattern.compile("mtllib\\s.*|v(\\s+[-+.\\deE]+){3,7}\\s*");
 
@@ -28,9 +28,9 @@ enum SceneFormat {
     }
 
     /**
-     * The format of a file; empty for all that are not read.
+     * The format of a file; empty for formats that cannot be read.
      *
-     * @param start the first bytes of it, {@value FileSniffer#START} or all
+     * @param start the first {@value FileSniffer#START} bytes of the file, or all
      * @param name  of the file
      */
     static Optional<SceneFormat> of(byte[] start, String name) {

@@ -17,23 +17,23 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 
-/** Reads a scene of any format that is read: LightWave, glTF or OBJ. */
+/** Reads scenes of all supported formats: LightWave, glTF and OBJ. */
 public final class SceneReader {
 
     private SceneReader() {
     }
 
     /**
-     * Reads a file and those that it names: objects, materials, bytes, luminaires. Images are read later,
+     * Reads a scene's file and the files that it names: objects, materials, bytes, luminaires. Images are read later,
      * see {@link radiosity.output.image.SurfaceMaps}.
      *
      * @param file     a LightWave scene or object, a glTF file or binary, or an OBJ file
-     * @param options  how
-     * @param warnings gets one line for each kind of thing that was left out or mended, with file and place
-     * @return at least one triangle
-     * @throws SceneFormatException if it is a file of another kind, which the message names, if the content cannot be
+     * @param options  for reading the scene
+     * @param warnings receives a line for each kind of thing that was left out or repaired, with file and place
+     * @return a scene with at least one triangle
+     * @throws SceneFormatException if the file is of another kind, which the message names, if the content cannot be
      *                              used, or under {@code strict} at the first warning
-     * @throws IOException          if a file cannot be read
+     * @throws IOException if a file cannot be read
      */
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
@@ -62,10 +62,10 @@ public final class SceneReader {
     }
 
     /**
-     * The file as it is, where it is glTF: for who writes it again with something added.
+     * The unchanged model of a glTF file, to be written again with additions; empty for other formats.
      *
      * @param options with which the scene was read
-     * @param scene   that was read from it
+     * @param scene   that was read from the file
      */
     public static Optional<GltfModel> original(Path file, ReadOptions options, Scene scene) throws IOException {
         Optional<SceneFormat> format = SceneFormat.of(start(file), String.valueOf(file.getFileName()));

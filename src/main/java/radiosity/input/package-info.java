@@ -1,4 +1,2 @@
-/**
- * The way in for scenes of all formats: says by content, then by name, what a file is, and has it read.
- */
+/** The way in for scenes of all formats: recognises a file's format by content, then by name, and has the file read. */
 package radiosity.input;
