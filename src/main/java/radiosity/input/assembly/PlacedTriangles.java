@@ -4,12 +4,12 @@ import java.util.Arrays;
 import radiosity.util.PointNumbers;
 
 /**
- * The triangles of a scene while its objects are placed: right-handed, in the scene's space. The corners of a mesh that
- * is mirrored are taken the other way round.
+ * Collects the triangles of a scene while its meshes are placed, in the right-handed space of the scene. The corners of
+ * the triangles of a mirrored mesh are reversed.
  */
 final class PlacedTriangles {
 
-    /** A triangle with less than this share of the square of its longest edge is rounding. */
+    /** Twice a triangle's area, relative to the square of its longest edge, below which the area is only rounding. */
     private static final double NO_AREA = 1e-13;
 
     private double[] points;
@@ -23,8 +23,10 @@ final class PlacedTriangles {
     private int flat;
 
     /**
-     * @param textured whether texture coordinates are kept
-     * @param coloured whether colours of vertices are kept
+     * @param points    largest number of points
+     * @param triangles largest number of triangles
+     * @param textured  whether texture coordinates are kept
+     * @param coloured  whether vertex colours are kept
      */
     PlacedTriangles(int points, int triangles, boolean textured, boolean coloured) {
         this.points = new double[3 * points];
@@ -40,8 +42,8 @@ final class PlacedTriangles {
     /**
      * Places a mesh.
      *
-     * @param surfaces the scene's number of each of the mesh's surfaces
-     * @param node     whose it is
+     * @param surfaces index in the scene of each of the mesh's surfaces
+     * @param node     index of the hierarchy's node to which the mesh belongs
      */
     void add(TriangleMesh mesh, Placing placing, int[] surfaces, int node) {
         int firstPoint = pointCount;
@@ -80,7 +82,7 @@ final class PlacedTriangles {
         count++;
     }
 
-    /** Copies what the corners of a triangle have: a number of values for each. */
+    /** Copies the values of a triangle's corners, a number of values per corner, in the order of the placed corners. */
     private void copy(float[] from, int t, int second, int values, float[] to) {
         int[] order = {0, second, 3 - second};
         for (int k = 0; k < 3; k++) {
@@ -89,8 +91,9 @@ final class PlacedTriangles {
     }
 
     /**
-     * Makes equal places one point, and numbers points in the order in which a mirrored space first meets them, as
-     * LightWave's is: what is sampled follows from points, so that equal triangles of all formats get equal light.
+     * Merges points at equal places, and numbers the points in the order of first use by the reversed triangles, which
+     * is the order of LightWave's mirrored space. Sample points follow from these numbers, so that equal triangles get
+     * equal light in all formats.
      */
     void shareEqualPoints() {
         int[] same = PointNumbers.of(points);
@@ -133,7 +136,7 @@ final class PlacedTriangles {
                 - (points[3 * b + v] - points[3 * a + v]) * (points[3 * c + u] - points[3 * a + u]);
     }
 
-    /** Triangles that were left out because they have no area in the scene. */
+    /** Number of triangles that were left out because they have no area in the scene. */
     int flat() {
         return flat;
     }

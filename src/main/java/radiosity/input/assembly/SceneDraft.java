@@ -13,19 +13,19 @@ import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
-/** A scene while it is read: nodes of its hierarchy, and meshes that stand there. */
+/** Collects a scene while a reader reads it: the nodes of the hierarchy, and instances of meshes at the nodes. */
 public final class SceneDraft {
 
-    /** A scene has no more nodes than this: memory divided by 1 KiB. */
+    /** Largest number of nodes of a scene: the heap size divided by 1 KiB. */
     public static final long MOST_NODES = Runtime.getRuntime().maxMemory() >> 10;
 
-    /** Memory that one triangle and one point take in a scene, bytes. */
+    /** Memory per triangle, per triangle with vertex colours in addition, and per point of a scene, bytes. */
     private static final int TRIANGLE_BYTES = 20 + 24;
     private static final int COLOUR_BYTES = 36;
     private static final int POINT_BYTES = 24;
-    /** And while equal points are found. */
+    /** Additional memory per point while equal points are merged, bytes. */
     private static final int SHARED_POINT_BYTES = 24 + 4 + 4 + 48;
-    /** Coordinates beyond this lose their squares. */
+    /** Upper bound of coordinates: the squares of areas, which are of the fourth power, must not overflow. */
     private static final double FARTHEST = 1e70;
 
     private final String name;
@@ -43,7 +43,8 @@ public final class SceneDraft {
 
     /**
      * @param name   of the scene
-     * @param shared whether equal places are one point, as where a format repeats points for the sake of textures
+     * @param shared whether points at equal places are merged, as for a format that repeats points for the sake of
+     *               textures
      */
     public SceneDraft(String name, boolean shared, ReadOptions options, Diagnostics notes) {
         this.shared = shared;
@@ -53,11 +54,11 @@ public final class SceneDraft {
     }
 
     /**
-     * Adds a node, whose parent has been added.
+     * Adds a node, whose parent has been added already.
      *
-     * @param place where in the file it is, for messages
-     * @return its index
-     * @throws SceneFormatException where there are more than memory is for
+     * @param place place of the node in the file, for messages
+     * @return index of the node
+     * @throws SceneFormatException where there are more nodes than memory allows
      */
     public int node(SceneNode node, String place) throws SceneFormatException {
         if (nodes.size() >= MOST_NODES) {
@@ -67,18 +68,18 @@ public final class SceneDraft {
         return nodes.size() - 1;
     }
 
-    /** The nodes so far. */
+    /** The nodes added so far. */
     public List<SceneNode> nodes() {
         return List.copyOf(nodes);
     }
 
     /**
-     * Adds an instance of a mesh; it is left out, with a note, where its numbers would be too large.
+     * Adds an instance of a mesh; an instance whose coordinates would be too large is left out with a note.
      *
-     * @param surfaces the scene's number of each of the mesh's surfaces; not modified
-     * @param node     whose it is
-     * @param place    where in the file it is, for messages
-     * @throws SceneFormatException where the scene has more triangles than it may have, or than memory is for
+     * @param surfaces index in the scene of each of the mesh's surfaces; not modified
+     * @param node     index of the node to which the instance belongs
+     * @param place    place of the instance in the file, for messages
+     * @throws SceneFormatException where the scene has more triangles than the options or memory allow
      */
     public void add(TriangleMesh mesh, Placing placing, int[] surfaces, int node, String place)
             throws SceneFormatException {
@@ -102,9 +103,9 @@ public final class SceneDraft {
     }
 
     /**
-     * Checks that a scene may have this number of triangles and points more than before.
+     * Adds to the numbers of triangles and points.
      *
-     * @throws SceneFormatException where it may not
+     * @throws SceneFormatException where the scene has more than the options or memory allow
      */
     private void reserve(int moreTriangles, int morePoints) throws SceneFormatException {
         triangles += moreTriangles;
@@ -123,7 +124,7 @@ public final class SceneDraft {
     /**
      * Places all instances.
      *
-     * @throws SceneFormatException if there is no triangle, or under {@code strict} at the first note
+     * @throws SceneFormatException where the scene has no triangle, or under {@code strict} at the first note
      */
     public Scene scene(List<Surface> surfaces, List<Light> lights, Optional<Camera> camera)
             throws SceneFormatException {
