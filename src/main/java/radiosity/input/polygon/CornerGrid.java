@@ -3,9 +3,9 @@ package radiosity.input.polygon;
 import radiosity.input.file.WorkBudget;
 
 /**
- * The corners of an outline that are not convex, in the cells of a grid, to find those in a triangle's box.
+ * Grid of the corners of a polygon that are not convex, to find those in the bounding box of a triangle.
  *
- * <p>Corners that have become convex or were taken off are dropped when they are met, so each is met in vain but once.
+ * <p>Corners that have become convex or were cut off are removed from the grid when a search first meets them.
  */
 final class CornerGrid {
 
@@ -18,13 +18,13 @@ final class CornerGrid {
     private double bottom;
     private double cellsPerWidth;
     private double cellsPerHeight;
-    /** Index of the first corner of each cell, and behind the last one it still has. */
+    /** Index in {@link #corners} of the first corner of each cell, and the index behind the last one that is left. */
     private int[] starts = new int[1];
     private int[] ends = new int[1];
     private int[] corners = new int[16];
     private boolean[] convex = new boolean[0];
 
-    /* The cells of the box looked at, and the place in them. */
+    /* The cells of the box that is searched, and the position of the search. */
     private int firstColumn;
     private int lastColumn;
     private int lastRow;
@@ -37,7 +37,11 @@ final class CornerGrid {
         this.work = work;
     }
 
-    /** Takes the corners that are not convex; {@code flags} are read again with each search. */
+    /**
+     * Enters the corners that are not convex.
+     *
+     * @param flags whether each corner is convex; kept, and read again by each search
+     */
     void fill(boolean[] flags) {
         convex = flags;
         int n = 0;
@@ -92,7 +96,7 @@ final class CornerGrid {
         return Math.max(0, Math.min(side - 1, (int) ((y - bottom) * cellsPerHeight)));
     }
 
-    /** Begins to go through the corners in the cells of a triangle's box. */
+    /** Starts a search of the cells of the bounding box of a triangle. */
     void look(int a, int b, int c) {
         firstColumn = column(Math.min(outline.x[a], Math.min(outline.x[b], outline.x[c])));
         lastColumn = column(Math.max(outline.x[a], Math.max(outline.x[b], outline.x[c])));
@@ -106,7 +110,7 @@ final class CornerGrid {
         return row * side + column;
     }
 
-    /** Moves to the next corner in the box that is not convex; false at the end. */
+    /** Moves to the next corner in the searched cells that is not convex; false at the end. */
     boolean next() {
         while (true) {
             work.spend(1);
@@ -124,7 +128,7 @@ final class CornerGrid {
         }
     }
 
-    /** The corner moved to. */
+    /** The corner that the last {@link #next} moved to. */
     int corner() {
         return corners[at - 1];
     }

@@ -4,12 +4,12 @@ import radiosity.input.file.IntList;
 import radiosity.input.file.WorkBudget;
 
 /**
- * Cuts an outline into triangles by taking off ears.
+ * Cuts a polygon into triangles by ear clipping.
  *
- * <p>An ear is a convex corner whose triangle holds no other corner. Only corners that are not convex can lie in it;
- * they stand in a grid. Taking off an ear can make ears of its two neighbours only, so each corner is tested a few
- * times and a polygon of n corners mostly costs n log n. Holes are joined to the outline by edges walked both ways:
- * corners at the place of one of the ear's own do not count.
+ * <p>An ear is a convex corner whose triangle contains no other corner. Only corners that are not convex can lie in the
+ * triangle; a grid holds these corners. Cutting off an ear can make ears of its two neighbours only, so each corner is
+ * tested a few times, and a polygon of n corners mostly costs n log n. Holes are joined to the outline by edges walked
+ * both ways; therefore corners at the same place as a corner of the ear do not count.
  *
  * <p>Source of the method: G. Meisters, Polygons have ears (1975); J. O'Rourke, Computational geometry in C (1998),
  * 1.4.
@@ -22,14 +22,16 @@ final class EarClipper {
     private int[] next = new int[0];
     private int[] previous = new int[0];
     private boolean[] convex = new boolean[0];
-    /** Corners that are ears, and the place in this list that holds for each; -1 if none. */
+    /** Corners that are ears, and for each corner the index of its valid entry in this list; -1 for none. */
     private final IntList ears = new IntList();
     private int[] placeOf = new int[0];
     private int left;
-    /** A corner that is left. */
+    /** A corner that has not been cut off. */
     private int some;
 
-    /** How strict an ear is: no corner on its border; none inside; any convex corner; any corner. */
+    /**
+     * Strictness of the test for an ear: no corner inside or on the border; none inside; any convex one; any corner.
+     */
     private enum Level { CLEAR, TOUCHING, CONVEX, ANY }
 
     EarClipper(PolygonRing outline, WorkBudget work) {
@@ -39,12 +41,13 @@ final class EarClipper {
     }
 
     /**
-     * Appends three corners of the outline for each triangle, n - 2 of them.
+     * Appends three corners of the outline for each triangle, n - 2 triangles in all.
      *
-     * <p>An outline that crosses itself, which folded polygons do when projected, keeps its border all the same: some
-     * triangles then are reversed, and their area vectors still add up to the polygon's.
+     * <p>An outline that crosses itself, as the projection of a folded polygon does, keeps its border: some triangles
+     * are then reversed, and the area vectors of the triangles still add up to the polygon's.
      *
-     * @return twice the area of all triangles, more than the outline's if it crosses itself; NaN if it is too tangled
+     * @return twice the area of all triangles, which is more than the outline's if the outline crosses itself; NaN if
+     *         the budget of work is spent before the end
      */
     double cut(IntList triangles) {
         start();
@@ -84,7 +87,7 @@ final class EarClipper {
         }
     }
 
-    /** Puts a corner at the end of the list if it is an ear; where it stood before no longer holds. */
+    /** Appends a corner to the list if the corner is an ear; an earlier entry of the corner becomes invalid. */
     private void list(int corner) {
         placeOf[corner] = -1;
         if (isEar(corner, Level.CLEAR)) {
@@ -93,7 +96,7 @@ final class EarClipper {
         }
     }
 
-    /** The least bad corner of an outline without ears, which is degenerate or crosses itself. */
+    /** The best corner to cut off from an outline without ears, which is degenerate or crosses itself. */
     private int findEar() {
         int start = some;
         for (Level level : Level.values()) {
@@ -108,6 +111,7 @@ final class EarClipper {
         return start;
     }
 
+    /** Cuts off a corner and appends its triangle; returns twice the triangle's area. */
     private double takeOff(int corner, IntList triangles) {
         int a = previous[corner];
         int c = next[corner];
@@ -144,7 +148,10 @@ final class EarClipper {
         return true;
     }
 
-    /** The side away from the rest of the outline is tested first, as most corners lie beyond it. */
+    /**
+     * Whether p lies in the triangle a, b, c and at no corner of it. The edge c a is tested first, as most corners lie
+     * beyond this edge.
+     */
     private boolean blocks(int p, int a, int b, int c, boolean borderCounts) {
         double least = outline.cross(c, a, p);
         if (least < 0) {

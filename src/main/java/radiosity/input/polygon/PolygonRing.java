@@ -4,23 +4,23 @@ import java.util.Arrays;
 import radiosity.input.file.FloatList;
 
 /**
- * The corners of one polygon without repetitions and without spikes, and their projection along the axis nearest to the
- * polygon's normal. Used again for each polygon.
+ * The corners of one polygon without repetitions and spikes, and their projection along the axis nearest to the
+ * polygon's normal. The object is used again for each polygon.
  *
- * <p>A spike a-b-a, walked out and back at once, encloses nothing; a bridge to a hole is walked back later and stays.
+ * <p>A spike a-b-a, which goes out and back at once, encloses nothing; a bridge to a hole goes back later and stays.
  */
 final class PolygonRing {
 
-    /** Area below this share of the square of a polygon's extent is rounding of coordinates. */
+    /** Twice an area, relative to the square of the polygon's extent, below which the area is only rounding. */
     private static final double NO_AREA = 1e-13;
 
-    /** Corner numbers, {@link #size} of them from {@link #first} on. */
+    /** Corner indices; the ring is the {@link #size} entries from {@link #first} on. */
     private int[] corners = new int[16];
     private int first;
     private int size;
     private int last;
 
-    /** Projected coordinates, counter-clockwise, 1 per corner that is left. */
+    /** Projected coordinates relative to the first corner, counter-clockwise, 1 per corner of the ring. */
     double[] x = new double[16];
     double[] y = new double[16];
     /** Twice the projected area, above 0. */
@@ -38,12 +38,12 @@ final class PolygonRing {
         return size;
     }
 
-    /** Number of the i-th corner that is left among all corners of all polygons. */
+    /** Index of the i-th corner of the ring among all corners of all polygons. */
     int corner(int i) {
         return corners[first + i];
     }
 
-    /** Takes a polygon; false if it encloses no area. Its points exist and are finite. */
+    /** Takes a polygon, whose points must exist and be finite; false if the polygon encloses no area. */
     boolean take(int polygon) {
         collect(polygons.start(polygon), polygons.end(polygon));
         return size >= 3 && project();
@@ -75,7 +75,7 @@ final class PolygonRing {
         corners[last++] = corner;
     }
 
-    /** Removes one repetition or spike where the end meets the beginning; false if there is none. */
+    /** Removes one repetition or spike where the end of the ring meets its beginning; false if there is none. */
     private boolean closesOnItself() {
         if (same(corners[first], corners[last - 1]) || same(corners[first], corners[last - 2])) {
             last--;
@@ -95,13 +95,13 @@ final class PolygonRing {
                 && points.get(p + 2) == points.get(q + 2);
     }
 
-    /** Coordinate k (0, 1 or 2) of a corner, from the first corner. */
+    /** Coordinate k (0, 1 or 2) of the i-th corner of the ring, relative to the first corner. */
     private double coordinate(int i, int k) {
         return (double) points.get(3 * polygons.point(corner(i)) + k)
                 - points.get(3 * polygons.point(corner(0)) + k);
     }
 
-    /** Projects along the largest component of Newell's normal, so that the corners run counter-clockwise. */
+    /** Projects along the largest component of Newell's normal, with corners counter-clockwise; false without area. */
     private boolean project() {
         double[] normal = new double[3];
         double extent = 0;
@@ -162,6 +162,7 @@ final class PolygonRing {
         return coordinate(to, k) - coordinate(from, k);
     }
 
+    /** Whether the projected ring is strictly convex, so that a fan from its first corner covers it. */
     boolean isConvex() {
         for (int i = 0; i < size; i++) {
             int next = (i + 1) % size;

@@ -5,8 +5,8 @@ import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
 /**
- * Which polygons have been met: the same places in the same order round, wherever it begins. A reversed twin is another
- * polygon.
+ * The set of polygons met so far, compared by a hash of 64 bits. Polygons are equal if they visit the same places in
+ * the same order, whichever corner is first; a polygon and its reverse are different.
  */
 final class PolygonSet {
 
@@ -19,13 +19,13 @@ final class PolygonSet {
         this.polygons = polygons;
     }
 
-    /** False if the polygon has been met before. */
+    /** Adds a polygon; false if an equal one was added before. */
     boolean add(PolygonRing outline) {
         int next = seen.size();
         return seen.findOrAdd(hash(outline), next) == next;
     }
 
-    /** The sum over the corners of what the corner and the next two make: where it begins does not matter. */
+    /** The sum over all corners of a hash of the corner and its neighbours, so that any corner may be the first. */
     private long hash(PolygonRing outline) {
         int n = outline.size();
         long before = place(outline.corner(n - 1));
@@ -40,7 +40,7 @@ final class PolygonSet {
         return hash;
     }
 
-    /** Adding zero makes minus zero plus zero. */
+    /** A hash of a corner's position; adding 0 turns -0 into +0. */
     private long place(int corner) {
         int p = 3 * polygons.point(corner);
         long x = Float.floatToIntBits(points.get(p) + 0f);

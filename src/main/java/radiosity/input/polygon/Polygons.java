@@ -5,29 +5,30 @@ import radiosity.input.file.IntList;
 /**
  * Polygons as a file lists them, in arrays.
  *
- * <p>A polygon of a kind that is not taken stays in the list without corners, as others are numbered after it.
+ * <p>A polygon of a kind that is not read stays in the list without corners, as the file numbers later polygons after
+ * it.
  */
 public final class Polygons {
 
-    /** Surface number of a polygon that names none. */
+    /** Surface number of a polygon that names no surface. */
     public static final int UNTAGGED = -1;
 
     private final IntList ends = new IntList();
     private final IntList corners = new IntList();
     private final IntList tags = new IntList();
 
-    /** Adds a corner of the polygon that the next {@link #close} makes. */
+    /** Adds a corner, at the point with an index, to the polygon that the next {@link #close} ends. */
     public void corner(int point) {
         corners.add(point);
     }
 
-    /** Ends the polygon of the corners added since the last one; {@code tag} is its surface's number. */
+    /** Ends the polygon, whose corners are those added since the last end; {@code tag} is the number of its surface. */
     public void close(int tag) {
         ends.add(corners.size());
         tags.add(tag);
     }
 
-    /** Ends it without its corners. */
+    /** Ends the polygon and drops its corners. */
     public void closeEmpty() {
         corners.cut(size() == 0 ? 0 : ends.get(size() - 1));
         close(UNTAGGED);
@@ -46,7 +47,7 @@ public final class Polygons {
         return ends.get(polygon);
     }
 
-    /** The point at one of all corners. */
+    /** Index of the point at a corner, which is an index among all corners. */
     public int point(int corner) {
         return corners.get(corner);
     }

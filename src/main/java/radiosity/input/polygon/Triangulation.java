@@ -6,10 +6,10 @@ import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
 import radiosity.input.file.WorkBudget;
 
-/** Cuts polygons into triangles: convex ones as a fan from the first corner, others by their ears. */
+/** Cuts polygons into triangles: convex polygons as a fan from the first corner, others by ear clipping. */
 public final class Triangulation {
 
-    /** Largest share by which the triangles of a sound polygon may have more than its area. */
+    /** Largest excess of the area of the triangles over the area of a sound polygon, relative to the polygon's area. */
     private static final double AREA_TOLERANCE = 1e-6;
 
     private final FloatList points;
@@ -24,7 +24,8 @@ public final class Triangulation {
     /**
      * @param points   x, y, z of each point
      * @param polygons corners of polygons, which may name points that do not exist
-     * @param place    where a polygon is in its file, for remarks: "layer 2, polygon 7"
+     * @param place    place of a polygon in its file, for remarks: "layer 2, polygon 7"
+     * @param work     shared by all polygons of a scene
      */
     public Triangulation(FloatList points, Polygons polygons, IntFunction<String> place, WorkBudget work,
             Diagnostics notes) {
@@ -37,7 +38,7 @@ public final class Triangulation {
         this.seen = new PolygonSet(points, polygons);
     }
 
-    /** Appends the corners of a polygon's triangles, 3 per triangle; what is wrong with it is noted. */
+    /** Appends the corners of a polygon's triangles, 3 per triangle; notes and drops a polygon that cannot be cut. */
     public void cut(int polygon, IntList triangles) {
         int corners = polygons.end(polygon) - polygons.start(polygon);
         if (corners < 3 || !isSound(polygon)) {
