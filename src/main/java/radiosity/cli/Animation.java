@@ -33,7 +33,7 @@ final class Animation {
     }
 
     /**
-     * Renders the frames that are not done, in their order, until the user stops the program.
+     * Renders the frames that are not done, in their order, while no stop is requested.
      *
      * @throws Failure after the last frame, where frames missed the accuracy that {@code --accuracy} asks for
      */

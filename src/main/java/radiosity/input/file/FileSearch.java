@@ -98,9 +98,7 @@ public final class FileSearch {
         return found.computeIfAbsent("object " + written, w -> search(written, this::isObject));
     }
 
-    /**
-     * A file of any other kind (image, materials, bytes) for a path in a scene or an object; empty if there is none.
-     */
+    /** A file of any other kind (image, materials, bytes) for a path in a scene or object; empty if there is none. */
     public Optional<Path> file(String written) {
         return found.computeIfAbsent("file " + written, w -> search(written, p -> true));
     }

@@ -29,9 +29,7 @@ final class EarClipper {
     /** A corner that has not been cut off. */
     private int some;
 
-    /**
-     * Strictness of the test for an ear: no corner inside or on the border; none inside; any convex one; any corner.
-     */
+    /** Strictness of the test for an ear: no corner inside or on the border; none inside; convex corner; any corner. */
     private enum Level { CLEAR, TOUCHING, CONVEX, ANY }
 
     EarClipper(PolygonRing outline, WorkBudget work) {
@@ -148,10 +146,7 @@ final class EarClipper {
         return true;
     }
 
-    /**
-     * Whether p lies in the triangle a, b, c and at no corner of it. The edge c a is tested first, as most corners lie
-     * beyond this edge.
-     */
+    /** Whether p lies in the triangle a, b, c, not at its corners; edge c a is first, as most corners lie beyond it. */
     private boolean blocks(int p, int a, int b, int c, boolean borderCounts) {
         double least = outline.cross(c, a, p);
         if (least < 0) {

@@ -25,7 +25,7 @@ final class PolygonSet {
         return seen.findOrAdd(hash(outline), next) == next;
     }
 
-    /** The sum over all corners of a hash of the corner and its neighbours, so that any corner may be the first. */
+    /** The sum over all corners of a hash of the corner and its neighbours: independent of which corner is first. */
     private long hash(PolygonRing outline) {
         int n = outline.size();
         long before = place(outline.corner(n - 1));
