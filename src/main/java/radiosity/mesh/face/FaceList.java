@@ -63,18 +63,17 @@ final class FaceList {
         for (int f = 0; f < count; f++) {
             List<int[]> pieces = cut.byFace().get(f);
             if (pieces == null) {
-                list.add(this, f, point[3 * f], point[3 * f + 1], point[3 * f + 2]);
+                list.add(this, f, piece[f], point[3 * f], point[3 * f + 1], point[3 * f + 2]);
                 continue;
             }
             for (int[] p : pieces) {
-                list.piece[list.count] = true;
-                list.add(this, f, p[0], p[1], p[2]);
+                list.add(this, f, true, p[0], p[1], p[2]);
             }
         }
         return list;
     }
 
-    private void add(FaceList whole, int face, int p, int q, int r) {
+    private void add(FaceList whole, int face, boolean isPiece, int p, int q, int r) {
         Vec3 a = box.unit(points.at(p));
         Vec3 b = box.unit(points.at(q));
         Vec3 c = box.unit(points.at(r));
@@ -82,6 +81,7 @@ final class FaceList {
         if (itsArea < Faces.LEAST_AREA) {
             return;
         }
+        piece[count] = isPiece;
         Vec3 n = new Vec3(whole.normal[3 * face], whole.normal[3 * face + 1], whole.normal[3 * face + 2]);
         add(whole.side[face], a, b, c, n, itsArea, p, q, r);
     }
