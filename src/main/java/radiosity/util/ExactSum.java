@@ -3,16 +3,20 @@ package radiosity.util;
 /**
  * A sum that does not depend on the order of its terms: a fixed-point number with a unit of 2^-70 of a given scale.
  *
- * <p>Each term is rounded to the unit and cut into two whole numbers, whose sums are exact.
+ * <p>Each term is rounded to the unit and cut into two whole numbers, whose sums are exact. A sum with a term that is
+ * NaN or infinite is NaN.
  */
 public final class ExactSum {
 
     private static final double LOW = 0x1p35;
+    /** Both whole numbers of a sum that is NaN; the low number of any other sum is at least 0. */
+    private static final long NOT_A_NUMBER = Long.MIN_VALUE;
 
     /** 2^-70 of the power of two at or below the scale. */
     private final double unit;
     private long high;
     private long low;
+    private boolean isNumber = true;
 
     /** @param scale expected size of the sum, at least 0; the sum may become up to 2^14 times as large */
     public ExactSum(double scale) {
@@ -22,6 +26,7 @@ public final class ExactSum {
     public void add(double term) {
         double q = term / unit;
         double h = Math.floor(q / LOW);
+        isNumber &= Double.isFinite(term);
         high += (long) h;
         low += (long) Math.rint(q - h * LOW);
     }
@@ -30,24 +35,26 @@ public final class ExactSum {
     public void add(ExactSum other) {
         high += other.high;
         low += other.low;
+        isNumber &= other.isNumber;
     }
 
     public double value() {
-        return (high * LOW + low) * unit;
+        return isNumber ? (high * LOW + low) * unit : Double.NaN;
     }
 
     public long high() {
-        return high;
+        return isNumber ? high : NOT_A_NUMBER;
     }
 
     public long low() {
-        return low;
+        return isNumber ? low : NOT_A_NUMBER;
     }
 
     /** Sets the two whole numbers of this sum, as {@link #high} and {@link #low} return them. */
     public ExactSum with(long h, long l) {
         high = h;
         low = l;
+        isNumber = h != NOT_A_NUMBER || l != NOT_A_NUMBER;
         return this;
     }
 }
