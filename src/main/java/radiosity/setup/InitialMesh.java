@@ -39,8 +39,12 @@ public final class InitialMesh {
     private static final int STATE = 4;
     /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
-    /** Approximate number of blocks without prediction, and with it, where borders between blocks cost little. */
+    /**
+     * Approximate number of blocks without prediction, with or without a threshold for the division of elements: with
+     * one, each vertex on a border between two hosts is computed by both of them, see {@link #gathersOnce}.
+     */
     private static final int BLOCKS = 256;
+    /** Approximate number of blocks with prediction: blocks are small, so that all hosts can be given equal work. */
     private static final int FINE_BLOCKS = 1024;
     /** Approximate number of clusters of patches that shoot together. */
     private static final int CLUSTERS = 128;
