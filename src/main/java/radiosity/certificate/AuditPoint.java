@@ -80,17 +80,18 @@ final class AuditPoint {
         isBuried = burial.isBuried(place, 0, face);
         this.weight = weight;
         nearest = weight[0] >= weight[1] && weight[0] >= weight[2] ? 0 : weight[1] >= weight[2] ? 1 : 2;
-        vertexIsBuried = nodes.isBuried(nodes.corner(node, nearest));
+        vertexIsBuried = nodes.points().isBuried(nodes.corner(node, nearest));
         for (int k = 0; k < 3; k++) {
-            System.arraycopy(nodes.receivers(), 3 * nodes.corner(node, k), corner, 3 * k, 3);
+            System.arraycopy(nodes.points().receivers(), 3 * nodes.corner(node, k), corner, 3 * k, 3);
         }
         spread = nodes.isPoint(node) ? 1 : Arrays.stream(weight).map(w -> w * w).sum();
         exitance = channels(c -> nodes.exitance(node, c));
         reflectance = channels(c -> nodes.reflectance(node, c));
         interpolated = channels(c -> IntStream.range(0, 3)
                 .mapToDouble(k -> weight[k] * nodes.light().irradiance(node, k, c)).sum());
-        shown = nodes.isPoint(node) ? interpolated : channels(c -> IntStream.range(0, 3).mapToDouble(k -> weight[k]
-                * bulges.shown(nodes.vertexKey(nodes.corner(node, k)), c, nodes.light().irradiance(node, k, c))).sum());
+        shown = nodes.isPoint(node) ? interpolated : channels(c -> IntStream.range(0, 3)
+                .mapToDouble(k -> weight[k] * bulges.shown(nodes.points().key(nodes.corner(node, k)), c,
+                        nodes.light().irradiance(node, k, c))).sum());
         bulge = channels(c -> nodes.light().bulge(node, c));
         atVertex = channels(c -> nodes.light().irradiance(node, nearest, c));
         fromLights = new double[faces.channels()];

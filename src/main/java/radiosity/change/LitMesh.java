@@ -65,13 +65,13 @@ final class LitMesh {
             return;
         }
         double[] irradiance = nodes.light().irradiance();
-        float[] x = nodes.receivers();
+        float[] x = nodes.points().receivers();
         parallel.run(vertices.length, RUN, (from, to) -> {
             double[] sum = new double[channels];
             for (int i = from; i < to; i++) {
                 int v = vertices[i];
                 Arrays.fill(sum, 0);
-                int plane = nodes.vertexPlane(v); // of mesh: the scene of the sources may number faces otherwise
+                int plane = nodes.points().plane(v); // of mesh: the scene of the sources may number faces otherwise
                 Vec3 normal = new Vec3(mesh.faces.normal(plane, 0), mesh.faces.normal(plane, 1),
                         mesh.faces.normal(plane, 2));
                 sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), normal, sum, 0);

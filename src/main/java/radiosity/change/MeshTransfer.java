@@ -249,7 +249,7 @@ final class MeshTransfer {
         }
         for (int k = 0; k < 3; k++) {
             put(element, k, shot, arrived);
-            if (at == path && old.isBuried(old.corner(twin, k))) {
+            if (at == path && old.points().isBuried(old.corner(twin, k))) {
                 wasBuried.set(made.corner(element, k));
             }
         }
@@ -322,7 +322,7 @@ final class MeshTransfer {
         }
         boolean isSeen = false;
         for (int k = 0; k < 3 && node >= 0; k++) {
-            isSeen |= !old.isBuried(old.corner(node, k));
+            isSeen |= !old.points().isBuried(old.corner(node, k));
             for (int c = 0; c < channels; c++) {
                 shot[to + c] += weights[k] * old.light().shot(node, k, c);
                 arrived[to + c] += weights[k] * old.light().irradiance(node, k, c);

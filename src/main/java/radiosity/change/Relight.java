@@ -80,7 +80,7 @@ public final class Relight {
         lit = new LitMesh(now, nodes, parallel);
         bury();
         int[] kept = IntStream.range(0, nodes.vertices())
-                .filter(v -> !transfer.fresh.get(v) && !nodes.isBuried(v)).toArray();
+                .filter(v -> !transfer.fresh.get(v) && !nodes.points().isBuried(v)).toArray();
         if (change.isOfGeometry()) {
             correct(earlier, kept, rules);
         }
@@ -88,7 +88,7 @@ public final class Relight {
             lit.light(kept, new LightSources(before.faces, before.bounds()), -1);
             lit.light(kept, new LightSources(now.faces, now.bounds()), 1);
         }
-        int[] fresh = transfer.fresh.stream().filter(v -> !nodes.isBuried(v)).toArray();
+        int[] fresh = transfer.fresh.stream().filter(v -> !nodes.points().isBuried(v)).toArray();
         gather(fresh, new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]));
         return lit.states();
     }
@@ -117,7 +117,7 @@ public final class Relight {
         if (change.isOfGeometry()) {
             lit.gatherer.bury(nodes, IntStream.range(0, nodes.vertices()).toArray());
         } else {
-            transfer.wasBuried.stream().forEach(nodes::bury);
+            transfer.wasBuried.stream().forEach(nodes.points()::bury);
         }
         transfer.moved.stream().filter(v -> isNear(v, boxes)).forEach(transfer.fresh::set);
         transfer.fresh.or(transfer.wasBuried);
@@ -127,7 +127,7 @@ public final class Relight {
 
     /** Whether a vertex lies near an object that has come or gone. */
     private boolean isNear(int v, List<Aabb> boxes) {
-        float[] x = nodes.receivers();
+        float[] x = nodes.points().receivers();
         for (Aabb box : boxes) {
             double far = AROUND * box.diagonal();
             boolean isInside = true;
@@ -163,7 +163,7 @@ public final class Relight {
             checkWanted();
             for (int i = from; i < to; i++) {
                 int v = vertices[i];
-                int slack = now.patcher.slack(nodes.vertexFace(v));
+                int slack = now.patcher.slack(nodes.points().face(v));
                 GatherSink.Irradiance come = new GatherSink.Irradiance(channels);
                 for (ShooterHierarchy shooter : kept) {
                     lit.gatherer.gather(differences[slack], shooter, nodes, v, 0, come);
@@ -260,8 +260,8 @@ public final class Relight {
             return sum;
         }
         parallel.run(nodes.vertices(), v -> {
-            if (!nodes.isBuried(v)) {
-                sources.add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), at, channels * v);
+            if (!nodes.points().isBuried(v)) {
+                sources.add(nodes.points().receivers(), 3 * v, nodes.points().plane(v), at, channels * v);
             }
         });
         double squared = now.faces.size() * now.faces.size();

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.ReceivingPoints;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
@@ -49,7 +50,8 @@ public final class LightSources {
 
     /** Adds the light of all sources to the irradiance of a vertex. */
     public void light(RadiosityNodes nodes, int v) {
-        add(nodes.receivers(), 3 * v, nodes.vertexPlane(v), nodes.light().irradiance(), nodes.channels() * v);
+        ReceivingPoints points = nodes.points();
+        add(points.receivers(), 3 * v, points.plane(v), nodes.light().irradiance(), nodes.channels() * v);
     }
 
     /**

@@ -27,13 +27,14 @@ public final class InteriorTest {
     public void look(RadiosityNodes nodes, int first, int last) {
         for (int v = first; v < last; v++) {
             if (isBuried(nodes, v)) {
-                nodes.bury(v);
+                nodes.points().bury(v);
             }
         }
     }
 
     private boolean isBuried(RadiosityNodes nodes, int v) {
-        return hidden.test(nodes.vertexFace(v)) || isHeld(nodes.receivers(), 3 * v, nodes.vertexPlane(v));
+        ReceivingPoints points = nodes.points();
+        return hidden.test(points.face(v)) || isHeld(points.receivers(), 3 * v, points.plane(v));
     }
 
     /**

@@ -1,8 +1,6 @@
 package radiosity.mesh;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
@@ -156,6 +154,10 @@ public final class RadiosityNodes {
         return light;
     }
 
+    public ReceivingPoints points() {
+        return points;
+    }
+
     /** Number of nodes, inner nodes and elements. */
     public int nodes() {
         return tree.count();
@@ -260,73 +262,6 @@ public final class RadiosityNodes {
     /** Area of a node, in squared scene sizes. */
     public double area(int node) {
         return faces.area(face(node)) / (1L << 2 * tree.level(node));
-    }
-
-    /** Receiving points of all vertices, x, y, z, 3 per vertex; not to be modified. */
-    public float[] receivers() {
-        return points.receivers();
-    }
-
-    /** A face on which a vertex lies, or a neighbour of that face: the same for whichever face the vertex was made. */
-    public int vertexFace(int vertex) {
-        return points.face(vertex);
-    }
-
-    /** The face in whose plane a vertex receives: the same for whichever face the vertex was made. */
-    public int vertexPlane(int vertex) {
-        return points.plane(vertex);
-    }
-
-    /** Key of the place of a vertex, equal for all owners. */
-    public long vertexKey(int vertex) {
-        return points.key(vertex);
-    }
-
-    /** Number of the split that made a vertex; 0 in the initial mesh. */
-    public int made(int vertex) {
-        return points.made(vertex);
-    }
-
-    /** The vertices that were made by splits with this number, ascending. */
-    public int[] verticesMade(int with) {
-        return points.madeBy(with);
-    }
-
-    /** Sets the irradiance of all vertices aside and starts anew from 0, so that all vertices can gather again. */
-    public void setAside() {
-        points.setAside();
-    }
-
-    /**
-     * Averages the irradiance gathered anew with the irradiance set aside, unless this is negative in a channel.
-     *
-     * @param anew weight of the irradiance gathered anew, in (0, 1]
-     */
-    public void averageAside(double anew) {
-        points.averageAside(anew);
-    }
-
-    /** Whether vertices gather anew while their earlier irradiance is set aside. */
-    public boolean isSetAside() {
-        return points.isSetAside();
-    }
-
-    /** Irradiance of a vertex for display, W/m²: the irradiance set aside, if there is one, else the current. */
-    public double shown(int vertex, int channel) {
-        return points.shown(vertex, channel);
-    }
-
-    /** Restores the irradiance of a vertex that is set aside, from a saved state, W/m². */
-    public void setAside(int vertex, int channel, double irradiance) {
-        points.setAside(vertex, channel, irradiance);
-    }
-
-    public boolean isBuried(int vertex) {
-        return points.isBuried(vertex);
-    }
-
-    public void bury(int vertex) {
-        points.bury(vertex);
     }
 
     /** Exitance E, mean over a node, W/m². */

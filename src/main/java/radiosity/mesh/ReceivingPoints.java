@@ -8,7 +8,7 @@ import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
 /** The vertices of some patch trees in arrays: position, receiving point and irradiance of each vertex. */
-final class ReceivingPoints {
+public final class ReceivingPoints {
 
     /** Weights of a face's corners at the centroid of the face, in units of 2^-30. */
     private static final int[] MIDDLE = {NodePath.ONE / 3, NodePath.ONE / 3, NodePath.ONE - 2 * (NodePath.ONE / 3)};
@@ -149,35 +149,41 @@ final class ReceivingPoints {
         return count;
     }
 
-    float[] receivers() {
+    /** Receiving points of all vertices, x, y, z, 3 per vertex; not to be modified. */
+    public float[] receivers() {
         return receiver;
     }
 
-    int face(int v) {
+    /** A face on which a vertex lies, or a neighbour of that face: the same for whichever face the vertex was made. */
+    public int face(int v) {
         return face[v];
     }
 
-    int plane(int v) {
+    /** The face in whose plane a vertex receives: the same for whichever face the vertex was made. */
+    public int plane(int v) {
         return patcher.faces().plane(face[v]);
     }
 
-    long key(int v) {
+    /** Key of the place of a vertex, equal for all owners. */
+    public long key(int v) {
         return key[v];
     }
 
-    int made(int v) {
+    /** Number of the split that made a vertex; 0 in the initial mesh. */
+    public int made(int v) {
         return made[v];
     }
 
-    int[] madeBy(int with) {
+    /** The vertices that were made by splits with this number, ascending. */
+    public int[] madeBy(int with) {
         return IntStream.range(0, count).filter(v -> made[v] == with).toArray();
     }
 
-    boolean isBuried(int v) {
+    public boolean isBuried(int v) {
         return buried[v];
     }
 
-    void bury(int v) {
+    public void bury(int v) {
         buried[v] = true;
     }
 
@@ -185,14 +191,18 @@ final class ReceivingPoints {
         return irradiance;
     }
 
-    /** See {@link RadiosityNodes#setAside()}. */
-    void setAside() {
+    /** Sets the irradiance of all vertices aside and starts anew from 0, so that all vertices can gather again. */
+    public void setAside() {
         aside = irradiance;
         irradiance = new double[aside.length];
     }
 
-    /** See {@link RadiosityNodes#averageAside}. */
-    void averageAside(double anew) {
+    /**
+     * Averages the irradiance gathered anew with the irradiance set aside, unless this is negative in a channel.
+     *
+     * @param anew weight of the irradiance gathered anew, in (0, 1]
+     */
+    public void averageAside(double anew) {
         for (int v = 0; v < count; v++) {
             boolean isNegative = false;
             for (int c = 0; c < channels; c++) {
@@ -205,17 +215,18 @@ final class ReceivingPoints {
         aside = null;
     }
 
-    boolean isSetAside() {
+    /** Whether vertices gather anew while their earlier irradiance is set aside. */
+    public boolean isSetAside() {
         return aside != null;
     }
 
-    /** See {@link RadiosityNodes#shown}. */
-    double shown(int v, int channel) {
+    /** Irradiance of a vertex for display, W/m²: the irradiance set aside, if there is one, else the current. */
+    public double shown(int v, int channel) {
         return (aside == null ? irradiance : aside)[channels * v + channel];
     }
 
-    /** See {@link RadiosityNodes#setAside(int, int, double)}. */
-    void setAside(int v, int channel, double value) {
+    /** Restores the irradiance of a vertex that is set aside, from a saved state, W/m². */
+    public void setAside(int v, int channel, double value) {
         aside = aside == null ? new double[irradiance.length] : aside;
         aside[channels * v + channel] = value;
     }

@@ -31,7 +31,7 @@ public final class VertexBulge {
      */
     public void add(RadiosityNodes nodes, int dark) {
         for (int node = 0; node < nodes.nodes(); node++) {
-            if (nodes.isElement(node) && !nodes.isPoint(node) && !nodes.isSetAside()) {
+            if (nodes.isElement(node) && !nodes.isPoint(node) && !nodes.points().isSetAside()) {
                 add(nodes, node, hasGathered(nodes, nodes.parent(node), dark));
             }
         }
@@ -41,7 +41,7 @@ public final class VertexBulge {
     private static boolean hasGathered(RadiosityNodes nodes, int parent, int dark) {
         boolean all = parent >= 0;
         for (int k = 0; k < 3 && all && dark != 0; k++) {
-            all = nodes.made(nodes.corner(nodes.child(parent) + 3, k)) != dark;
+            all = nodes.points().made(nodes.corner(nodes.child(parent) + 3, k)) != dark;
         }
         return all;
     }
@@ -49,7 +49,7 @@ public final class VertexBulge {
     private void add(RadiosityNodes nodes, int node, boolean curves) {
         double its = nodes.area(node);
         for (int k = 0; k < 3; k++) {
-            int v = index.findOrAdd(nodes.vertexKey(nodes.corner(node, k)), index.size());
+            int v = index.findOrAdd(nodes.points().key(nodes.corner(node, k)), index.size());
             if (v == area.length) {
                 int room = ArraySize.room("curved light at vertices in " + channels + " channels", v + 1L, 2L * v,
                         channels);

@@ -37,7 +37,7 @@ final class CoarseReceivers {
         BitSet mine = new BitSet();
         blocks.forEach(block -> mine.set(block.id()));
         asked = IntStream.range(0, nodes.vertices())
-                .filter(v -> mesh.representatives.leader(nodes.vertexFace(v)) == nodes.vertexFace(v))
+                .filter(v -> mesh.representatives.leader(nodes.points().face(v)) == nodes.points().face(v))
                 .filter(v -> mine.get((int) ((long) v * mesh.blocks.size() / nodes.vertices()))).toArray();
         receivers.bury(nodes, asked);
     }
@@ -59,12 +59,12 @@ final class CoarseReceivers {
 
     private byte[] row(int v, ShooterHierarchy[] all, FormFactorCalculator calculator) {
         RowRecorder seen = new RowRecorder();
-        for (int i = 0; i < all.length && !nodes.isBuried(v); i++) {
+        for (int i = 0; i < all.length && !nodes.points().isBuried(v); i++) {
             receivers.gather(calculator, all[i], nodes, v, 0, seen);
         }
         return Wire.bytes(out -> {
-            out.writeLong(nodes.vertexKey(v));
-            out.writeBoolean(nodes.isBuried(v));
+            out.writeLong(nodes.points().key(v));
+            out.writeBoolean(nodes.points().isBuried(v));
             seen.write(nodes, out);
         });
     }

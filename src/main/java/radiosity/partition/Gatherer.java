@@ -102,10 +102,10 @@ public final class Gatherer {
         }
         int channels = faces.channels();
         for (int v : vertices) {
-            for (int c = 0; c < channels && !nodes.isBuried(v); c++) {
+            for (int c = 0; c < channels && !nodes.points().isBuried(v); c++) {
                 double before = nodes.light().irradiance()[channels * v + c];
                 nodes.light().irradiance()[channels * v + c] = before * (1 + (back.length == 0 ? 0 : back[c]))
-                        + ambient.at(nodes.vertexFace(v), c);
+                        + ambient.at(nodes.points().face(v), c);
             }
         }
     }
@@ -122,9 +122,9 @@ public final class Gatherer {
         double[] irradiance = nodes.light().irradiance();
         GatherSink.Irradiance sum = new GatherSink.Irradiance(channels);
         for (int v : run) {
-            if (!nodes.isBuried(v)) {
+            if (!nodes.points().isBuried(v)) {
                 System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
-                gather(calculator[mesh.patcher.slack(nodes.vertexFace(v))], shooter, nodes, v, turn, sum);
+                gather(calculator[mesh.patcher.slack(nodes.points().face(v))], shooter, nodes, v, turn, sum);
                 System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
             }
         }
@@ -133,10 +133,10 @@ public final class Gatherer {
     /** Reports to {@code sum} the light that one vertex receives of one shooter; {@code turn} as for many vertices. */
     public void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int v, int turn,
             GatherSink sum) {
-        float[] x = nodes.receivers();
-        int f = nodes.vertexPlane(v);
+        float[] x = nodes.points().receivers();
+        int f = nodes.points().plane(v);
         calculator.gather(x[3 * v], x[3 * v + 1], x[3 * v + 2],
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2),
-                turn == 0 ? nodes.vertexKey(v) : Hash.mix(nodes.vertexKey(v), turn), shooter, sum);
+                turn == 0 ? nodes.points().key(v) : Hash.mix(nodes.points().key(v), turn), shooter, sum);
     }
 }

@@ -65,10 +65,10 @@ public final class GhostVertices {
 
     /** Key equal on all hosts for vertices that gather the same: with the same position, plane and creating split. */
     public static long key(RadiosityNodes nodes, int v) {
-        long key = Hash.mix(nodes.vertexKey(v), nodes.made(v));
-        key = Hash.mix(key, nodes.vertexPlane(v));
+        long key = Hash.mix(nodes.points().key(v), nodes.points().made(v));
+        key = Hash.mix(key, nodes.points().plane(v));
         for (int a = 0; a < 3; a++) {
-            key = Hash.mix(key, Float.floatToIntBits(nodes.receivers()[3 * v + a]));
+            key = Hash.mix(key, Float.floatToIntBits(nodes.points().receivers()[3 * v + a]));
         }
         return key;
     }

@@ -162,7 +162,7 @@ public final class MeshRefinement {
         double brightest = 0;
         for (int k = 0; k < 6; k++) {
             int v = k < 3 ? nodes.corner(node, k) : nodes.corner(nodes.child(node) + 3, k - 3);
-            for (int c = 0; c < nodes.channels() && !nodes.isBuried(v); c++) {
+            for (int c = 0; c < nodes.channels() && !nodes.points().isBuried(v); c++) {
                 brightest = Math.max(brightest, weigh(node, c, at(v, c)));
             }
         }
@@ -184,7 +184,7 @@ public final class MeshRefinement {
     private double ofMiddle(int parent, int middle, int k) {
         int p = nodes.corner(parent, (k + 1) % 3);
         int q = nodes.corner(parent, (k + 2) % 3);
-        boolean hidden = nodes.isBuried(middle) || nodes.isBuried(p) || nodes.isBuried(q);
+        boolean hidden = nodes.points().isBuried(middle) || nodes.points().isBuried(p) || nodes.points().isBuried(q);
         double largest = 0;
         for (int c = 0; c < nodes.channels(); c++) {
             double difference = hidden ? ofVisible(parent, c)
@@ -204,7 +204,7 @@ public final class MeshRefinement {
         int seen = 0;
         for (int k = 0; k < 6; k++) {
             int v = k < 3 ? nodes.corner(parent, k) : nodes.corner(nodes.child(parent) + 3, k - 3);
-            if (!nodes.isBuried(v)) {
+            if (!nodes.points().isBuried(v)) {
                 seen++;
                 low = Math.min(low, at(v, c));
                 high = Math.max(high, at(v, c));

@@ -103,7 +103,7 @@ public final class PartitionImpl implements Partition {
             case SPLIT -> split(order);
             case GATHER, REGATHER, MEND -> gather(order);
             case RENEW -> renew(order);
-            case AVERAGE -> nodes.averageAside(order.rules().anew());
+            case AVERAGE -> nodes.points().averageAside(order.rules().anew());
             case BALANCE -> receivers.receiveAmbient(order, nodes, IntStream.range(0, nodes.vertices()).toArray());
             case REST -> gatherRest();
             default -> { }
@@ -149,7 +149,7 @@ public final class PartitionImpl implements Partition {
      */
     private int[] points(Order order) {
         return switch (order.kind()) {
-            case GATHER -> nodes.verticesMade(order.number() - 1);
+            case GATHER -> nodes.points().madeBy(order.number() - 1);
             case MEND -> IntStream.range(0, nodes.vertices()).filter(this::isNegative).toArray();
             default -> IntStream.range(0, nodes.vertices()).toArray();
         };
@@ -176,7 +176,7 @@ public final class PartitionImpl implements Partition {
     private void renew(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
         if (!order.begun()) {
-            nodes.setAside();
+            nodes.points().setAside();
             light(IntStream.range(0, nodes.vertices()).toArray());
         }
     }
@@ -185,7 +185,7 @@ public final class PartitionImpl implements Partition {
     private void light(int[] vertices) {
         if (!lights.isEmpty()) {
             parallel.run(vertices.length, i -> {
-                if (!nodes.isBuried(vertices[i])) {
+                if (!nodes.points().isBuried(vertices[i])) {
                     lights.light(nodes, vertices[i]);
                 }
             });
@@ -237,7 +237,7 @@ public final class PartitionImpl implements Partition {
 
     /** Gathers shooter by shooter at runs of neighbouring points: rays from neighbours to one shooter run alike. */
     private void gather(Work work, int[] points) {
-        int[] vertices = IntStream.of(points).filter(v -> !nodes.isBuried(v)).toArray();
+        int[] vertices = IntStream.of(points).filter(v -> !nodes.points().isBuried(v)).toArray();
         boolean isMended = work.order.kind() == Order.Kind.MEND;
         boolean isAnother = isMended || work.order.kind() == Order.Kind.REGATHER || work.order.rules().sparing();
         int turn = isAnother ? work.order.number() : 0;

@@ -49,7 +49,7 @@ public final class CoarseRows {
         channels = faces.channels();
         index = new LongIndex(nodes.vertices());
         for (int v = 0; v < nodes.vertices(); v++) {
-            index.findOrAdd(nodes.vertexKey(v), v);
+            index.findOrAdd(nodes.points().key(v), v);
         }
         column = new int[nodes.vertices()][];
         entry = new float[nodes.vertices()][];
@@ -59,7 +59,7 @@ public final class CoarseRows {
     }
 
     private int leader(int v, RepresentativeFaces representatives) {
-        int f = nodes.vertexFace(v);
+        int f = nodes.points().face(v);
         int leader = representatives.leader(f);
         return leader == f ? v : nodes.corner(nodes.find(leader, NodePath.FACE), 0);
     }
@@ -97,7 +97,7 @@ public final class CoarseRows {
                         + " bytes");
             }
             if (in.get() != 0) {
-                nodes.bury(v);
+                nodes.points().bury(v);
             }
             int size = count(in, RowRecorder.entryBytes(nodes));
             int from = parts[v] == taken ? column[v].length - size : column[v].length;
@@ -128,7 +128,7 @@ public final class CoarseRows {
             for (float part : entry[v]) {
                 seen += part;
             }
-            boolean closed = rooms.room(nodes.vertexFace(v)) >= 0 && seen > 0;
+            boolean closed = rooms.room(nodes.points().face(v)) >= 0 && seen > 0;
             for (int i = 0; i < entry[v].length && closed; i++) {
                 entry[v][i] /= (float) seen;
             }
@@ -200,13 +200,13 @@ public final class CoarseRows {
 
     /** Form factor of entry i of row v to corner k of its patch; a buried corner's is shared among the others. */
     private float weight(int patch, int k, int v, int i) {
-        if (nodes.isBuried(nodes.corner(patch, k))) {
+        if (nodes.points().isBuried(nodes.corner(patch, k))) {
             return 0;
         }
         float buried = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
-            boolean hidden = nodes.isBuried(nodes.corner(patch, j));
+            boolean hidden = nodes.points().isBuried(nodes.corner(patch, j));
             buried += hidden ? entry[v][3 * i + j] : 0;
             seen += hidden ? 0 : 1;
         }

@@ -103,14 +103,14 @@ public final class CoarseSystem {
 
     /** Irradiance at corner k of a patch, W/m²; at a buried corner the mean of the patch's other corners, or 0. */
     private double corner(int patch, int k, double[] h, int c) {
-        if (!nodes.isBuried(nodes.corner(patch, k))) {
+        if (!nodes.points().isBuried(nodes.corner(patch, k))) {
             return h[channels * rows.unknown(nodes.corner(patch, k)) + c];
         }
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
             int v = nodes.corner(patch, j);
-            if (!nodes.isBuried(v)) {
+            if (!nodes.points().isBuried(v)) {
                 sum += h[channels * rows.unknown(v) + c];
                 seen++;
             }

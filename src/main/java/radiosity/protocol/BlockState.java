@@ -8,6 +8,7 @@ import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.BitSet;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.ReceivingPoints;
 
 /**
  * Writes the state of a block as bytes and restores it. The state lists the nodes of each subtree in preorder. An inner
@@ -41,6 +42,7 @@ public final class BlockState {
             }
             return;
         }
+        ReceivingPoints points = nodes.points();
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
             out.writeDouble(nodes.light().shot(node, i / channels, i % channels));
@@ -49,12 +51,12 @@ public final class BlockState {
             int v = nodes.corner(node, k);
             if (!met.get(v)) {
                 met.set(v);
-                out.writeByte((nodes.isBuried(v) ? BURIED : 0) | (nodes.isSetAside() ? SET_ASIDE : 0));
+                out.writeByte((points.isBuried(v) ? BURIED : 0) | (points.isSetAside() ? SET_ASIDE : 0));
                 for (int c = 0; c < channels; c++) {
                     out.writeDouble(nodes.light().irradiance()[channels * v + c]);
                 }
-                for (int c = 0; c < channels && nodes.isSetAside(); c++) {
-                    out.writeDouble(nodes.shown(v, c));
+                for (int c = 0; c < channels && points.isSetAside(); c++) {
+                    out.writeDouble(points.shown(v, c));
                 }
             }
         }
@@ -87,6 +89,7 @@ public final class BlockState {
             }
             return;
         }
+        ReceivingPoints points = nodes.points();
         int channels = nodes.channels();
         for (int i = 0; i < 3 * channels; i++) {
             nodes.light().setShot(node, i / channels, i % channels, in.getDouble());
@@ -97,13 +100,13 @@ public final class BlockState {
                 met.set(v);
                 int flags = in.get();
                 if ((flags & BURIED) != 0) {
-                    nodes.bury(v);
+                    points.bury(v);
                 }
                 for (int c = 0; c < channels; c++) {
                     nodes.light().irradiance()[channels * v + c] = in.getDouble();
                 }
                 for (int c = 0; c < channels && (flags & SET_ASIDE) != 0; c++) {
-                    nodes.setAside(v, c, in.getDouble());
+                    points.setAside(v, c, in.getDouble());
                 }
             }
         }

@@ -75,7 +75,7 @@ final class Merger {
 
     private int vertex(RadiosityNodes nodes, int node, int k) {
         int from = nodes.corner(node, k);
-        long key = nodes.isPoint(node) ? Hash.mix(nodes.vertexKey(from), k) : nodes.vertexKey(from);
+        long key = nodes.isPoint(node) ? Hash.mix(nodes.points().key(from), k) : nodes.points().key(from);
         int v = index.findOrAdd(key, index.size());
         if (v == copies.length) {
             int room = ArraySize.room("light at vertices in " + channels + " channels", v + 1L, 2L * v,
@@ -87,10 +87,10 @@ final class Merger {
         }
         vertexKey[v] = key;
         nodes.position(node, k, position, 3 * v);
-        if (!nodes.isBuried(from) && (dark == 0 || nodes.made(from) != dark)) {
+        if (!nodes.points().isBuried(from) && (dark == 0 || nodes.points().made(from) != dark)) {
             copies[v]++;
             for (int c = 0; c < channels; c++) {
-                irradiance[channels * v + c] += nodes.shown(from, c);
+                irradiance[channels * v + c] += nodes.points().shown(from, c);
             }
         }
         return v;

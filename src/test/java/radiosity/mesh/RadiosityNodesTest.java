@@ -48,10 +48,10 @@ class RadiosityNodesTest {
         RadiosityNodes one = divided(patcher, small[0]);
         RadiosityNodes other = divided(patcher, small[1]);
         int shared = 0;
-        for (int v : one.verticesMade(1)) {
-            for (int w : other.verticesMade(1)) {
-                if (one.vertexKey(v) == other.vertexKey(w)) {
-                    assertEquals(one.vertexFace(v), other.vertexFace(w));
+        for (int v : one.points().madeBy(1)) {
+            for (int w : other.points().madeBy(1)) {
+                if (one.points().key(v) == other.points().key(w)) {
+                    assertEquals(one.points().face(v), other.points().face(w));
                     shared++;
                 }
             }
