@@ -154,31 +154,15 @@ public final class BoxTree {
      * @param found receives the numbers of the boxes, in no particular order
      */
     public void near(double[] a, double[] b, double near, IntConsumer found) {
-        if (order.length > 0) {
-            double[] segment = new double[6];
-            for (int i = 0; i < 3; i++) {
-                segment[i] = 0.5 * (a[i] + b[i]);
-                segment[3 + i] = 0.5 * (b[i] - a[i]);
-            }
-            visit(0, 0, order.length, segment, near, found);
+        double[] segment = new double[6];
+        for (int i = 0; i < 3; i++) {
+            segment[i] = 0.5 * (a[i] + b[i]);
+            segment[3 + i] = 0.5 * (b[i] - a[i]);
         }
-    }
-
-    private void visit(int node, int from, int to, double[] segment, double near, IntConsumer found) {
-        if (apart(bounds, 6 * node, segment, near)) {
-            return;
-        }
-        if (to - from > LEAF) {
-            int middle = (from + to + 1) >>> 1;
-            visit(2 * node + 1, from, middle, segment, near, found);
-            visit(2 * node + 2, middle, to, segment, near, found);
-            return;
-        }
-        for (int i = from; i < to; i++) {
-            if (!apart(boxes, 6 * order[i], segment, near)) {
-                found.accept(order[i]);
-            }
-        }
+        any((some, at) -> !apart(some, at, segment, near), i -> {
+            found.accept(i);
+            return false;
+        });
     }
 
     /**
