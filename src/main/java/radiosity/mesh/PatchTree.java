@@ -1,6 +1,8 @@
 package radiosity.mesh;
 
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
+import java.util.function.ObjIntConsumer;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
@@ -27,21 +29,52 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
 
     /** Copies the elements below a node and their values of a quantity. */
     public static PatchTree of(RadiosityNodes nodes, int top, Quantity quantity) {
-        int[] order = breadthFirst(nodes, top);
-        int channels = nodes.channels();
-        int[] below = new int[order.length];
-        double[] values = new double[3 * channels * order.length];
-        int next = 1;
-        for (int i = 0; i < order.length; i++) {
-            below[i] = -1;
-            if (!nodes.isElement(order[i])) {
-                below[i] = next;
-                next += 4;
-                continue;
+        return of(nodes.face(top), nodes.path(top), top, nodes::child, 3 * nodes.channels(), quantity);
+    }
+
+    /**
+     * Copies the elements below a node of any tree and their values of a quantity.
+     *
+     * @param children first of four consecutive children of a node of the other tree, or -1
+     * @param n        values per element
+     */
+    static PatchTree of(int face, long path, int top, IntUnaryOperator children, int n, Quantity quantity) {
+        int[] node = new int[size(top, children)];
+        int[] below = new int[node.length];
+        double[] values = new double[n * node.length];
+        node[0] = top;
+        for (int i = 0, next = 1; i < node.length; i++) {
+            int first = children.applyAsInt(node[i]);
+            below[i] = first < 0 ? -1 : next;
+            for (int k = 0; k < 4 && first >= 0; k++) {
+                node[next++] = first + k;
             }
-            quantity.put(order[i], values, 3 * channels * i);
+            if (first < 0) {
+                quantity.put(node[i], values, n * i);
+            }
         }
-        return new PatchTree(nodes.face(top), nodes.path(top), below, values);
+        return new PatchTree(face, path, below, values);
+    }
+
+    private static int size(int node, IntUnaryOperator children) {
+        int first = children.applyAsInt(node);
+        int size = 1;
+        for (int k = 0; k < 4 && first >= 0; k++) {
+            size += size(first + k, children);
+        }
+        return size;
+    }
+
+    /** 1 per node: levels below the face. */
+    int[] levels() {
+        int[] levels = new int[child.length];
+        levels[0] = NodePath.level(path);
+        for (int i = 0; i < levels.length; i++) {
+            if (child[i] >= 0) {
+                Arrays.fill(levels, child[i], child[i] + 4, levels[i] + 1);
+            }
+        }
+        return levels;
     }
 
     /** A tree that consists of one element with radiosity 0. */
@@ -61,23 +94,33 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         }
         int perNode = radiosity.length / child.length;
         double[] values = new double[perNode * into.length];
-        divide(0, null, into, 0, values, perNode);
+        interpolate(0, null, perNode, j -> into[j], 0,
+                (here, j) -> System.arraycopy(here, 0, values, perNode * j, perNode));
         return new PatchTree(face, path, into, values);
     }
 
-    /** @param here values at the corners where this tree goes no deeper, n entries; else null */
-    private void divide(int i, double[] here, int[] into, int j, double[] values, int n) {
+    /**
+     * Interpolates the radiosity at the corners of the elements of a deeper tree.
+     *
+     * @param here     values at the corners of node i where this tree goes no deeper, n entries; else null
+     * @param children first of four consecutive children of a node of the deeper tree, or -1
+     * @param j        node of the deeper tree in the place of node i
+     * @param to       receives n values, corner by corner, and their element of the deeper tree
+     */
+    private void interpolate(int i, double[] here, int n, IntUnaryOperator children, int j,
+            ObjIntConsumer<double[]> to) {
         double[] now = here == null && child[i] < 0 ? ofElement(i, n) : here;
-        if (into[j] < 0) {
+        int first = children.applyAsInt(j);
+        if (first < 0) {
             if (now == null) {
                 throw new IllegalArgumentException("tree: expected as many levels as before, got fewer");
             }
-            System.arraycopy(now, 0, values, n * j, n);
+            to.accept(now, j);
             return;
         }
         for (int k = 0; k < 4; k++) {
-            divide(now == null ? child[i] + k : i, now == null ? null : Subdivision.values(now, n / 3, k), into,
-                    into[j] + k, values, n);
+            interpolate(now == null ? child[i] + k : i, now == null ? null : Subdivision.values(now, n / 3, k), n,
+                    children, first + k, to);
         }
     }
 
@@ -114,26 +157,6 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return i < 0 ? -1 : child[i];
     }
 
-    private static int[] breadthFirst(RadiosityNodes nodes, int top) {
-        int[] order = new int[size(nodes, top)];
-        order[0] = top;
-        int end = 1;
-        for (int i = 0; i < end; i++) {
-            for (int k = 0; k < 4 && !nodes.isElement(order[i]); k++) {
-                order[end++] = nodes.child(order[i]) + k;
-            }
-        }
-        return order;
-    }
-
-    private static int size(RadiosityNodes nodes, int top) {
-        int n = 1;
-        for (int k = 0; k < 4 && !nodes.isElement(top); k++) {
-            n += size(nodes, nodes.child(top) + k);
-        }
-        return n;
-    }
-
     /**
      * Adds this tree's radiosity to the radiosity that elements have shot, interpolated where they are divided deeper.
      *
@@ -150,31 +173,18 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
             values = values == null ? null : Subdivision.values(values, nodes.channels(), k);
             at = values == null ? child[at] + k : at;
         }
-        addShot(nodes, top, at, values);
-    }
-
-    private double[] ofElement(int i, int n) {
-        return Arrays.copyOfRange(radiosity, n * i, n * i + n);
-    }
-
-    /** @param values 3 x channels at the corners where this tree goes no deeper; else null */
-    private void addShot(RadiosityNodes nodes, int node, int i, double[] values) {
-        int n = 3 * nodes.channels();
-        boolean ends = values == null && child[i] < 0;
-        double[] here = ends ? ofElement(i, n) : values;
-        if (nodes.isElement(node)) {
-            ElementLight light = nodes.light();
-            for (int j = 0; j < n; j++) {
+        ElementLight light = nodes.light();
+        interpolate(at, values, 3 * nodes.channels(), nodes::child, top, (here, node) -> {
+            for (int j = 0; j < here.length; j++) {
                 int k = j / nodes.channels();
                 int c = j % nodes.channels();
                 light.setShot(node, k, c, light.shot(node, k, c) + here[j]);
             }
-            return;
-        }
-        for (int k = 0; k < 4; k++) {
-            addShot(nodes, nodes.child(node) + k, here == null ? child[i] + k : i,
-                    here == null ? null : Subdivision.values(here, nodes.channels(), k));
-        }
+        });
+    }
+
+    private double[] ofElement(int i, int n) {
+        return Arrays.copyOfRange(radiosity, n * i, n * i + n);
     }
 
     /**

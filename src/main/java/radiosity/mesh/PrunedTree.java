@@ -1,7 +1,6 @@
 package radiosity.mesh;
 
 import java.util.Arrays;
-import radiosity.mesh.face.NodePath;
 
 /** Removes redundant elements from a patch tree: four siblings with radiosity linear over their parent are merged. */
 public final class PrunedTree {
@@ -12,14 +11,12 @@ public final class PrunedTree {
     private final double[] radiosity;
     /** Values per node: 3 x channels. */
     private final int n;
-    private int size;
 
     private PrunedTree(PatchTree tree) {
         this.tree = tree;
         child = tree.child().clone();
         radiosity = tree.radiosity().clone();
         n = radiosity.length / child.length;
-        size = child.length;
     }
 
     /**
@@ -33,31 +30,21 @@ public final class PrunedTree {
         }
         PrunedTree pruned = new PrunedTree(tree);
         pruned.prune(level);
-        return pruned.size == tree.child().length ? tree : pruned.tree();
+        return Arrays.equals(pruned.child, tree.child()) ? tree : PatchTree.of(tree.face(), tree.path(), 0,
+                i -> pruned.child[i], pruned.n,
+                (i, values, at) -> System.arraycopy(pruned.radiosity, pruned.n * i, values, at, pruned.n));
     }
 
     private void prune(int level) {
-        int[] levels = levels();
+        int[] levels = tree.levels();
         for (int i = child.length - 1; i >= 0; i--) {
             if (child[i] >= 0 && levels[i] >= level && isLinear(child[i])) {
                 for (int k = 0; k < 3; k++) {
                     System.arraycopy(radiosity, corner(child[i] + k, k), radiosity, corner(i, k), n / 3);
                 }
                 child[i] = -1;
-                size -= 4;
             }
         }
-    }
-
-    private int[] levels() {
-        int[] levels = new int[child.length];
-        levels[0] = NodePath.level(tree.path());
-        for (int i = 0; i < levels.length; i++) {
-            if (child[i] >= 0) {
-                Arrays.fill(levels, child[i], child[i] + 4, levels[i] + 1);
-            }
-        }
-        return levels;
     }
 
     private int corner(int node, int k) {
@@ -86,23 +73,5 @@ public final class PrunedTree {
             }
         }
         return true;
-    }
-
-    /** A patch tree of the nodes that remain. */
-    private PatchTree tree() {
-        int[] from = new int[size];
-        int[] below = new int[size];
-        double[] values = new double[n * size];
-        for (int i = 0, next = 1; i < size; i++) {
-            int first = child[from[i]];
-            below[i] = first < 0 ? -1 : next;
-            for (int k = 0; k < 4 && first >= 0; k++) {
-                from[next++] = first + k;
-            }
-            if (first < 0) {
-                System.arraycopy(radiosity, n * from[i], values, n * i, n);
-            }
-        }
-        return new PatchTree(tree.face(), tree.path(), below, values);
     }
 }
