@@ -3,6 +3,8 @@ package radiosity.mesh;
 import java.util.Arrays;
 import radiosity.mesh.face.NodePath;
 import radiosity.util.ArraySize;
+import radiosity.util.Hash;
+import radiosity.util.LongIndex;
 
 /**
  * The nodes of some patch trees in arrays: place of each node, its vertices, its parent and children. A node is an
@@ -26,14 +28,22 @@ final class NodeTree {
     private int[] corner;
     /** 1 per node: an element's number among the elements, in any order; an inner node has its first child's. */
     private int[] place;
-    private final Roots roots;
+    /** Roots by face and path. */
+    private final LongIndex rootOf;
+    /** 1 per root, in the order in which they were added: its node. */
+    private int[] root;
+    /** 1 per root: its path below its face, see {@link NodePath}. */
+    private long[] rootPath;
+    private int roots;
 
     /**
      * @param roots    expected number of roots
      * @param expected expected number of nodes
      */
     NodeTree(int roots, int expected) {
-        this.roots = new Roots(roots);
+        rootOf = new LongIndex(roots);
+        root = new int[Math.max(1, roots)];
+        rootPath = new long[root.length];
         face = new int[expected];
         level = new byte[expected];
         parent = new int[expected];
@@ -43,9 +53,15 @@ final class NodeTree {
     }
 
     int addRoot(int f, long path) {
-        int node = add(f, NodePath.level(path), -1 - roots.count());
+        int node = add(f, NodePath.level(path), -1 - roots);
         place[node] = elements++;
-        roots.add(f, path, node);
+        rootOf.findOrAdd(name(f, path), node);
+        if (roots == root.length) {
+            root = Arrays.copyOf(root, 2 * roots);
+            rootPath = Arrays.copyOf(rootPath, 2 * roots);
+        }
+        rootPath[roots] = path;
+        root[roots++] = node;
         return node;
     }
 
@@ -117,7 +133,7 @@ final class NodeTree {
             steps |= (long) (at - child[parent[at]]) << bits;
             bits += 2;
         }
-        return roots.path(-1 - parent[at]) << bits | steps;
+        return rootPath[-1 - parent[at]] << bits | steps;
     }
 
     /** The parent of a node, or -1 for a root. */
@@ -139,21 +155,25 @@ final class NodeTree {
 
     /** The roots, in the order in which they were added. */
     int[] roots() {
-        return roots.all();
+        return Arrays.copyOf(root, roots);
     }
 
     /** The node with this face and path, or -1. */
     int find(int onFace, long atPath) {
         int levels = NodePath.level(atPath);
         int up = levels;
-        int node = roots.find(onFace, atPath);
+        int node = rootOf.find(name(onFace, atPath));
         while (node < 0 && up > 0) {
             up--;
-            node = roots.find(onFace, atPath >> 2 * (levels - up));
+            node = rootOf.find(name(onFace, atPath >> 2 * (levels - up)));
         }
         for (int l = up + 1; l <= levels && node >= 0; l++) {
             node = child[node] < 0 ? -1 : child[node] + NodePath.step(atPath, l);
         }
         return node;
+    }
+
+    private static long name(int onFace, long atPath) {
+        return Hash.mix(Hash.mix(4, onFace), atPath);
     }
 }
