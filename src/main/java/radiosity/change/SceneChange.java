@@ -45,8 +45,8 @@ public final class SceneChange {
     public SceneChange(InitialMesh before, InitialMesh now) {
         this.before = before;
         this.now = now;
-        originBefore = before.origins();
-        originNow = now.origins();
+        originBefore = before.origins;
+        originNow = now.origins;
         twin = twins(before.original, now.original);
         gone = new boolean[before.original.triangles()];
         mark();

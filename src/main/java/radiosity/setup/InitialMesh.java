@@ -58,6 +58,8 @@ public final class InitialMesh {
     public final Scene original;
     /** The original scene; with prediction, its long quadrangles are cut. */
     public final Scene scene;
+    /** 1 per triangle of {@link #scene}: the triangle of the original scene that it is, or is a piece of. */
+    public final int[] origins;
     public final RadiositySettings settings;
     public final Faces faces;
     public final ClosedRooms rooms;
@@ -82,7 +84,9 @@ public final class InitialMesh {
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
         original = scene;
-        this.scene = predicts() ? QuadSplitter.cut(scene, quadrangleArea()) : scene;
+        QuadSplitter.Cut cut = QuadSplitter.cut(scene, quadrangleArea());
+        this.scene = cut.scene();
+        origins = cut.origin();
         Faces whole = new Faces(this.scene, settings.layers());
         faces = predicts() ? DiscontinuityMesher.cut(whole) : whole;
         rooms = new ClosedRooms(faces, this::isBuried);
@@ -106,14 +110,10 @@ public final class InitialMesh {
         }
     }
 
-    /** Area above which the triangles of long quadrangles are cut, square scene units. */
+    /** Area above which the triangles of long quadrangles are cut, square scene units; infinite without prediction. */
     private double quadrangleArea() {
-        return settings.patchArea() > 0 ? settings.patchArea() : original.area() / COARSE_PATCHES;
-    }
-
-    /** 1 per triangle of {@link #scene}: the triangle of the original scene that it is, or is a piece of. */
-    public int[] origins() {
-        return QuadSplitter.origins(original, predicts() ? quadrangleArea() : Double.POSITIVE_INFINITY);
+        return !predicts() ? Double.POSITIVE_INFINITY
+                : settings.patchArea() > 0 ? settings.patchArea() : original.area() / COARSE_PATCHES;
     }
 
     /** Whether the middle of a face lies inside a solid. */

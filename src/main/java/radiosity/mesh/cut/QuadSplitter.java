@@ -47,36 +47,29 @@ public final class QuadSplitter {
     /**
      * A scene whose long quadrangles are cut.
      *
-     * @param patchArea largest area of a patch, square scene units: triangles that are no larger are left as they are
-     * @return the same scene where no quadrangle is long
+     * @param origin 1 per triangle of the scene: the triangle of the given scene that it is, or is a piece of
      */
-    public static Scene cut(Scene scene, double patchArea) {
-        QuadSplitter strips = of(scene, patchArea);
-        return strips == null ? scene : strips.made();
-    }
+    public record Cut(Scene scene, int[] origin) { }
 
-    /** 1 per triangle of the scene that {@link #cut} makes: the triangle that it is, or is a piece of. */
-    public static int[] origins(Scene scene, double patchArea) {
-        QuadSplitter strips = of(scene, patchArea);
-        return strips == null ? IntStream.range(0, scene.triangles()).toArray()
-                : Arrays.copyOf(strips.origin, strips.triangles);
-    }
-
-    /** Null where no quadrangle is long. */
-    private static QuadSplitter of(Scene scene, double patchArea) {
-        QuadSplitter strips = new QuadSplitter(scene);
-        int[] partner = strips.partners(patchArea);
+    /**
+     * Cuts the long quadrangles of a scene; where no quadrangle is long, the scene stays the same.
+     *
+     * @param patchArea largest area of a patch, square scene units: triangles that are no larger are left as they are
+     */
+    public static Cut cut(Scene scene, double patchArea) {
+        QuadSplitter splitter = new QuadSplitter(scene);
+        int[] partner = splitter.partners(patchArea);
         if (Arrays.stream(partner).allMatch(t -> t < 0)) {
-            return null;
+            return new Cut(scene, IntStream.range(0, partner.length).toArray());
         }
         for (int t = 0; t < partner.length; t++) {
             if (partner[t] < 0) {
-                strips.add(strips.corner(t, 0), strips.corner(t, 1), strips.corner(t, 2), t);
+                splitter.add(splitter.corner(t, 0), splitter.corner(t, 1), splitter.corner(t, 2), t);
             } else if (partner[t] > t) {
-                strips.cut(t, partner[t]);
+                splitter.cut(t, partner[t]);
             }
         }
-        return strips;
+        return new Cut(splitter.made(), Arrays.copyOf(splitter.origin, splitter.triangles));
     }
 
     /** 1 per triangle: the triangle with which it makes a long quadrangle, or -1. */

@@ -1,5 +1,6 @@
 package radiosity.mesh.cut;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -28,7 +29,7 @@ class QuadSplitterTest {
 
     @Test
     void longRectangle_isCutIntoSquares() {
-        Scene cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING);
+        Scene cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING).scene();
         assertEquals(2 * 2 * 12, cut.triangles());
         for (int t = 0; t < cut.triangles(); t++) {
             assertEquals(0.5, cut.area(t), 1e-12);
@@ -37,8 +38,17 @@ class QuadSplitterTest {
     }
 
     @Test
+    void pieces_comeFromTheTriangleThatTheyWere() {
+        assertArrayEquals(new int[] {0, 1, 2, 3}, QuadSplitter.cut(rectangles(1.9, 1), EVERYTHING).origin());
+        QuadSplitter.Cut cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING);
+        for (int i = 0; i < 48; i++) {
+            assertEquals(i < 24 ? 0 : 2, cut.origin()[i]);
+        }
+    }
+
+    @Test
     void neighbours_haveTheSamePointsOnTheirCommonSide() {
-        Scene cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING);
+        Scene cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING).scene();
         assertEquals(3 * 13, cut.points().length / 3);
         assertEquals(3 * 13, Arrays.stream(PointNumbers.of(cut.points())).distinct().count());
     }
@@ -46,20 +56,20 @@ class QuadSplitterTest {
     @Test
     void whatIsNotLong_isLeftAsItIs() {
         Scene square = rectangles(1.9, 1);
-        assertSame(square, QuadSplitter.cut(square, EVERYTHING));
+        assertSame(square, QuadSplitter.cut(square, EVERYTHING).scene());
     }
 
     @Test
     void whatIsNotDividedAnyway_isLeftAsItIs() {
         Scene small = rectangles(12, 1);
-        assertSame(small, QuadSplitter.cut(small, 6));
+        assertSame(small, QuadSplitter.cut(small, 6).scene());
     }
 
     @Test
     void whatHasTextureCoordinates_isLeftAsItIs() {
         float[] texture = new float[24];
         Arrays.fill(texture, 12, 24, Float.NaN);
-        Scene cut = QuadSplitter.cut(rectangles(12, 1, texture), EVERYTHING);
+        Scene cut = QuadSplitter.cut(rectangles(12, 1, texture), EVERYTHING).scene();
         assertEquals(2 + 24, cut.triangles());
         assertEquals(6 * 26, cut.textureCoordinates().length);
         assertEquals(0, cut.textureCoordinates()[0]);
@@ -71,7 +81,7 @@ class QuadSplitterTest {
         double[] points = {0, 0, 0, 12, 0, 0, 12, 1, 0, 0, 1, 1};
         Scene folded = new Scene("folded", points, new int[] {0, 1, 2, 0, 2, 3}, new int[2], List.of(GREY), List.of(),
                 Optional.empty());
-        assertSame(folded, QuadSplitter.cut(folded, EVERYTHING));
+        assertSame(folded, QuadSplitter.cut(folded, EVERYTHING).scene());
     }
 
     private static double normalZ(Scene scene, int t) {
