@@ -7,7 +7,6 @@ import java.util.stream.Collectors;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.Block;
-import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RepresentativeFaces;
 import radiosity.mesh.cut.DiscontinuityMesher;
@@ -27,6 +26,7 @@ import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
 
 /** World set-up (section 4.2 of the paper): data that follow from scene and settings alone, the same on every host. */
 public final class InitialMesh {
@@ -79,7 +79,7 @@ public final class InitialMesh {
 
     private RadiosityBounds bounds;
     /** Made by the first test whether a face lies inside a solid; null before. */
-    private InteriorTest interior;
+    private Solids solids;
 
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
@@ -122,10 +122,11 @@ public final class InitialMesh {
         for (int i = 0; i < 9; i++) {
             middle[i % 3] += faces.corner(face, i / 3, i % 3) / 3;
         }
-        if (interior == null) {
-            interior = new InteriorTest(faces, bounds(), f -> false);
+        if (solids == null) {
+            solids = new Solids(bounds(), faces.fronts());
         }
-        return interior.isBuried(middle, 0, face);
+        return solids.hold(middle[0], middle[1], middle[2],
+                faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
     }
 
     /** Tree of the triangles that cast shadows, made at the first call: a master without elements needs none. */
