@@ -34,7 +34,7 @@ final class Footprint {
      * @param wall faces of the wall; not modified
      */
     boolean isOn(int[] wall) {
-        double[] first = at(rim.get(0)[0]);
+        Vec3 first = at(rim.get(0)[0]);
         int[] below = IntStream.of(wall).filter(f -> covers(f, first)).map(f -> faces.part[f]).distinct().toArray();
         return below.length > 0 && volumeFrom(first) >= 0 && IntStream.of(below).anyMatch(this::carries);
     }
@@ -42,60 +42,44 @@ final class Footprint {
     private boolean carries(int part) {
         int[] floor = parts.of(part);
         return rim.stream().allMatch(edge -> {
-            double[] p = at(edge[0]);
-            double[] q = at(edge[1]);
-            double[] middle = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
-            return lies(floor, p) && lies(floor, q) && lies(floor, middle);
+            Vec3 p = at(edge[0]);
+            Vec3 q = at(edge[1]);
+            return lies(floor, p) && lies(floor, q) && lies(floor, p.plus(q).times(0.5));
         });
     }
 
-    private boolean lies(int[] floor, double[] p) {
+    private boolean lies(int[] floor, Vec3 p) {
         return IntStream.of(floor).anyMatch(f -> covers(f, p));
     }
 
     /** Position of a point in the scene brought to size 1 around the origin. */
-    private double[] at(int point) {
-        Vec3 unit = faces.unit(faces.place(point));
-        return new double[] {unit.x(), unit.y(), unit.z()};
+    private Vec3 at(int point) {
+        return faces.unit(faces.place(point));
     }
 
-    private boolean covers(int f, double[] p) {
+    private boolean covers(int f, Vec3 p) {
         for (int k = 0; k < 3; k++) {
-            double[] to = edge(f, k, p);
-            double[] along = edge(f, k, corner(f, (k + 1) % 3));
-            double inside = 0;
-            double length = 0;
-            for (int a = 0; a < 3; a++) {
-                int b = (a + 1) % 3;
-                int c = (a + 2) % 3;
-                inside += faces.normal(f, a) * (along[b] * to[c] - along[c] * to[b]);
-                length += along[a] * along[a];
-            }
-            if (inside < -IN_PLANE * Math.sqrt(length)) {
+            Vec3 along = corner(f, (k + 1) % 3).minus(corner(f, k));
+            if (normal(f).dot(along.cross(p.minus(corner(f, k)))) < -IN_PLANE * along.length()) {
                 return false;
             }
         }
-        double[] to = edge(f, 0, p);
-        double above = faces.normal(f, 0) * to[0] + faces.normal(f, 1) * to[1] + faces.normal(f, 2) * to[2];
-        return Math.abs(above) <= IN_PLANE;
+        return Math.abs(normal(f).dot(p.minus(corner(f, 0)))) <= IN_PLANE;
     }
 
-    private double[] corner(int f, int k) {
-        return new double[] {faces.corner(f, k, 0), faces.corner(f, k, 1), faces.corner(f, k, 2)};
+    private Vec3 corner(int f, int k) {
+        return new Vec3(faces.corner(f, k, 0), faces.corner(f, k, 1), faces.corner(f, k, 2));
     }
 
-    private double[] edge(int f, int k, double[] to) {
-        return new double[] {to[0] - faces.corner(f, k, 0), to[1] - faces.corner(f, k, 1),
-                to[2] - faces.corner(f, k, 2)};
+    private Vec3 normal(int f) {
+        return new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
     }
 
     /** Volume of the shell closed by a lid in a plane through an apex, in cubed scene sizes. */
-    private double volumeFrom(double[] apex) {
+    private double volumeFrom(Vec3 apex) {
         double sum = 0;
         for (int f : own) {
-            double[] a = edge(f, 0, apex);
-            sum -= faces.area(f) / 3 * (faces.normal(f, 0) * a[0] + faces.normal(f, 1) * a[1]
-                    + faces.normal(f, 2) * a[2]);
+            sum -= faces.area(f) / 3 * normal(f).dot(apex.minus(corner(f, 0)));
         }
         return sum;
     }
