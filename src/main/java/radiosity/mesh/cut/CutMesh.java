@@ -19,8 +19,6 @@ import radiosity.scene.Vec3;
  */
 final class CutMesh {
 
-    /** A point nearer to a line than this lies on the line, in scene sizes. */
-    static final double NEAR = 1e-6;
     /** A triangle is divided in four where its longest edge is longer than this number of contact lengths. */
     private static final double COARSE = 4;
 
@@ -39,7 +37,7 @@ final class CutMesh {
         this.most = most;
         this.faces = faces;
         this.points = points;
-        near = NEAR * faces.size();
+        near = Faces.NEAR * faces.size();
     }
 
     void add(int face) {

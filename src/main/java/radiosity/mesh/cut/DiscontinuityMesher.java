@@ -130,7 +130,7 @@ public final class DiscontinuityMesher {
     }
 
     private void mark(CutPolygon polygon, List<Contact> contacts) {
-        double near = CutMesh.NEAR * faces.size();
+        double near = Faces.NEAR * faces.size();
         for (int i = 0; i < polygon.loop.length; i++) {
             int p = polygon.loop[i];
             int q = polygon.after(i);

@@ -13,8 +13,6 @@ import radiosity.util.PointNumbers;
 /** Finds the contacts along which triangles stand on a face or pass through it. */
 final class FaceIntersections {
 
-    /** A point nearer to a plane than this lies in the plane, in scene sizes. */
-    private static final double TOUCH = 1e-6;
     /** A normal is along an axis of the scene if one of its components differs from 1 or -1 by less than this. */
     private static final double UPRIGHT = 1e-12;
     /** Most contacts on one face; where there are more, the longest are kept. */
@@ -41,7 +39,7 @@ final class FaceIntersections {
         this.faces = faces;
         scene = faces.scene();
         numbers = PointNumbers.of(scene.points());
-        touch = TOUCH * faces.size();
+        touch = Faces.NEAR * faces.size();
         this.least = least;
         box = new double[6 * scene.triangles()];
         for (int i = 0; i < box.length; i++) {

@@ -18,6 +18,8 @@ public final class Faces {
 
     /** Least area of a face, in squared scene sizes. */
     public static final double LEAST_AREA = 1e-12;
+    /** A point nearer to a plane or a line than this lies on it, in scene sizes. */
+    public static final double NEAR = 1e-6;
     /** Importance of irradiance on a black face. */
     public static final double LEAST_IMPORTANCE = 0.05;
     /** Largest difference between components of the normals of faces in one plane. */

@@ -8,9 +8,6 @@ import radiosity.scene.Vec3;
 /** Tests whether an open shell, as a block without a bottom, is as good as solid: its whole rim stands on a floor. */
 final class Footprint {
 
-    /** A point nearer to a plane or an edge than this lies on it, in scene sizes. */
-    private static final double IN_PLANE = 1e-6;
-
     private final Faces faces;
     private final FaceGroups parts;
     private final int[] own;
@@ -60,11 +57,11 @@ final class Footprint {
     private boolean covers(int f, Vec3 p) {
         for (int k = 0; k < 3; k++) {
             Vec3 along = corner(f, (k + 1) % 3).minus(corner(f, k));
-            if (normal(f).dot(along.cross(p.minus(corner(f, k)))) < -IN_PLANE * along.length()) {
+            if (normal(f).dot(along.cross(p.minus(corner(f, k)))) < -Faces.NEAR * along.length()) {
                 return false;
             }
         }
-        return Math.abs(normal(f).dot(p.minus(corner(f, 0)))) <= IN_PLANE;
+        return Math.abs(normal(f).dot(p.minus(corner(f, 0)))) <= Faces.NEAR;
     }
 
     private Vec3 corner(int f, int k) {
