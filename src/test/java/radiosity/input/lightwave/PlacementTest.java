@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import radiosity.input.lightwave.lws.Turn;
 import radiosity.scene.Affine;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneNode;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
 
@@ -107,6 +108,16 @@ class PlacementTest {
                 + "ParentObject 1\n");
         assertAt(10, 0, 0, Scenes.origin(scene, 1));
         assertAt(8, 2, 0, Scenes.far(scene, 1));
+    }
+
+    @Test
+    void tabs_divideWordsAsBlanksDo() throws IOException {
+        assertAt(0, 0, 0, Scenes.origin(read("LWSC\n3\nLoadObjectLayer\t1\troom.lwo\n"), 0));
+        Scene scene = read("LWSC\n5\nLoadObjectLayer\t1\t10000005 \troom.lwo\nParentItem\t10000003\n"
+                + "AddNullObject\t10000003\ta null\tobject\n" + Scenes.motion3("ObjectMotion", 7));
+        assertAt(7, 0, 0, Scenes.origin(scene, 0));
+        assertEquals(List.of("a null\tobject", "room"),
+                scene.hierarchy().nodes().stream().map(SceneNode::name).toList());
     }
 
     @Test

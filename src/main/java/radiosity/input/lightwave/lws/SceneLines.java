@@ -86,23 +86,26 @@ final class SceneLines {
 
     /** The first word of the line. */
     String keyword() {
-        int end = blank();
-        return end < 0 ? line : line.substring(0, end);
+        return firstWord(line);
     }
 
     /** The line after its first word. */
     String value() {
-        int end = blank();
-        return end < 0 ? "" : line.substring(end + 1).trim();
+        return afterWord(line);
     }
 
-    private int blank() {
-        for (int i = 0; i < line.length(); i++) {
-            if (line.charAt(i) == ' ' || line.charAt(i) == '\t') {
-                return i;
-            }
+    /** The text before its first blank or tab. */
+    static String firstWord(String text) {
+        int end = 0;
+        while (end < text.length() && text.charAt(end) != ' ' && text.charAt(end) != '\t') {
+            end++;
         }
-        return -1;
+        return text.substring(0, end);
+    }
+
+    /** The text after its first blank or tab, without blanks at both ends; empty if it has neither. */
+    static String afterWord(String text) {
+        return text.substring(firstWord(text).length()).trim();
     }
 
     /** Number of the line in the file, from 1. */

@@ -137,12 +137,12 @@ public final class SceneParser {
 
     /** Reads the layer's number (from 1), the identity (version 4 and later) and the path, which may contain blanks. */
     private void loadLayer(String value) {
-        String rest = afterWord(value);
-        long layer = SceneNumbers.whole(firstWord(value), 10);
+        String rest = SceneLines.afterWord(value);
+        long layer = SceneNumbers.whole(SceneLines.firstWord(value), 10);
         long id = -1;
         if (scene.version >= SceneDescription.WITH_IDENTITIES) {
-            id = SceneNumbers.whole(firstWord(rest), 16);
-            rest = afterWord(rest);
+            id = SceneNumbers.whole(SceneLines.firstWord(rest), 16);
+            rest = SceneLines.afterWord(rest);
         }
         SceneItem object = begin(SceneItem.Kind.OBJECT, id);
         object.file = rest;
@@ -155,7 +155,8 @@ public final class SceneParser {
     /** Reads the name of a null object, which may contain blanks; in version 4 and later its identity stands before. */
     private void addNull(String value) {
         boolean identified = scene.version >= SceneDescription.WITH_IDENTITIES;
-        begin(SceneItem.Kind.OBJECT, identity(firstWord(value))).nullName = identified ? afterWord(value) : value;
+        begin(SceneItem.Kind.OBJECT, identity(SceneLines.firstWord(value))).nullName =
+                identified ? SceneLines.afterWord(value) : value;
     }
 
     private void addBone(String value) {
@@ -165,16 +166,6 @@ public final class SceneParser {
 
     private long identity(String value) {
         return scene.version >= SceneDescription.WITH_IDENTITIES ? SceneNumbers.whole(value, 16) : -1;
-    }
-
-    private static String firstWord(String text) {
-        int blank = text.indexOf(' ');
-        return blank < 0 ? text : text.substring(0, blank);
-    }
-
-    private static String afterWord(String text) {
-        int blank = text.indexOf(' ');
-        return blank < 0 ? "" : text.substring(blank + 1).trim();
     }
 
     /** The camera to which camera keywords belong; added here in version 1, whose camera has no AddCamera line. */
