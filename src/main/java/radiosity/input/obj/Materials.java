@@ -77,7 +77,7 @@ final class Materials {
         if (maps.isEmpty() && diffuse.max() > Surface.MAX_REFLECTANCE) {
             notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material.name);
         }
-        if (light != null && base != null && !base.liesAs(light)) {
+        if (light != null && !maps.isEmpty() && !base.liesAs(light)) {
             notes.note("", "images that lie otherwise than the first of their surface are left out", light.file());
         } else {
             image(light).ifPresent(image -> maps.add(map(ImageMap.Target.EXITANCE, image, material.emitted(), light)));

@@ -20,6 +20,7 @@ import radiosity.input.file.OpenedFile;
 import radiosity.input.file.WorkBudget;
 import radiosity.input.polygon.Triangulation;
 import radiosity.scene.Affine;
+import radiosity.scene.ImageMap;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
@@ -213,7 +214,8 @@ public final class ObjReader {
             surfaceOf.put(material, known);
             surfaces.add(surface);
             imageOf.add(surface.textures().isEmpty() ? null
-                    : described.diffuseImage != null ? described.diffuseImage : described.emittedImage);
+                    : surface.textures().get(0).target() == ImageMap.Target.REFLECTANCE ? described.diffuseImage
+                    : described.emittedImage);
             textured |= !surface.textures().isEmpty();
         }
         return known;

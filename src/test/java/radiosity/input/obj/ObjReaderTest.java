@@ -1,5 +1,6 @@
 package radiosity.input.obj;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -133,6 +134,18 @@ class ObjReaderTest {
         assertEquals(List.of(.5f, 0f, 2.5f, 0f, .5f, 3f), List.of(scene.textureCoordinates()[0],
                 scene.textureCoordinates()[1], scene.textureCoordinates()[2], scene.textureCoordinates()[3],
                 scene.textureCoordinates()[4], scene.textureCoordinates()[5]));
+    }
+
+    @Test
+    void imageOfTheLight_liesAsItIs_whereTheOneOfTheReflectanceIsMissing() throws IOException {
+        library("m.mtl", "newmtl a\nKd .5\nmap_Kd -s 2 3 wood.png\nmap_Ke -s 5 7 glow.png\n");
+        library("glow.png", "");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\n"
+                + "f 1/1 2/2 3/3\n");
+        assertEquals(List.of("room.obj: images that are not found leave the base colour: wood.png"), told);
+        assertEquals(List.of(ImageMap.Target.EXITANCE),
+                scene.surfaces().get(0).textures().stream().map(ImageMap::target).toList());
+        assertArrayEquals(new float[] {0, 0, 5, 0, 0, 7}, scene.textureCoordinates());
     }
 
     /** Coordinates of a land survey: floats alone would be off by 3 cm. */
