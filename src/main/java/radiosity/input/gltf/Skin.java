@@ -11,7 +11,7 @@ import radiosity.scene.Affine;
 record Skin(List<Affine> joints) {
 
     /**
-     * Moves each point to the weighted mean of its images by its joints; a point without weights becomes NaN.
+     * Moves each point to the weighted mean of its images by its joints; a point without weights stays where it is.
      *
      * @param points  x, y, z of each point; modified
      * @param numbers indices of joints, 4 per point in each array of the list
@@ -32,7 +32,7 @@ record Skin(List<Affine> joints) {
                     }
                 }
             }
-            for (int k = 0; k < 3; k++) {
+            for (int k = 0; k < 3 && sum != 0; k++) {
                 points[3 * p + k] = (float) (moved[k] / sum);
             }
         }

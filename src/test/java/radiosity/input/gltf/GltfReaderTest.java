@@ -252,21 +252,33 @@ class GltfReaderTest {
         assertEquals(1.5, camera.aspect());
     }
 
-    /** The second joint stands twice as high as it was bound, and its vertices too; the node's place does not count. */
-    @Test
-    void skins_standAsTheirJointsDo() throws IOException {
+    /** The square with a skin: its lower corners follow a joint at the origin, its upper ones another at (0, 2, 0). */
+    private Scene skinned(float... weights) throws IOException {
         int bound = model.floats("MAT4", 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,
                 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1);
         int joints = model.accessor("VEC4", 5121, 4, ",\"bufferView\":" + model.view(new byte[] {
             0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, 0));
-        int weights = model.floats("VEC4", 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0);
         String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'JOINTS_0':" + joints
-                + ",'WEIGHTS_0':" + weights, ",'mode':6", ",'skin':0,'translation':[100,0,0],'children':[1,2]},"
+                + ",'WEIGHTS_0':" + model.floats("VEC4", weights), ",'mode':6,'material':0",
+                ",'skin':0,'translation':[100,0,0],'children':[1,2]},"
                 + "{'translation':[-100,0,0]},{'translation':[-100,2,0]", PAINT);
-        Scene scene = read(text.substring(0, text.length() - 1) + ",\"skins\":[{\"joints\":[1,2],"
+        return read(text.substring(0, text.length() - 1) + ",\"skins\":[{\"joints\":[1,2],"
                 + "\"inverseBindMatrices\":" + bound + "}]}");
+    }
+
+    /** The second joint stands twice as high as it was bound, and its vertices too; the node's place does not count. */
+    @Test
+    void skins_standAsTheirJointsDo() throws IOException {
+        Scene scene = skinned(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0);
         assertEquals(2, scene.area(), 1e-6);
         assertEquals(0, scene.corner(0, 2).length(), 1e-6);
+    }
+
+    @Test
+    void verticesWithoutWeights_stayInTheirPlace() throws IOException {
+        Scene scene = skinned(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0);
+        assertEquals(List.of(), told);
+        assertEquals(1.5, scene.area(), 1e-6, "one of the upper corners stays below");
     }
 
     @Test
