@@ -133,13 +133,15 @@ public final class GltfReader {
                         Optional.empty()), node);
             }
         }
-        List<Light> lights = options.lights() == ReadOptions.Lights.IGNORE ? List.of() : views.lights();
+        List<Light> lights = views.lights().stream().filter(light -> options.lights() != ReadOptions.Lights.IGNORE
+                || options.luminaires().containsKey(light.name())).toList();
         return draft.scene(materials.surfaces(), lights, views.camera()).with(new Units(1, isPhotometric()));
     }
 
-    /** Whether light is in photometric units: where the options say so or the file has lights that are used. */
+    /** Whether light is in photometric units: where the options say so or the file has lights that may be used. */
     private boolean isPhotometric() {
-        return options.units().isPhotometric() || options.lights() != ReadOptions.Lights.IGNORE
+        return options.units().isPhotometric()
+                || (options.lights() != ReadOptions.Lights.IGNORE || !options.luminaires().isEmpty())
                 && (root.extension("KHR_lights_punctual").isPresent() || root.extension("EXT_lights_ies").isPresent());
     }
 

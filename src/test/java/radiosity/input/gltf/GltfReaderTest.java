@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -238,6 +239,20 @@ class GltfReaderTest {
         assertEquals(.5, lights.get(2).edge());
         assertEquals(0, GltfReader.read(folder.resolve("a.gltf"), ReadOptions.defaults().withLights(
                 ReadOptions.Lights.IGNORE), told::add).lights().size());
+    }
+
+    /** As with LightWave, although lights are ignored; the emission is photometric, as the scene is. */
+    @Test
+    void lightsThatLuminairesReplace_areKept() throws IOException {
+        String text = square("", ",'extensions':{'KHR_lights_punctual':{'light':0}},'children':[1]},"
+                + "{'extensions':{'KHR_lights_punctual':{'light':1}}", "{'emissiveFactor':[1,1,1]}");
+        Path file = Files.writeString(folder.resolve("a.gltf"), text.substring(0, text.length() - 1) + """
+                ,"extensions":{"KHR_lights_punctual":{"lights":[
+                {"type":"point","name":"bulb"},{"type":"point","name":"other"}]}}}""");
+        Scene scene = GltfReader.read(file, ReadOptions.defaults().withLights(ReadOptions.Lights.IGNORE)
+                .withLuminaires(Map.of("bulb", Path.of("bulb.ies"))), told::add);
+        assertEquals(List.of("bulb"), scene.lights().stream().map(Light::name).toList());
+        assertEquals(Rgb.grey(Math.PI), scene.surface(0).exitance());
     }
 
     @Test
