@@ -14,8 +14,6 @@ final class Accessors {
 
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4,
             "MAT4", 16);
-    /** All arrays together may take 1 / PART of the JVM's heap limit. */
-    private static final int PART = 4;
 
     private final JsonCursor root;
     private final Buffers buffers;
@@ -61,8 +59,8 @@ final class Accessors {
     private float[] read(JsonCursor accessor, int components) throws IOException {
         long length = (long) accessor.at("count").integer() * components;
         total += 4 * length;
-        if (total > Runtime.getRuntime().maxMemory() / PART) {
-            throw accessor.wrong("arrays of at most " + Runtime.getRuntime().maxMemory() / PART + " bytes together");
+        if (total > Buffers.MOST_BYTES) {
+            throw accessor.wrong("arrays of at most " + Buffers.MOST_BYTES + " bytes together");
         }
         int type = accessor.at("componentType").integer();
         boolean normalised = accessor.isOn("normalized");

@@ -19,8 +19,8 @@ import radiosity.settings.ReadOptions;
 /** The buffers of a glTF file: in the file itself, in data URIs, and in files beside it. */
 final class Buffers {
 
-    /** All buffers together may take 1 / PART of the JVM's heap limit. */
-    private static final int PART = 4;
+    /** Most bytes of all buffers together, and of all arrays made of them: a quarter of the JVM's heap limit. */
+    static final long MOST_BYTES = Runtime.getRuntime().maxMemory() / 4;
 
     private final Container file;
     private final FileSearch search;
@@ -41,7 +41,9 @@ final class Buffers {
      */
     ByteBuffer view(JsonCursor where) throws IOException {
         JsonCursor view = file.root().at("bufferViews").at(where.integer());
-        ByteBuffer buffer = buffer(view.at("buffer"));
+        int number = view.at("buffer").integer();
+        ByteBuffer buffer = load(number);
+        buffers.put(number, buffer);
         long offset = view.unchecked("byteOffset");
         long length = view.at("byteLength").unchecked();
         if (offset < 0 || length < 0 || offset > buffer.capacity() - length) {
@@ -52,50 +54,48 @@ final class Buffers {
 
     /** A copy of the bytes of a whole buffer. */
     byte[] all(int number) throws IOException {
-        ByteBuffer bytes = buffers.containsKey(number) ? buffers.get(number)
-                : load(file.root().at("buffers").at(number), number);
-        byte[] all = new byte[bytes.capacity()];
-        bytes.duplicate().clear().get(all);
-        return all;
+        return copy(load(number));
     }
 
-    /** The bytes of a file beside the glTF file. */
-    byte[] file(Path path) throws IOException {
-        return InputFile.read(path, search.shown(path), options.maxBytes());
+    private static byte[] copy(ByteBuffer bytes) {
+        byte[] copy = new byte[bytes.capacity()];
+        bytes.get(0, copy);
+        return copy;
     }
 
-    private ByteBuffer buffer(JsonCursor where) throws IOException {
-        int number = where.integer();
-        ByteBuffer known = buffers.get(number);
-        if (known == null) {
-            known = load(file.root().at("buffers").at(number), number);
-            buffers.put(number, known);
+    private ByteBuffer load(int number) throws IOException {
+        if (buffers.containsKey(number)) {
+            return buffers.get(number);
         }
-        return known;
+        Optional<JsonCursor> uri = file.root().at("buffers").at(number).optional("uri");
+        if (uri.isPresent()) {
+            return ByteBuffer.wrap(required(uri.get()));
+        }
+        return number == 0 && file.bytes().isPresent() ? file.bytes().get() : ByteBuffer.allocate(0);
     }
 
-    private ByteBuffer load(JsonCursor buffer, int number) throws IOException {
-        Optional<JsonCursor> uri = buffer.optional("uri");
-        if (uri.isEmpty()) {
-            return number == 0 && file.bytes().isPresent() ? file.bytes().get() : ByteBuffer.allocate(0);
-        }
-        if (isData(uri.get())) {
-            return data(uri.get());
-        }
-        Optional<Path> path = found(uri.get());
-        if (path.isEmpty()) {
-            throw uri.get().wrong("a file beside it");
-        }
-        byte[] bytes = InputFile.read(path.get(), search.shown(path.get()), options.maxBytes());
-        reserve(uri.get(), bytes.length);
-        return ByteBuffer.wrap(bytes).asReadOnlyBuffer();
+    /** The bytes to which a URI refers, counted towards the limit once: those of data in {@link #data}. */
+    private byte[] required(JsonCursor uri) throws IOException {
+        byte[] bytes = content(uri).orElseThrow(() -> uri.wrong("a file beside it"));
+        reserve(uri, isData(uri) ? 0 : bytes.length);
+        return bytes;
     }
 
     private void reserve(JsonCursor where, long bytes) throws SceneFormatException {
         total += bytes;
-        if (total > Runtime.getRuntime().maxMemory() / PART) {
-            throw where.wrong("buffers of at most " + Runtime.getRuntime().maxMemory() / PART + " bytes together");
+        if (total > MOST_BYTES) {
+            throw where.wrong("buffers of at most " + MOST_BYTES + " bytes together");
         }
+    }
+
+    /** The bytes to which a URI refers; empty where it names a file that is not found. */
+    Optional<byte[]> content(JsonCursor uri) throws IOException {
+        if (isData(uri)) {
+            return Optional.of(data(uri));
+        }
+        Optional<Path> path = found(uri);
+        return path.isEmpty() ? Optional.empty()
+                : Optional.of(InputFile.read(path.get(), search.shown(path.get()), options.maxBytes()));
     }
 
     /** Whether a URI contains its data ("data:"). */
@@ -106,17 +106,11 @@ final class Buffers {
     /** The bytes of a JSON object that has a "bufferView" or a "uri". */
     byte[] file(JsonCursor of) throws IOException {
         Optional<JsonCursor> view = of.optional("bufferView");
-        if (view.isEmpty()) {
-            of.at("uri").text();
-        }
-        ByteBuffer content = view.isPresent() ? view(view.get()) : load(of, 1);
-        byte[] bytes = new byte[content.remaining()];
-        content.duplicate().get(bytes);
-        return bytes;
+        return view.isPresent() ? copy(view(view.get())) : required(of.at("uri"));
     }
 
-    /** The bytes that a data URI contains. */
-    ByteBuffer data(JsonCursor uri) throws SceneFormatException {
+    /** The bytes that a data URI contains; its text counts towards the limit. */
+    byte[] data(JsonCursor uri) throws SceneFormatException {
         String text = uri.text();
         int comma = text.indexOf(',');
         if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
@@ -124,8 +118,7 @@ final class Buffers {
         }
         reserve(uri, text.length());
         try {
-            return ByteBuffer.wrap(Base64.getMimeDecoder().decode(text.substring(comma + 1).getBytes(
-                    StandardCharsets.ISO_8859_1))).asReadOnlyBuffer();
+            return Base64.getMimeDecoder().decode(text.substring(comma + 1).getBytes(StandardCharsets.ISO_8859_1));
         } catch (IllegalArgumentException e) {
             throw uri.wrong("data in base64");
         }

@@ -214,7 +214,7 @@ final class Materials {
             return Optional.of(new ImageSource(name, Optional.of(bytes)));
         }
         if (Buffers.isData(uri.get())) {
-            return Optional.of(new ImageSource(name, Optional.of(buffers.data(uri.get()))));
+            return Optional.of(new ImageSource(name, Optional.of(ByteBuffer.wrap(buffers.data(uri.get())))));
         }
         Optional<Path> file = buffers.found(uri.get());
         if (file.isEmpty()) {

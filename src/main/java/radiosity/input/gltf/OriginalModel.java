@@ -3,8 +3,6 @@ package radiosity.input.gltf;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -91,7 +89,7 @@ final class OriginalModel {
         for (int i = 0; i < count; i++) {
             Optional<JsonCursor> uri = root.at("images").at(i).optional("uri");
             if (uri.isPresent()) {
-                byte[] bytes = bytes(uri.get());
+                byte[] bytes = buffers.content(uri.get()).orElse(new byte[0]);
                 boolean isPng = beginsWith(bytes, PNG);
                 if (isPng || beginsWith(bytes, JPEG)) {
                     ObjectNode image = (ObjectNode) model.json().get("images").get(i);
@@ -100,17 +98,6 @@ final class OriginalModel {
                 }
             }
         }
-    }
-
-    private byte[] bytes(JsonCursor uri) throws IOException {
-        if (Buffers.isData(uri)) {
-            ByteBuffer data = buffers.data(uri);
-            byte[] bytes = new byte[data.remaining()];
-            data.get(bytes);
-            return bytes;
-        }
-        Optional<Path> found = buffers.found(uri);
-        return found.isPresent() ? buffers.file(found.get()) : new byte[0];
     }
 
     private static boolean beginsWith(byte[] bytes, byte[] magic) {
