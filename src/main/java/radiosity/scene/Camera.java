@@ -1,5 +1,7 @@
 package radiosity.scene;
 
+import java.util.Optional;
+
 /**
  * A pinhole camera.
  *
@@ -16,6 +18,23 @@ public record Camera(Vec3 position, Vec3 forward, Vec3 up, double verticalHalfAn
             throw new IllegalArgumentException("camera: expected a half angle in (0, pi/2) and an aspect above 0, got "
                     + verticalHalfAngle + " and " + aspect);
         }
+    }
+
+    /**
+     * A camera whose directions are made unit directions at right angles.
+     *
+     * @param forward direction of view, of any length
+     * @param up      upwards in the picture, of any length, not along forward
+     * @return empty where position or directions are not finite or do not span a picture, or where the half angle is
+     *         within 1e-9 of 0 or 1e-6 of pi/2, or the aspect not in (1e-6, 1e6)
+     */
+    public static Optional<Camera> of(Vec3 position, Vec3 forward, Vec3 up, double verticalHalfAngle, double aspect) {
+        Vec3 ahead = forward.unit();
+        Vec3 above = up.minus(ahead.times(up.dot(ahead))).unit();
+        boolean sound = position.isFinite() && ahead.isFinite() && above.isFinite() && ahead.length() > 0.5
+                && above.length() > 0.5 && verticalHalfAngle > 1e-9 && verticalHalfAngle < Math.PI / 2 - 1e-6
+                && aspect > 1e-6 && aspect < 1e6;
+        return sound ? Optional.of(new Camera(position, ahead, above, verticalHalfAngle, aspect)) : Optional.empty();
     }
 
     /**

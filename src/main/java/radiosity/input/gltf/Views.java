@@ -131,18 +131,12 @@ final class Views {
             notes.note(written.path(), "cameras without perspective are left out");
             return Optional.empty();
         }
-        double half = perspective.get().at("yfov").number() / 2;
-        double aspect = perspective.get().number("aspectRatio", ASPECT);
-        Vec3 forward = vec(at.world().direction(0, 0, -1)).unit();
-        Vec3 up = vec(at.world().direction(0, 1, 0));
-        up = up.minus(forward.times(up.dot(forward))).unit();
-        Vec3 position = position(at.world());
-        boolean sound = position.isFinite() && forward.isFinite() && up.isFinite() && forward.length() > 0.5
-                && up.length() > 0.5 && half > 1e-6 && half < Math.PI / 2 - 1e-6 && aspect > 1e-6 && aspect < 1e6;
-        if (!sound) {
+        Optional<Camera> found = Camera.of(position(at.world()), vec(at.world().direction(0, 0, -1)),
+                vec(at.world().direction(0, 1, 0)), perspective.get().at("yfov").number() / 2,
+                perspective.get().number("aspectRatio", ASPECT));
+        if (found.isEmpty()) {
             notes.note(written.path(), "a camera without a sound position, angle or picture size is left out");
-            return Optional.empty();
         }
-        return Optional.of(new Camera(position, forward, up, half, aspect));
+        return found;
     }
 }

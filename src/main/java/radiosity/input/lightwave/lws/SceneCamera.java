@@ -37,19 +37,13 @@ public final class SceneCamera {
 
     private Optional<Camera> camera(SceneItem item) {
         Affine world = new LookAt(placement, instant).world(item);
-        Vec3 forward = SceneLights.right(world.direction(0, 0, 1)).unit();
-        Vec3 up = SceneLights.right(world.direction(0, 1, 0));
-        up = up.minus(forward.times(up.dot(forward))).unit();
-        Vec3 position = new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]);
-        double zoom = item.number("ZoomFactor", instant, DEFAULT_ZOOM);
-        double aspect = aspect(item);
-        boolean sound = position.isFinite() && forward.length() > 0.5 && up.length() > 0.5 && forward.isFinite()
-                && up.isFinite();
-        if (!sound || !(zoom > 1e-6 && zoom < 1e9) || !(aspect > 1e-6 && aspect < 1e6)) {
+        Optional<Camera> found = Camera.of(new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]),
+                SceneLights.right(world.direction(0, 0, 1)), SceneLights.right(world.direction(0, 1, 0)),
+                StrictMath.atan(1 / item.number("ZoomFactor", instant, DEFAULT_ZOOM)), aspect(item));
+        if (found.isEmpty()) {
             notes.note(item.place(), "a camera without a sound position, zoom or picture size is left out");
-            return Optional.empty();
         }
-        return Optional.of(new Camera(position, forward, up, StrictMath.atan(1 / zoom), aspect));
+        return found;
     }
 
     private double aspect(SceneItem item) {
