@@ -83,7 +83,6 @@ class CorpusTest {
         for (int i = 0; i < expected.size(); i++) {
             Layer layer = object.layers.get(i);
             assertEquals(expected.get(i).get("number").asInt(), layer.number);
-            assertEquals((expected.get(i).get("flags").asInt() & 1) == 1, layer.hidden);
             for (int k = 0; k < 3; k++) {
                 assertEquals(expected.get(i).get("pivot").get(k).asDouble(), layer.pivot[k], 1e-5);
             }

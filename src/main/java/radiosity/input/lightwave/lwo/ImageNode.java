@@ -77,8 +77,7 @@ final class ImageNode {
     }
 
     private static TextureBlock.Projection projection(long number) {
-        TextureBlock.Projection[] all = TextureBlock.Projection.values();
-        return number < all.length ? all[(int) number] : TextureBlock.Projection.PLANAR;
+        return Lwo2Texture.projection((int) Math.min(9, number));
     }
 
     private static Wrap wrap(long number) {

@@ -11,7 +11,6 @@ import radiosity.input.polygon.Polygons;
 public final class Layer {
 
     public final int number;
-    public final boolean hidden;
     /** x, y, z of the point about which a scene turns the layer. */
     public final double[] pivot;
 
@@ -24,14 +23,13 @@ public final class Layer {
     int firstPoint;
     int firstPolygon;
 
-    Layer(int number, boolean hidden, double[] pivot) {
+    Layer(int number, double[] pivot) {
         this.number = number;
-        this.hidden = hidden;
         this.pivot = pivot;
     }
 
     public Layer(int number) {
-        this(number, false, new double[3]);
+        this(number, new double[3]);
     }
 
     public int pointCount() {

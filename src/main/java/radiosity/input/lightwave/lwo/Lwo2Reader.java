@@ -59,13 +59,13 @@ final class Lwo2Reader {
 
     private void layer(ByteReader data, String place) {
         int number = data.u2();
-        boolean hidden = (data.u2() & 1) == 1;
+        data.skip(2);
         double[] pivot = LwobTexture.vector(data);
         if (data.ranOut() || !Double.isFinite(pivot[0] + pivot[1] + pivot[2])) {
             notes.note(place, "the pivot of a layer is missing or no number, the origin is taken");
             pivot = new double[3];
         }
-        object.addLayer(new Layer(number, hidden, pivot), place, notes);
+        object.addLayer(new Layer(number, pivot), place, notes);
     }
 
     private void polygons(ByteReader data, String place) {

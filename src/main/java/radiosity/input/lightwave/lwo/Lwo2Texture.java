@@ -88,7 +88,8 @@ final class Lwo2Texture {
         }
     }
 
-    private static TextureBlock.Projection projection(int number) {
+    /** The projection of a number; numbers beyond the last one count as planar. */
+    static TextureBlock.Projection projection(int number) {
         TextureBlock.Projection[] all = TextureBlock.Projection.values();
         return number < all.length ? all[number] : TextureBlock.Projection.PLANAR;
     }

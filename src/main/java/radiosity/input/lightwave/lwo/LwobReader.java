@@ -18,7 +18,7 @@ final class LwobReader {
         Chunks chunks = new Chunks(file, 4, notes);
         while (chunks.next()) {
             switch (chunks.id()) {
-                case "LAYR" -> layer(chunks.data(), chunks.place());
+                case "LAYR" -> object.addLayer(new Layer(chunks.data().u2()), chunks.place(), notes);
                 case "PNTS" -> object.currentLayer().readPoints(chunks.data(), chunks.place(), notes);
                 case "SRFS" -> surfaceNames(chunks.data(), chunks.place());
                 case "POLS" -> polygons(chunks.data(), chunks.place());
@@ -28,12 +28,6 @@ final class LwobReader {
                 default -> { }
             }
         }
-    }
-
-    private void layer(ByteReader data, String place) {
-        int number = data.u2();
-        boolean hidden = (data.u2() & 1) == 1;
-        object.addLayer(new Layer(number, hidden, new double[3]), place, notes);
     }
 
     private void surfaceNames(ByteReader data, String place) {
