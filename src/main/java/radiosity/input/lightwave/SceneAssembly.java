@@ -130,8 +130,7 @@ public final class SceneAssembly {
     }
 
     private static boolean isSeen(SceneItem object, Motion.Instant instant) {
-        String keyword = object.has("ObjectDissolve") ? "ObjectDissolve" : "ObjDissolve";
-        return object.number(keyword, instant, 0) < 1;
+        return object.number(object.either("ObjectDissolve", "ObjDissolve"), instant, 0) < 1;
     }
 
     /**
@@ -185,7 +184,7 @@ public final class SceneAssembly {
         boolean emits = surfaces.surfaces().stream().anyMatch(Surface::emits);
         boolean taken = options.lights() == ReadOptions.Lights.EMITTERS
                 || options.lights() == ReadOptions.Lights.AUTO && !emits;
-        if (taken && lights.isEmpty() && !emits && surfaces.described().stream().anyMatch(s -> s.specular > 0)) {
+        if (taken && lights.isEmpty() && !emits && surfaces.isAnySpecular()) {
             notes.remark("no surface emits, but some are specular: with emission specular (appendix B.2) they would");
         }
         if (!taken && !lights.isEmpty() && options.luminaires().isEmpty()

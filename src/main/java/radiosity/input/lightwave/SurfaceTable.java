@@ -23,7 +23,7 @@ final class SurfaceTable {
     private final ReadOptions options;
     private final Diagnostics notes;
     private final List<Surface> surfaces = new ArrayList<>();
-    private final List<SurfaceValues> described = new ArrayList<>();
+    private boolean isAnySpecular;
     private final Map<String, Integer> byName = new HashMap<>();
     private final Map<SurfaceValues, Integer> known = new IdentityHashMap<>();
     /** Lowest number not yet tried as a suffix, by prefixed name. */
@@ -38,9 +38,9 @@ final class SurfaceTable {
         return surfaces;
     }
 
-    /** The object files' descriptions of {@link #surfaces}, in the same order. */
-    List<SurfaceValues> described() {
-        return described;
+    /** Whether the object files describe any of the surfaces as specular. */
+    boolean isAnySpecular() {
+        return isAnySpecular;
     }
 
     /** Index of a surface of an object; a surface that is not in the table is added. */
@@ -85,7 +85,7 @@ final class SurfaceTable {
     private int append(Surface surface, SurfaceValues values) {
         byName.put(surface.name(), surfaces.size());
         surfaces.add(surface);
-        described.add(values);
+        isAnySpecular |= values.specular > 0;
         return surfaces.size() - 1;
     }
 

@@ -91,8 +91,7 @@ public final class Placement {
 
     private double[] pivot(SceneItem item) {
         double[] none = layerPivots.getOrDefault(item, new double[3]);
-        String keyword = item.has("PivotPosition") ? "PivotPosition" : "PivotPoint";
-        return item.numbers(keyword, instant, none);
+        return item.numbers(item.either("PivotPosition", "PivotPoint"), instant, none);
     }
 
     /** Position of an item's pivot in the scene; 3 numbers. */

@@ -47,8 +47,7 @@ public final class SceneCamera {
     }
 
     private double aspect(SceneItem item) {
-        String size = item.has("FrameSize") ? "FrameSize" : "CustomSize";
-        double[] pixels = item.numbers(size, instant, DEFAULT_SIZE);
+        double[] pixels = item.numbers(item.either("FrameSize", "CustomSize"), instant, DEFAULT_SIZE);
         return pixels[0] * pixelAspect(item) / pixels[1];
     }
 

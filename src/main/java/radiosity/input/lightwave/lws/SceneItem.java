@@ -60,8 +60,13 @@ public final class SceneItem {
         envelopes.put(keyword, envelope);
     }
 
-    public boolean has(String keyword) {
+    boolean has(String keyword) {
         return values.containsKey(keyword) || envelopes.containsKey(keyword);
+    }
+
+    /** The first keyword if the item has it, else the second. */
+    public String either(String first, String second) {
+        return has(first) ? first : second;
     }
 
     /** The text after a keyword; empty if the item does not have the keyword. */

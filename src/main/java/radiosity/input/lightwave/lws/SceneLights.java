@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import radiosity.input.file.Diagnostics;
-import radiosity.input.lightwave.SceneAssembly;
 import radiosity.scene.Affine;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
@@ -25,7 +24,7 @@ public final class SceneLights {
         this.notes = notes;
     }
 
-    /** All lights with a power above 0; {@link SceneAssembly} decides by the options whether they are used. */
+    /** All lights with a power above 0; {@code SceneAssembly} decides by the options whether they are used. */
     public List<Light> lights() {
         List<Light> lights = new ArrayList<>();
         for (SceneItem item : scene.items(SceneItem.Kind.LIGHT)) {
@@ -40,8 +39,7 @@ public final class SceneLights {
     private Rgb power(SceneItem item) {
         double scale = scene.version <= 2 ? 1 / 255.0 : 1;
         double[] colour = item.numbers("LightColor", instant, 1 / scale, 1 / scale, 1 / scale);
-        String keyword = item.has("LightIntensity") ? "LightIntensity" : "LgtIntensity";
-        double intensity = Math.max(0, item.number(keyword, instant, 1));
+        double intensity = Math.max(0, item.number(item.either("LightIntensity", "LgtIntensity"), instant, 1));
         return new Rgb(Math.max(0, colour[0]), Math.max(0, colour[1]), Math.max(0, colour[2])).times(scale * intensity);
     }
 
@@ -91,10 +89,10 @@ public final class SceneLights {
 
     private Light make(SceneItem item, Light.Kind kind, Rgb power, Affine world) {
         double range = item.number("LightRange", instant, 1);
-        String cone = item.has("LightConeAngle") ? "LightConeAngle" : "ConeAngle";
-        String edge = item.has("LightEdgeAngle") ? "LightEdgeAngle" : "EdgeAngle";
-        double coneAngle = item.number(cone, instant, scene.version <= 2 ? 30 : Math.toRadians(30));
-        double edgeAngle = item.number(edge, instant, scene.version <= 2 ? 5 : Math.toRadians(5));
+        double coneAngle = item.number(item.either("LightConeAngle", "ConeAngle"), instant,
+                scene.version <= 2 ? 30 : Math.toRadians(30));
+        double edgeAngle = item.number(item.either("LightEdgeAngle", "EdgeAngle"), instant,
+                scene.version <= 2 ? 5 : Math.toRadians(5));
         boolean area = kind == Light.Kind.AREA;
         return new Light(item.text("LightName"), kind, power,
                 new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]), right(world.direction(0, 0, 1)).unit(),

@@ -11,9 +11,8 @@ public final class SceneParser {
     private static final Set<String> KEPT = Set.of("ParentObject", "ParentItem", "PivotPoint", "PivotPosition",
             "PivotRotation", "ObjDissolve", "ObjectDissolve", "TargetObject", "TargetItem",
             "LightName", "LightColor", "LgtIntensity", "LightIntensity", "LightType", "ConeAngle", "EdgeAngle",
-            "LightConeAngle", "LightEdgeAngle", "LightFalloff", "LightFalloffType", "LightRange",
-            "CameraName", "ZoomFactor", "FrameSize", "CustomSize", "PixelAspect", "PixelAspectRatio",
-            "CustomPixelRatio");
+            "LightConeAngle", "LightEdgeAngle", "LightRange",
+            "ZoomFactor", "FrameSize", "CustomSize", "PixelAspect", "PixelAspectRatio", "CustomPixelRatio");
     private static final Set<String> GLOBALS = Set.of("FirstFrame", "FramesPerSecond", "CurrentCamera");
     private static final Set<String> MOVED_BY_PLUGINS = Set.of("ItemMotionHandler", "DisplacementHandler",
             "ObjReplacementHandler", "ChannelHandler");
