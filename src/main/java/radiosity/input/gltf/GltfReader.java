@@ -56,7 +56,7 @@ public final class GltfReader {
      * @param world    map from the mesh's space to the scene's
      * @param instance map from the instance's space to the node's, if the node has instances
      */
-    record Standing(int node, int mesh, Shape shape, Affine world, Optional<Affine> instance) { }
+    record Standing(int node, int mesh, Meshes.Shape shape, Affine world, Optional<Affine> instance) { }
 
     private GltfReader(Container file, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
@@ -124,11 +124,11 @@ public final class GltfReader {
                 for (Affine instance : instances.get()) {
                     int own = draft.node(new SceneNode(at.node().text("name", ""), node, geometry(mesh), instance),
                             at.node().path());
-                    add(at, new Standing(at.number(), mesh, new Shape(weights(at.node()), null),
+                    add(at, new Standing(at.number(), mesh, new Meshes.Shape(weights(at.node()), null),
                             at.world().times(instance), Optional.of(instance)), own);
                 }
             } else if (mesh >= 0) {
-                Shape shape = new Shape(weights(at.node()), skin(at.node()));
+                Meshes.Shape shape = new Meshes.Shape(weights(at.node()), skin(at.node()));
                 add(at, new Standing(at.number(), mesh, shape, shape.skin() == null ? at.world() : Affine.IDENTITY,
                         Optional.empty()), node);
             }

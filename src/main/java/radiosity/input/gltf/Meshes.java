@@ -42,6 +42,14 @@ final class Meshes {
      */
     record Part(TriangleMesh triangles, int surface, int primitive, int[] vertices) { }
 
+    /**
+     * How a node deforms the vertices of its mesh, at rest.
+     *
+     * @param weights weights of the morph targets; may be empty
+     * @param skin    moves the vertices directly to the scene's space; null for none
+     */
+    record Shape(double[] weights, Skin skin) { }
+
     Meshes(JsonCursor root, Accessors accessors, Materials materials, ReadOptions options,
            Diagnostics notes) {
         this.root = root;
