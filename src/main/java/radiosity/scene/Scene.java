@@ -3,6 +3,7 @@ package radiosity.scene;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -142,30 +143,31 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
 
     /** Exitance and reflectance at a point of a triangle. */
     public MaterialSample look(int triangle, Vec3 point) {
-        Surface surface = surface(triangle);
-        MaterialSample everywhere = new MaterialSample(surface.exitance(), surface.reflectance());
         if (!isMapped(triangle)) {
-            return everywhere;
+            return everywhere(triangle);
         }
         double[] weights = weights(triangle, point);
-        return coloured(triangle, weights, !hasImages(triangle) ? everywhere : surface.look(map ->
-                map.at(textureCoordinate(triangle, 0, weights), textureCoordinate(triangle, 1, weights))));
+        return look(triangle, weights, map ->
+                map.at(textureCoordinate(triangle, 0, weights), textureCoordinate(triangle, 1, weights)));
     }
 
     /** Mean exitance and reflectance over the part a, b, c of a triangle. */
     public MaterialSample meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
-        Surface surface = surface(triangle);
-        MaterialSample everywhere = new MaterialSample(surface.exitance(), surface.reflectance());
         if (!isMapped(triangle)) {
-            return everywhere;
+            return everywhere(triangle);
         }
         double[][] at = {weights(triangle, a), weights(triangle, b), weights(triangle, c)};
         double[] middle = {(at[0][0] + at[1][0] + at[2][0]) / 3, (at[0][1] + at[1][1] + at[2][1]) / 3};
-        return coloured(triangle, middle, !hasImages(triangle) ? everywhere : surface.look(map ->
-                map.mean(textureCoordinates(triangle, 0, at), textureCoordinates(triangle, 1, at))));
+        return look(triangle, middle, map ->
+                map.mean(textureCoordinates(triangle, 0, at), textureCoordinates(triangle, 1, at)));
     }
 
-    private MaterialSample coloured(int triangle, double[] weights, MaterialSample of) {
+    private MaterialSample everywhere(int triangle) {
+        return new MaterialSample(surface(triangle).exitance(), surface(triangle).reflectance());
+    }
+
+    private MaterialSample look(int triangle, double[] weights, Function<Raster, Rgb> value) {
+        MaterialSample of = hasImages(triangle) ? surface(triangle).look(value) : everywhere(triangle);
         if (!isColoured(triangle)) {
             return of;
         }

@@ -56,7 +56,7 @@ public final class SceneBuilder {
     }
 
     private int point(Vec3 p) {
-        if (!Double.isFinite(p.x()) || !Double.isFinite(p.y()) || !Double.isFinite(p.z())) {
+        if (!p.isFinite()) {
             throw new IllegalArgumentException("polygon: expected finite coordinates, got " + p);
         }
         Vec3 positiveZero = p.plus(Vec3.ZERO);

@@ -2,6 +2,7 @@ package radiosity.input.photometry;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import radiosity.input.file.InputFile;
@@ -68,7 +69,7 @@ public record Photometry(LuminousIntensity intensity, double length, double widt
         return of(InputFile.read(file, file.toString(), maxBytes), file.toString(), name -> {
             String plain = name.substring(1 + Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')));
             Path beside = file.resolveSibling(plain.replace("\0", ""));
-            return java.nio.file.Files.isRegularFile(beside)
+            return Files.isRegularFile(beside)
                     ? Optional.of(InputFile.read(beside, beside.toString(), maxBytes)) : Optional.empty();
         });
     }
