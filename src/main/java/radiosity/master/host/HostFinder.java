@@ -3,6 +3,7 @@ package radiosity.master.host;
 import java.io.IOException;
 import java.util.List;
 import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -70,16 +71,17 @@ public final class HostFinder implements AutoCloseable {
 
     /** A host with a session, or null where no session can be opened now; with {@code notify} the user learns why. */
     private Host open(Link link, boolean notify) {
-        FutureTask<Host> opening = Host.start(() -> session(link, notify));
+        CompletableFuture<Host> opening = new CompletableFuture<>();
+        Host.start(() -> session(link, notify, opening));
         try {
-            Host host = opening.get(CONNECT_SECONDS + (notify ? BUSY_SECONDS : 0), TimeUnit.SECONDS);
+            Host host = opening.orTimeout(CONNECT_SECONDS + (notify ? BUSY_SECONDS : 0), TimeUnit.SECONDS).get();
             load(host, notify);
             return host;
-        } catch (TimeoutException e) {
-            opening.cancel(true);
-            link.cut();
-            return later(link, notify, "no answer");
         } catch (ExecutionException e) {
+            if (e.getCause() instanceof TimeoutException) {
+                link.cut();
+                return later(link, notify, "no answer");
+            }
             return e.getCause() instanceof RefusedException refused ? never(link, refused.getMessage())
                     : later(link, notify, HostFailure.words(e.getCause()));
         } catch (HostLostException e) {
@@ -127,6 +129,22 @@ public final class HostFinder implements AutoCloseable {
         return greeting;
     }
 
+    /**
+     * Opens a session and completes {@code opening} with the host, or with the reason why there is no session. A host
+     * that comes after the time is closed, as the heartbeat would keep that host busy.
+     */
+    private Void session(Link link, boolean patient, CompletableFuture<Host> opening) {
+        try {
+            Host host = session(link, patient);
+            if (!opening.complete(host)) {
+                host.close();
+            }
+        } catch (IOException | RuntimeException | Error e) {
+            opening.completeExceptionally(e);
+        }
+        return null;
+    }
+
     private Host session(Link link, boolean patient) throws IOException {
         RemotePartition remote = link.connect();
         Greeting greeting = greeting(remote, patient);
@@ -142,10 +160,6 @@ public final class HostFinder implements AutoCloseable {
         } catch (IllegalStateException e) {
             checkFree(Greeting.decode(remote.greet()));
             throw e;
-        }
-        if (Thread.interrupted()) {
-            host.close();
-            throw new IOException("no answer");
         }
         return host;
     }

@@ -1,0 +1,79 @@
+package radiosity.master.host;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.lang.reflect.Proxy;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import radiosity.protocol.Greeting;
+import radiosity.rmi.Build;
+import radiosity.rmi.RemotePartition;
+
+/** How sessions end. */
+class HostEndsTest {
+
+    /** A host whose answers the test gives. */
+    private interface Answers {
+        Object to(String method) throws Exception;
+    }
+
+    private static RemotePartition remote(Answers answers) {
+        return (RemotePartition) Proxy.newProxyInstance(RemotePartition.class.getClassLoader(),
+                new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> answers.to(method.getName()));
+    }
+
+    private static Link link(RemotePartition remote, Runnable cut) {
+        return new Link() {
+            @Override
+            public String name() {
+                return "igge";
+            }
+
+            @Override
+            public RemotePartition connect() {
+                return remote;
+            }
+
+            @Override
+            public void cut() {
+                cut.run();
+            }
+        };
+    }
+
+    /** Its heartbeat would keep it busy. The call that opens the session notices no interrupt, and returns late. */
+    @Test
+    @Tag("slow")
+    void sessionThatOpensTooLate_isClosed() throws InterruptedException {
+        CountDownLatch cut = new CountDownLatch(1);
+        CountDownLatch closed = new CountDownLatch(1);
+        RemotePartition late = remote(method -> {
+            switch (method) {
+                case "greet":
+                    return new Greeting(Build.version(), Build.id(), 1, 1, cut.getCount() > 0 ? "" : "busy").encode();
+                case "open":
+                    while (cut.getCount() > 0) {
+                        Thread.onSpinWait();
+                    }
+                    Thread.interrupted();
+                    return null;
+                case "close":
+                    closed.countDown();
+                    return null;
+                default:
+                    return null;
+            }
+        });
+        try (HostFinder finder = new HostFinder(new byte[0], "", line -> { })) {
+            finder.lookFor(link(late, cut::countDown));
+            finder.open(List.of());
+            assertTrue(closed.await(20, TimeUnit.SECONDS));
+            assertFalse(finder.hasCome());
+        }
+    }
+}
