@@ -60,7 +60,9 @@ public final class HostCalls {
     private static void end(FutureTask<Object> closing) {
         try {
             closing.get();
-        } catch (ExecutionException | InterruptedException e) {
+        } catch (ExecutionException e) {
+            // the host ends the session when its master falls silent
+        } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }

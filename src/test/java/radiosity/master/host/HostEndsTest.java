@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Proxy;
+import java.rmi.ConnectException;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -75,5 +76,17 @@ class HostEndsTest {
             assertTrue(closed.await(20, TimeUnit.SECONDS));
             assertFalse(finder.hasCome());
         }
+    }
+
+    @Test
+    void hostThatCannotBeClosed_interruptsNobody() {
+        RemotePartition gone = remote(method -> {
+            throw new ConnectException("gone");
+        });
+        Link stuck = link(gone, () -> {
+            throw new IllegalStateException("no socket to cut");
+        });
+        HostCalls.close(List.of(new Host(stuck, gone, 1, line -> { })));
+        assertFalse(Thread.interrupted());
     }
 }
