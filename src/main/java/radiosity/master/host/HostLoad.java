@@ -42,7 +42,7 @@ public final class HostLoad {
 
     /** @param end modelled time from which the host is not needed any more, s */
     public HostStatistics statistics(String name, String state, int blocks, double end) {
-        return new HostStatistics(name, state, blocks, elements, rounds, cpu, rounds == 0 ? 0 : 1 - cpu / (end - begun),
+        return new HostStatistics(name, state, blocks, elements, rounds, cpu, end > begun ? 1 - cpu / (end - begun) : 0,
                 bytes.get());
     }
 }

@@ -12,10 +12,11 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.protocol.Greeting;
+import radiosity.protocol.Reply;
 import radiosity.rmi.Build;
 import radiosity.rmi.RemotePartition;
 
-/** How sessions end. */
+/** How sessions end, and what is said of hosts that have done nothing or cannot measure it. */
 class HostEndsTest {
 
     /** A host whose answers the test gives. */
@@ -88,5 +89,12 @@ class HostEndsTest {
         });
         HostCalls.close(List.of(new Host(stuck, gone, 1, line -> { })));
         assertFalse(Thread.interrupted());
+    }
+
+    @Test
+    void hostThatCannotMeasureProcessorTime_isNotIdle() {
+        HostLoad load = new HostLoad();
+        load.add(new Reply(new byte[0], 0, 1, List.of(), new byte[0]), 0);
+        assertEquals(0, load.statistics("igge", "working", 1, 0).idle());
     }
 }
