@@ -38,7 +38,7 @@ public final class RayCaster implements FormFactorCalculator {
      * @param rays      number of rays at a node, at least 1
      * @param tolerance largest light that these rays may carry: form factor times weighted radiosity (see
      *                  {@link ShooterHierarchy}), more from near nodes. A node that carries more is entered, an element
-     *                  gets more rays. Infinite, for shooters of a single patch: no node is entered
+     *                  gets more rays. Infinite: no node is entered; for shooters of a single patch only
      */
     public RayCaster(RadiosityBounds bounds, int rays, double tolerance) {
         this(bounds, rays, tolerance, Math.max(rays, MOST_RAYS));
@@ -53,8 +53,13 @@ public final class RayCaster implements FormFactorCalculator {
      * A ray caster that plays Russian roulette (J. Arvo, D. Kirk, Particle transport and image synthesis, 1990) with
      * nodes that carry less than an eighth of the tolerance: rays are cast with a probability in proportion to the
      * light that the node carries, and their light is divided by the probability.
+     *
+     * @throws IllegalArgumentException where the tolerance is infinite
      */
     public static RayCaster sparing(RadiosityBounds bounds, int rays, double tolerance) {
+        if (tolerance == Double.POSITIVE_INFINITY) {
+            throw new IllegalArgumentException("sparing rays: expected a finite tolerance, got " + tolerance);
+        }
         return new RayCaster(new ShadowTest(bounds), rays, tolerance, Math.max(rays, MOST_RAYS), true);
     }
 
@@ -73,9 +78,13 @@ public final class RayCaster implements FormFactorCalculator {
         this.mostRays = mostRays;
     }
 
+    /** @throws IllegalArgumentException where the tolerance is infinite and the shooter has clusters */
     @Override
     public void gather(float px, float py, float pz, float nx, float ny, float nz, long key, ShooterHierarchy shooter,
                        GatherSink gathering) {
+        if (tolerance == Double.POSITIVE_INFINITY && shooter.face[0] < 0) {
+            throw new IllegalArgumentException("rays to clusters: expected a finite tolerance, got " + tolerance);
+        }
         enter(px, py, pz, nx, ny, nz, key, shooter, 0, gathering);
     }
 
