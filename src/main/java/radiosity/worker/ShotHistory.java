@@ -51,7 +51,11 @@ public final class ShotHistory {
         return shapes.stream().map(this::of).toList();
     }
 
-    /** The total of one shooter, on the elements of {@code shape}; called by any thread while no shots are added. */
+    /**
+     * The total of one shooter, on the elements of {@code shape}; called by any thread while no shots are added. The
+     * shooter is kept as it is divided, also before it has shot: later shots are then added at the corners of its
+     * elements, as partitions add them, and the bits are the same.
+     */
     public Shot of(Shot shape) {
         return new Shot(shape.trees().stream().map(this::keep).toList(), shape.flux());
     }
