@@ -12,7 +12,6 @@ import radiosity.rmi.HostKey;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.ReadOptions;
-import radiosity.settings.ReadOptions;
 import radiosity.settings.StopRule;
 import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
