@@ -2,13 +2,12 @@ package radiosity.protocol;
 
 import java.io.DataInputStream;
 import java.io.IOException;
-import radiosity.rmi.Build;
 
 /**
  * A host's description of itself.
  *
  * @param version    version of the host's program
- * @param build      digest of the program's classes, see {@link Build#id}
+ * @param build      digest of the program's classes, see {@code Build.id}
  * @param processors number of threads with which the host computes
  * @param memory     largest heap of the host's program, bytes
  * @param busy       text that names the master that uses the host, and since when; empty where the host is free

@@ -6,8 +6,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import radiosity.prediction.CoarseSystem;
-import radiosity.worker.ShotHistory;
 
 /**
  * An order that every partition carries out in a round, or in a part of a round.
@@ -119,7 +117,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         TREES,
         /** As {@link #ASK}, but each candidate has its mean radiosities over the patches of the coarse mesh. */
         MEANS,
-        /** Answer how much each vertex of the coarse mesh sees of each patch: rows of a {@link CoarseSystem}. */
+        /** Answer how much each vertex of the coarse mesh sees of each patch: rows of a {@code CoarseSystem}. */
         ROWS,
         /** Gather where the last order for {@link Question.GhostValues} did not: at vertices that no other host has. */
         REST,
@@ -225,7 +223,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         return Wire.bytes(out -> write(out, true));
     }
 
-    /** For receivers that keep a {@link ShotHistory}: without radiosities where the shots are all light ever shot. */
+    /** For receivers that keep a {@code ShotHistory}: without radiosities where the shots are all light ever shot. */
     public byte[] encodeShort() {
         return Wire.bytes(out -> write(out, !gathersTotals()));
     }

@@ -3,17 +3,15 @@ package radiosity.protocol;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.List;
-import radiosity.partition.GhostVertices;
-import radiosity.partition.Partition;
 
 /**
  * The reply of a host to one order.
  *
- * @param answer  the answer of the host's {@link Partition}, as bytes
+ * @param answer  the answer of the host's {@code Partition}, as bytes
  * @param cpu     processor time that the order took, s
  * @param seconds wall time that the order took, s
  * @param work    1 per block that the host owns, in the order of the blocks' ids
- * @param given   ghost values for other hosts, see {@link GhostVertices#give}; empty where the order asks for none
+ * @param given   ghost values for other hosts, see {@code GhostVertices.give}; empty where the order asks for none
  */
 public record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> work, byte[] given) {
 

@@ -2,18 +2,10 @@ package radiosity.rmi;
 
 import java.rmi.Remote;
 import java.rmi.RemoteException;
-import radiosity.master.RemoteWorld;
-import radiosity.partition.GhostVertices;
-import radiosity.partition.Partition;
-import radiosity.protocol.Answer;
-import radiosity.protocol.BlockTakeover;
-import radiosity.protocol.Greeting;
-import radiosity.protocol.Reply;
-import radiosity.protocol.SceneBytes;
 
 /**
- * The remote interface of a host, which {@code PartitionServer} exports, and by which the calls of a {@link
- * RemoteWorld} reach a {@link Partition} on another machine: in sessions, with large messages in parts, and so that
+ * The remote interface of a host, which {@code PartitionServer} exports, and by which the calls of a {@code
+ * RemoteWorld} reach a {@code Partition} on another machine: in sessions, with large messages in parts, and so that
  * {@link #round} and {@link #blocks} may be repeated.
  *
  * <p>Arguments are numbers and arrays of bytes only, so that a host can refuse all other objects. All calls but {@link
@@ -22,7 +14,7 @@ import radiosity.protocol.SceneBytes;
  */
 public interface RemotePartition extends Remote {
 
-    /** The host's {@link Greeting}, as bytes; also ends a session whose master has been silent for a while. */
+    /** The host's {@code Greeting}, as bytes; also ends a session whose master has been silent for a while. */
     byte[] greet() throws RemoteException;
 
     /**
@@ -39,33 +31,33 @@ public interface RemotePartition extends Remote {
     /** Appends to the message that {@link #mesh}, {@link #take}, {@link #know} or {@link #share} will read. */
     void send(long session, byte[] part) throws RemoteException;
 
-    /** Makes the initial mesh of the scene that was sent, see {@link SceneBytes}; gives its fingerprint in UTF-8. */
+    /** Makes the initial mesh of the scene that was sent, see {@code SceneBytes}; gives its fingerprint in UTF-8. */
     byte[] mesh(long session) throws RemoteException;
 
     /**
      * Makes the blocks that were sent the host's own and brings them up to date; gives up other blocks. The message
-     * that was sent is a {@link BlockTakeover}.
+     * that was sent is a {@code BlockTakeover}.
      *
-     * @return for each order in the message that asks for an answer: number of bytes, then an {@link Answer}
+     * @return for each order in the message that asks for an answer: number of bytes, then an {@code Answer}
      */
     byte[] take(long session) throws RemoteException;
 
     /** Replaces all light ever shot, as the host knows it, by the message that was sent. */
     void know(long session) throws RemoteException;
 
-    /** The keys of the vertices that other hosts may also have, 8 bytes each, see {@link GhostVertices#name}. */
+    /** The keys of the vertices that other hosts may also have, 8 bytes each, see {@code GhostVertices.name}. */
     byte[] border(long session) throws RemoteException;
 
-    /** Takes from the message that was sent which host gathers at these vertices, see {@link GhostVertices#agree}. */
+    /** Takes from the message that was sent which host gathers at these vertices, see {@code GhostVertices.agree}. */
     void share(long session) throws RemoteException;
 
     /**
      * Carries out an order on the blocks that the host owns. A call that repeats a number gets the same reply again.
      *
      * @param number 1, 2, ... in a session; orders that change elements and orders that only ask are counted alike
-     * @param order  an order for {@link Partition#round}, then the ghost values for this host, if there are any, see
-     *               {@link GhostVertices}
-     * @return a {@link Reply}
+     * @param order  an order for {@code Partition.round}, then the ghost values for this host, if there are any, see
+     *               {@code GhostVertices}
+     * @return a {@code Reply}
      */
     byte[] round(long session, long number, byte[] order) throws RemoteException;
 

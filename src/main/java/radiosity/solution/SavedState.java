@@ -9,11 +9,10 @@ import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
-import radiosity.solver.ProgressiveRadiosity;
 import radiosity.util.Pieces;
 
 /**
- * The state of a calculation from which {@link ProgressiveRadiosity#resume} goes on, as opaque bytes; immutable.
+ * The state of a calculation from which {@code ProgressiveRadiosity.resume} goes on, as opaque bytes; immutable.
  *
  * <p>The bytes are held in pieces of any lengths, because the state of more than about 15 million elements does not fit
  * into one array. Two states are equal if their bytes are equal, however the bytes are cut into pieces.

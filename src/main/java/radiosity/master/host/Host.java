@@ -18,8 +18,6 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
-import radiosity.master.RemoteWorld;
-import radiosity.partition.GhostVertices;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.Reply;
 import radiosity.protocol.SceneBytes;
@@ -33,7 +31,7 @@ import radiosity.worker.ShotHistory;
 /**
  * One host as its master sees it: a session, with calls on threads of a common pool and a thread for the heartbeat.
  *
- * <p>Belongs to the thread of the {@link RemoteWorld}, which starts calls on several hosts and then awaits each call.
+ * <p>Belongs to the thread of the {@code RemoteWorld}, which starts calls on several hosts and then awaits each call.
  */
 public final class Host implements AutoCloseable {
 
@@ -166,7 +164,7 @@ public final class Host implements AutoCloseable {
         return ++rounds;
     }
 
-    /** @param values ghost values for this host, which are appended to its next order, see {@link GhostVertices} */
+    /** @param values ghost values for this host, which are appended to its next order, see {@code GhostVertices} */
     public void addGhostValues(byte[] values) {
         ghostValues = values;
     }
@@ -204,14 +202,14 @@ public final class Host implements AutoCloseable {
         return null;
     }
 
-    /** The keys of the vertices that other hosts may also have, 8 bytes each, see {@link GhostVertices#name}. */
+    /** The keys of the vertices that other hosts may also have, 8 bytes each, see {@code GhostVertices.name}. */
     public byte[] border() throws IOException {
         byte[] keys = remote.border(session);
         load.bytes.addAndGet(keys.length);
         return keys;
     }
 
-    /** @param roles role of each vertex that the host has named, see {@link GhostVertices#agree} */
+    /** @param roles role of each vertex that the host has named, see {@code GhostVertices.agree} */
     public Void share(int agreement, byte[] roles) throws IOException {
         send(out -> {
             out.writeInt(agreement);
