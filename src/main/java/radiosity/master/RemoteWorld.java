@@ -233,12 +233,12 @@ public final class RemoteWorld extends World {
         if (order.changes() && log.isCheckpointDue()) {
             blocks();
         }
-        if (order.gathersTotals()) {
+        if (order.kind().gathersTotals()) {
             log.inform(hosts.present());
         }
         byte[] bytes = order.encodeShort();
         if (order.changes() || order.isAnswered()) {
-            log.add(order, order.gathersTotals() ? null : bytes);
+            log.add(order, order.kind().gathersTotals() ? null : bytes);
         }
         return bytes;
     }

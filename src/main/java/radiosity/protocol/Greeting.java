@@ -9,23 +9,21 @@ import java.io.IOException;
  * @param version    version of the host's program
  * @param build      digest of the program's classes, see {@code Build.id}
  * @param processors number of threads with which the host computes
- * @param memory     largest heap of the host's program, bytes
  * @param busy       text that names the master that uses the host, and since when; empty where the host is free
  */
-public record Greeting(String version, String build, int processors, long memory, String busy) {
+public record Greeting(String version, String build, int processors, String busy) {
 
     public byte[] encode() {
         return Wire.bytes(out -> {
             out.writeUTF(version);
             out.writeUTF(build);
             out.writeInt(processors);
-            out.writeLong(memory);
             out.writeUTF(busy);
         });
     }
 
     public static Greeting decode(byte[] bytes) throws IOException {
         DataInputStream in = Wire.input(bytes);
-        return new Greeting(in.readUTF(), in.readUTF(), in.readInt(), in.readLong(), in.readUTF());
+        return new Greeting(in.readUTF(), in.readUTF(), in.readInt(), in.readUTF());
     }
 }

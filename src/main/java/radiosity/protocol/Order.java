@@ -124,7 +124,8 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         /** At vertices of negative irradiance, gather all light ever shot anew; not to be cut into parts. */
         MEND;
 
-        boolean gathersTotals() {
+        /** Whether vertices gather all light that was ever shot: hosts have it, so the master does not send it. */
+        public boolean gathersTotals() {
             return this == GATHER || this == REGATHER || this == MEND;
         }
     }
@@ -181,12 +182,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
     }
 
     public boolean gathers() {
-        return kind == Kind.SHOOT || gathersTotals();
-    }
-
-    /** Whether vertices gather all light that was ever shot: hosts have it, so the master does not send it. */
-    public boolean gathersTotals() {
-        return kind.gathersTotals();
+        return kind == Kind.SHOOT || kind.gathersTotals();
     }
 
     /** Whether the radiosity of the shots counts as shot afterwards. */
@@ -225,7 +221,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
 
     /** For receivers that keep a {@code ShotHistory}: without radiosities where the shots are all light ever shot. */
     public byte[] encodeShort() {
-        return Wire.bytes(out -> write(out, !gathersTotals()));
+        return Wire.bytes(out -> write(out, !kind.gathersTotals()));
     }
 
     private void write(DataOutputStream out, boolean whole) throws IOException {
@@ -239,10 +235,10 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
             Wire.writeTrees(shots, channels, out);
         }
         out.writeDouble(rules.tolerance);
-        write(rules.weight, out);
+        Wire.writeDoubles(out, rules.weight);
         out.writeDouble(rules.meshError);
-        write(rules.ambient, out);
-        write(rules.givenBack, out);
+        Wire.writeDoubles(out, rules.ambient);
+        Wire.writeDoubles(out, rules.givenBack);
         out.writeBoolean(rules.sparing);
         out.writeDouble(rules.anew);
         out.writeBoolean(begun);
@@ -259,8 +255,8 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         int number = in.readInt();
         boolean more = in.readBoolean();
         List<Shot> shots = kind.gathersTotals() ? Wire.trees(in) : Wire.shots(in);
-        Rules rules = new Rules(in.readDouble(), doubles(in), in.readDouble(), doubles(in), doubles(in),
-                in.readBoolean(), in.readDouble());
+        Rules rules = new Rules(in.readDouble(), Wire.readDoubles(in), in.readDouble(), Wire.readDoubles(in),
+                Wire.readDoubles(in), in.readBoolean(), in.readDouble());
         return new Order(kind, number, in.readBoolean(), more, shots, rules, question(in));
     }
 
@@ -272,21 +268,6 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         }
         return most == NOTHING ? Question.NOTHING : most == GHOST_VALUES ? Question.GHOST_VALUES
                 : new Question.Candidates(most, flux);
-    }
-
-    private static void write(double[] numbers, DataOutputStream out) throws IOException {
-        out.writeInt(numbers.length);
-        for (double number : numbers) {
-            out.writeDouble(number);
-        }
-    }
-
-    private static double[] doubles(DataInputStream in) throws IOException {
-        double[] numbers = new double[Wire.count(in, Double.BYTES)];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = in.readDouble();
-        }
-        return numbers;
     }
 
     private static Kind kind(int number) throws IOException {

@@ -38,7 +38,7 @@ public final class SceneBytes {
     public static byte[] write(Scene scene, RadiositySettings settings) {
         return Wire.bytes(out -> {
             write(out, settings);
-            writeDoubles(out, scene.points());
+            Wire.writeDoubles(out, scene.points());
             writeInts(out, scene.corners());
             writeInts(out, scene.surfaceOf());
             out.writeInt(scene.surfaces().size());
@@ -64,7 +64,7 @@ public final class SceneBytes {
         RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
                 constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean(),
                 constant(FormFactors.values(), in.readByte()));
-        double[] points = readDoubles(in);
+        double[] points = Wire.readDoubles(in);
         int[] corners = readInts(in);
         int[] surfaceOf = readInts(in);
         List<Surface> surfaces = new ArrayList<>();
@@ -99,9 +99,7 @@ public final class SceneBytes {
         out.writeByte(light.kind().ordinal());
         write(out, light.power());
         for (Vec3 v : List.of(light.position(), light.direction(), light.right(), light.up())) {
-            out.writeDouble(v.x());
-            out.writeDouble(v.y());
-            out.writeDouble(v.z());
+            write(out, v);
         }
         out.writeDouble(light.range());
         out.writeDouble(light.cone());
@@ -114,10 +112,10 @@ public final class SceneBytes {
 
     private static void write(DataOutputStream out, Luminaire lamp) throws IOException {
         out.writeByte(lamp.intensity().type().ordinal());
-        writeDoubles(out, lamp.intensity().horizontal());
-        writeDoubles(out, lamp.intensity().vertical());
-        writeDoubles(out, lamp.intensity().candela());
-        write(out, new Rgb(lamp.zero().x(), lamp.zero().y(), lamp.zero().z()));
+        Wire.writeDoubles(out, lamp.intensity().horizontal());
+        Wire.writeDoubles(out, lamp.intensity().vertical());
+        Wire.writeDoubles(out, lamp.intensity().candela());
+        write(out, lamp.zero());
         out.writeDouble(lamp.length());
         out.writeDouble(lamp.width());
     }
@@ -125,8 +123,8 @@ public final class SceneBytes {
     private static Optional<Luminaire> luminaire(DataInputStream in) throws IOException {
         try {
             return !in.readBoolean() ? Optional.empty() : Optional.of(new Luminaire(new LuminousIntensity(
-                    constant(LuminousIntensity.Type.values(), in.readByte()), readDoubles(in), readDoubles(in),
-                    readDoubles(in)), vec(in), in.readDouble(), in.readDouble()));
+                    constant(LuminousIntensity.Type.values(), in.readByte()), Wire.readDoubles(in),
+                    Wire.readDoubles(in), Wire.readDoubles(in)), vec(in), in.readDouble(), in.readDouble()));
         } catch (IllegalArgumentException e) {
             throw new IOException(e.getMessage(), e);
         }
@@ -136,6 +134,12 @@ public final class SceneBytes {
         for (int c = 0; c < 3; c++) {
             out.writeDouble(value.channel(c));
         }
+    }
+
+    private static void write(DataOutputStream out, Vec3 value) throws IOException {
+        out.writeDouble(value.x());
+        out.writeDouble(value.y());
+        out.writeDouble(value.z());
     }
 
     private static void write(DataOutputStream out, Optional<Raster> raster) throws IOException {
@@ -160,21 +164,6 @@ public final class SceneBytes {
         } catch (IllegalArgumentException e) {
             throw new IOException(e.getMessage(), e);
         }
-    }
-
-    private static void writeDoubles(DataOutputStream out, double[] values) throws IOException {
-        out.writeInt(values.length);
-        for (double value : values) {
-            out.writeDouble(value);
-        }
-    }
-
-    private static double[] readDoubles(DataInputStream in) throws IOException {
-        double[] values = new double[Wire.count(in, Double.BYTES)];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = in.readDouble();
-        }
-        return values;
     }
 
     private static void writeFloats(DataOutputStream out, float[] values) throws IOException {

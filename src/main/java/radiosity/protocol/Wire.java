@@ -91,6 +91,23 @@ public final class Wire {
         return exactly(in, count(in, 1));
     }
 
+    /** Writes the number of values, then the values. */
+    static void writeDoubles(DataOutputStream out, double[] values) throws IOException {
+        out.writeInt(values.length);
+        for (double value : values) {
+            out.writeDouble(value);
+        }
+    }
+
+    /** Reads a number of values, then the values, as {@link #writeDoubles} wrote them. */
+    static double[] readDoubles(DataInputStream in) throws IOException {
+        double[] values = new double[count(in, Double.BYTES)];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = in.readDouble();
+        }
+        return values;
+    }
+
     /** Decodes a message that consists of byte arrays with the number of bytes in front of each. */
     public static List<byte[]> list(byte[] message) throws IOException {
         List<byte[]> all = new ArrayList<>();

@@ -141,7 +141,7 @@ final class HostedBlocks {
 
     /** The order with its radiosities, which hosts are not sent where they are all light ever shot. */
     private Order whole(Order order) {
-        return order.gathersTotals() ? order.shooting(totals.of(order.shots())) : order;
+        return order.kind().gathersTotals() ? order.shooting(totals.of(order.shots())) : order;
     }
 
     /** The ghost values for other hosts that the last order has asked for; else empty. */

@@ -91,7 +91,7 @@ public final class ServedPartition implements RemotePartition {
     public synchronized byte[] greet() {
         expire(TAKEOVER_SECONDS);
         String busy = current == null ? "" : "busy for " + current.master + " since " + current.since;
-        return new Greeting(Build.version(), Build.id(), threads, Runtime.getRuntime().maxMemory(), busy).encode();
+        return new Greeting(Build.version(), Build.id(), threads, busy).encode();
     }
 
     @Override
@@ -161,6 +161,8 @@ public final class ServedPartition implements RemotePartition {
         synchronized (session) {
             try {
                 return work.on(session);
+            } catch (SessionEndedException e) {
+                throw e;
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
@@ -208,8 +210,7 @@ public final class ServedPartition implements RemotePartition {
 
     @Override
     public byte[] round(long id, long number, byte[] order) throws SessionEndedException {
-        Session session = session(id);
-        synchronized (session) {
+        return inSession(id, session -> {
             awaitTurn(session, number);
             if (number > session.number) {
                 session.number = number;
@@ -221,7 +222,7 @@ public final class ServedPartition implements RemotePartition {
                 throw new IllegalStateException("round " + number + ": expected to be asked for once, as it failed");
             }
             return session.answers.get(number);
-        }
+        });
     }
 
     /** Waits until all earlier rounds are begun: calls may overtake each other, but rounds are done in their order. */
@@ -248,30 +249,23 @@ public final class ServedPartition implements RemotePartition {
                 ? system.getProcessCpuTime() * 1e-9 : 0;
     }
 
-    private byte[] round(HostedBlocks blocks, byte[] order) {
+    private byte[] round(HostedBlocks blocks, byte[] order) throws IOException {
         long begin = System.nanoTime();
         double cpu = processorSeconds();
-        try {
-            byte[] answer = blocks.round(order);
-            double spent = processorSeconds() - cpu;
-            return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent),
-                    blocks.given()).encode();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        byte[] answer = blocks.round(order);
+        double spent = processorSeconds() - cpu;
+        return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent), blocks.given())
+                .encode();
     }
 
     @Override
     public byte[] blocks(long id, byte[] blocks) throws SessionEndedException {
-        Session session = session(id);
-        synchronized (session) {
-            return Wire.bytes(out -> {
-                for (ByteBuffer in = ByteBuffer.wrap(blocks); in.remaining() >= Integer.BYTES
-                        && out.size() < ANSWER_BYTES;) {
-                    Wire.write(out, session.blocks.block(in.getInt()));
-                }
-            });
-        }
+        return inSession(id, session -> Wire.bytes(out -> {
+            for (ByteBuffer in = ByteBuffer.wrap(blocks); in.remaining() >= Integer.BYTES
+                    && out.size() < ANSWER_BYTES;) {
+                Wire.write(out, session.blocks.block(in.getInt()));
+            }
+        }));
     }
 
     @Override

@@ -57,7 +57,7 @@ class HostEndsTest {
         RemotePartition late = remote(method -> {
             switch (method) {
                 case "greet":
-                    return new Greeting(Build.version(), Build.id(), 1, 1, cut.getCount() > 0 ? "" : "busy").encode();
+                    return new Greeting(Build.version(), Build.id(), 1, cut.getCount() > 0 ? "" : "busy").encode();
                 case "open":
                     while (cut.getCount() > 0) {
                         Thread.onSpinWait();
