@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.ObjectStreamConstants;
+import java.lang.reflect.Proxy;
 import java.nio.charset.StandardCharsets;
 import java.rmi.server.RemoteObjectInvocationHandler;
 import java.util.Arrays;
@@ -58,6 +59,12 @@ public final class HostStub {
         int port = in.readInt();
         return new HostStub(Arrays.copyOf(bytes, block - 2), Arrays.copyOfRange(bytes, end, bytes.length), host, port,
                 in.readAllBytes());
+    }
+
+    /** The partition of which this is the handler. */
+    public static RemotePartition partition(RemoteObjectInvocationHandler handler) {
+        return (RemotePartition) Proxy.newProxyInstance(RemotePartition.class.getClassLoader(),
+                new Class<?>[] {RemotePartition.class}, handler);
     }
 
     private static byte[] serialized(Object stub) throws IOException {

@@ -127,8 +127,7 @@ public final class PartitionPort implements AutoCloseable {
 
     private static boolean answers(RemoteObjectInvocationHandler handler) {
         try {
-            ((RemotePartition) Proxy.newProxyInstance(RemotePartition.class.getClassLoader(),
-                    new Class<?>[] {RemotePartition.class}, handler)).greet();
+            HostStub.partition(handler).greet();
             return true;
         } catch (RemoteException e) {
             return false;

@@ -14,16 +14,14 @@ public final class ShotHistory {
 
     private final int channels;
     /** Total radiosity of the tree below each top node; a top node that has not shot may be left out. */
-    private final Map<Top, PatchTree> trees = new ConcurrentHashMap<>();
-
-    private record Top(int face, long path) { }
+    private final Map<Shot.Place, PatchTree> trees = new ConcurrentHashMap<>();
 
     public ShotHistory(int channels) {
         this.channels = channels;
     }
 
-    private static Top top(PatchTree tree) {
-        return new Top(tree.face(), tree.path());
+    private static Shot.Place top(PatchTree tree) {
+        return new Shot.Place(tree.face(), tree.path());
     }
 
     public boolean isEmpty() {

@@ -42,7 +42,7 @@ public final class Host implements AutoCloseable {
     private static final long LOOK_MILLISECONDS = 100;
     private static final int PART_BYTES = 1 << 20;
     /** Daemon threads, so that a call that hangs does not keep the program from ending. */
-    private static final ExecutorService CALLS = Executors.newCachedThreadPool(work -> {
+    static final ExecutorService CALLS = Executors.newCachedThreadPool(work -> {
         Thread thread = new Thread(work, "host");
         thread.setDaemon(true);
         return thread;

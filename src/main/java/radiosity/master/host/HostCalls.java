@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.ExecutionException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.FutureTask;
 import radiosity.rmi.HostLostException;
 
@@ -49,22 +49,10 @@ public final class HostCalls {
         return results;
     }
 
-    /** Ends the sessions of several hosts at the same time. */
+    /** Ends the sessions of several hosts at the same time; a session that cannot be ended runs out on its host. */
     public static void close(Collection<Host> hosts) {
-        hosts.stream().map(host -> Host.start(() -> {
-            host.close();
-            return null;
-        })).toList().forEach(HostCalls::end);
-    }
-
-    private static void end(FutureTask<Object> closing) {
-        try {
-            closing.get();
-        } catch (ExecutionException e) {
-            // the host ends the session when its master falls silent
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        CompletableFuture.allOf(hosts.stream().map(host -> CompletableFuture.runAsync(host::close, Host.CALLS))
+                .toArray(CompletableFuture<?>[]::new)).handle((done, failure) -> done).join();
     }
 
     /** Whether hosts were lost since {@link #takeLost} was called last. */

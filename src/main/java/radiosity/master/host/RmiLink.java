@@ -2,7 +2,6 @@ package radiosity.master.host;
 
 import java.io.IOException;
 import java.io.NotSerializableException;
-import java.lang.reflect.Proxy;
 import java.net.UnknownHostException;
 import java.rmi.ConnectException;
 import java.rmi.NotBoundException;
@@ -64,8 +63,7 @@ public final class RmiLink implements Link {
             HostStub stub = HostStub.of(handler).at(address.host());
             partition = new HostAddress(address.host(), stub.port());
             sockets.use(partition, key);
-            return (RemotePartition) Proxy.newProxyInstance(RemotePartition.class.getClassLoader(),
-                    new Class<?>[] {RemotePartition.class}, stub.handler());
+            return HostStub.partition(stub.handler());
         } catch (NotBoundException | NotSerializableException e) {
             throw new IOException("no PartitionServer behind the registry on port " + address.port(), e);
         } catch (RemoteException e) {
