@@ -45,7 +45,7 @@ final class Candidates {
     /** Answers a question: sums over all shooters, and those candidates that have the flux asked for. */
     Answer answer(Order.Kind kind, Order.Question.Candidates asked) {
         if (sums == null) {
-            sums = measure();
+            sums = sumAll();
             shots = new Shot[shooters.length];
         }
         Answer answer = new Answer(faces, mesh.fluxScale());
@@ -71,10 +71,10 @@ final class Candidates {
         shots = null;
     }
 
-    private Answer measure() {
+    private Answer sumAll() {
         Answer all = new Answer(faces, mesh.fluxScale());
         parallel.run(shooters.length, RUN, (from, to) -> {
-            Answer some = measure(from, to);
+            Answer some = sumRange(from, to);
             synchronized (all) {
                 all.addSums(some);
             }
@@ -83,35 +83,35 @@ final class Candidates {
     }
 
     /** The sums over the shooters {@code from} to {@code to - 1}; sets their {@link #flux}. */
-    private Answer measure(int from, int to) {
+    private Answer sumRange(int from, int to) {
         Answer sums = new Answer(faces, mesh.fluxScale());
         for (int p = from; p < to; p++) {
             flux[p] = 0;
             for (int i = 0; i < shooters[p].length; i++) {
-                flux[p] += measure(shooters[p][i], sums);
+                flux[p] += addNode(shooters[p][i], sums);
             }
         }
         return sums;
     }
 
     /** Adds the elements below a node to the sums; returns their |U| A summed over the channels, W. */
-    private double measure(int node, Answer sums) {
+    private double addNode(int node, Answer sums) {
         double total = 0;
         if (!nodes.isElement(node)) {
             for (int k = 0; k < 4; k++) {
-                total += measure(nodes.child(node) + k, sums);
+                total += addNode(nodes.child(node) + k, sums);
             }
             return total;
         }
         for (int layer = 0; layer < faces.layers(); layer++) {
-            total += measure(node, layer, sums);
+            total += addLayer(node, layer, sums);
         }
         sums.elements++;
         return total;
     }
 
     /** Adds one layer of an element to the sums; returns its |U| A summed over the layer's channels, W. */
-    private double measure(int node, int layer, Answer sums) {
+    private double addLayer(int node, int layer, Answer sums) {
         double total = 0;
         double area = nodes.area(node) * squaredSize;
         ElementLight light = nodes.light();

@@ -21,7 +21,7 @@ import radiosity.util.ParallelFor;
 public final class Gatherer {
 
     /** Largest number of neighbouring vertices that a thread takes at a time. */
-    static final int RUN = 64;
+    private static final int RUN = 64;
 
     private final InitialMesh mesh;
     private final Faces faces;
@@ -74,14 +74,31 @@ public final class Gatherer {
      * @param turn 0, or another number whenever the rays are to take other directions
      */
     public void gather(Order order, RadiosityNodes nodes, int[] vertices, int turn) {
-        ShooterHierarchy[] shooters = shooters(order);
-        FormFactorCalculator[] calculators = calculators(order);
-        receiveAmbient(order, nodes, vertices);
+        gather(work(order), nodes, vertices, turn, (run, nanoseconds) -> { });
+    }
+
+    /** An order with its shooters and calculators, made once for both parts of a gathering. */
+    record Work(Order order, ShooterHierarchy[] shooters, FormFactorCalculator[] calculators) { }
+
+    Work work(Order order) {
+        return new Work(order, shooters(order), calculators(order));
+    }
+
+    /** Receives the processor time of gathering at some neighbouring vertices, ns. */
+    interface Costs {
+        void add(int[] run, long nanoseconds);
+    }
+
+    /** Gathers shooter by shooter at runs of neighbouring vertices: rays from neighbours to one shooter run alike. */
+    void gather(Work work, RadiosityNodes nodes, int[] vertices, int turn, Costs costs) {
+        receiveAmbient(work.order, nodes, vertices);
         parallel.run(vertices.length, RUN, (from, to) -> {
             int[] run = Arrays.copyOfRange(vertices, from, to);
-            for (ShooterHierarchy shooter : shooters) {
-                gather(calculators, shooter, nodes, run, turn);
+            long begin = BlockCosts.now();
+            for (ShooterHierarchy shooter : work.shooters) {
+                gather(work.calculators, shooter, nodes, run, turn);
             }
+            costs.add(run, BlockCosts.now() - begin);
         });
     }
 
@@ -114,9 +131,8 @@ public final class Gatherer {
      * Adds to the irradiance of some neighbouring vertices the light of one shooter; buried vertices receive nothing.
      *
      * @param calculator one per {@link Patcher#slack}
-     * @param turn       0, or another number whenever the rays are to take other directions
      */
-    void gather(FormFactorCalculator[] calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int[] run,
+    private void gather(FormFactorCalculator[] calculator, ShooterHierarchy shooter, RadiosityNodes nodes, int[] run,
             int turn) {
         int channels = faces.channels();
         double[] irradiance = nodes.light().irradiance();

@@ -32,14 +32,13 @@ public final class GhostVertices {
     }
 
     private final RadiosityNodes nodes;
-    /** The vertices named for the next agreement; empty once it is made. */
+    /** The vertices named for the next agreement, ascending; empty once it is made. */
     private int[] named = {};
     /** Number of the agreement between hosts; 0 where hosts have not agreed. */
     private int agreement;
-    private int[] given = {};
-    private int[] taken = {};
-    private final BitSet isGiven = new BitSet();
-    private final BitSet isTaken = new BitSet();
+    /** The vertices at which this host gathers for other hosts too, and those at which another host gathers. */
+    private final BitSet given = new BitSet();
+    private final BitSet taken = new BitSet();
 
     GhostVertices(RadiosityNodes nodes) {
         this.nodes = nodes;
@@ -52,10 +51,8 @@ public final class GhostVertices {
      */
     public byte[] name() {
         agreement = 0;
-        given = new int[0];
-        taken = new int[0];
-        isGiven.clear();
-        isTaken.clear();
+        given.clear();
+        taken.clear();
         named = ends(edges());
         ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of ghost vertices", Long.BYTES,
                 named.length));
@@ -108,45 +105,41 @@ public final class GhostVertices {
     public void agree(DataInputStream roles) throws IOException {
         agreement = roles.readInt();
         byte[] role = Wire.exactly(roles, named.length);
-        given = withRole(role, Role.GIVES);
-        taken = withRole(role, Role.TAKES);
-        IntStream.of(given).forEach(isGiven::set);
-        IntStream.of(taken).forEach(isTaken::set);
+        for (int i = 0; i < role.length; i++) {
+            given.set(named[i], role[i] == Role.GIVES.ordinal());
+            taken.set(named[i], role[i] == Role.TAKES.ordinal());
+        }
         named = new int[0];
-    }
-
-    private int[] withRole(byte[] role, Role wanted) {
-        return IntStream.range(0, role.length).filter(i -> role[i] == wanted.ordinal()).map(i -> named[i]).toArray();
     }
 
     /** Whether this host gathers at some vertices for other hosts, or other hosts gather for this one. */
     boolean isShared() {
-        return given.length + taken.length > 0;
+        return !given.isEmpty() || isTaking();
     }
 
     /** Whether other hosts gather at some vertices for this one. */
     public boolean isTaking() {
-        return taken.length > 0;
+        return !taken.isEmpty();
     }
 
     /** Those of the given vertices at which this host gathers for other hosts too. */
     int[] given(int[] vertices) {
-        return filter(vertices, isGiven::get);
+        return filter(vertices, given::get);
     }
 
     /** Those of the given vertices that this host shares with no other host. */
     int[] alone(int[] vertices) {
-        return filter(vertices, v -> !isGiven.get(v) && !isTaken.get(v));
+        return filter(vertices, v -> !given.get(v) && !taken.get(v));
     }
 
     /** Those of the given vertices at which this host gathers, for itself or for others. */
     int[] own(int[] vertices) {
-        return filter(vertices, v -> !isTaken.get(v));
+        return filter(vertices, v -> !taken.get(v));
     }
 
     /** Those of the given vertices at which another host gathers. */
     int[] taken(int[] vertices) {
-        return filter(vertices, isTaken::get);
+        return filter(vertices, taken::get);
     }
 
     private static int[] filter(int[] vertices, IntPredicate wanted) {
@@ -160,9 +153,9 @@ public final class GhostVertices {
     /** Ghost values for other hosts: number of the agreement, then per given vertex one double per channel, W/m². */
     public byte[] give() {
         ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of ghost values",
-                Integer.BYTES + (long) bytesPerVertex() * given.length)).putInt(agreement);
+                Integer.BYTES + (long) bytesPerVertex() * given.cardinality())).putInt(agreement);
         double[] irradiance = nodes.light().irradiance();
-        for (int v : given) {
+        for (int v = given.nextSetBit(0); v >= 0; v = given.nextSetBit(v + 1)) {
             for (int c = 0; c < nodes.channels(); c++) {
                 bytes.putDouble(irradiance[nodes.channels() * v + c]);
             }
@@ -181,8 +174,8 @@ public final class GhostVertices {
         if (values.readInt() != agreement) {
             return false;
         }
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(values, bytesPerVertex() * taken.length));
-        for (int v : taken) {
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(values, bytesPerVertex() * taken.cardinality()));
+        for (int v = taken.nextSetBit(0); v >= 0; v = taken.nextSetBit(v + 1)) {
             for (int c = 0; c < nodes.channels(); c++) {
                 nodes.light().irradiance()[nodes.channels() * v + c] = bytes.getDouble();
             }

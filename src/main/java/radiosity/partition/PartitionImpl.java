@@ -6,9 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.LightSources;
-import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.AdaptiveMeshing;
 import radiosity.mesh.Block;
 import radiosity.mesh.PatchTree;
@@ -47,7 +45,7 @@ public final class PartitionImpl implements Partition {
     private final Candidates candidates;
     private final GhostVertices ghosts;
     /** Work to be finished by {@link Order.Kind#REST}; null where there is none. */
-    private Work rest;
+    private Gatherer.Work rest;
     /** Receivers of the coarse mesh while their rows are made; else null. */
     private CoarseReceivers coarse;
 
@@ -73,7 +71,7 @@ public final class PartitionImpl implements Partition {
         ghosts = new GhostVertices(nodes);
         if (!restored) {
             receivers.bury(nodes, 0);
-            light(IntStream.range(0, nodes.vertices()).toArray());
+            light(from(0));
         }
     }
 
@@ -104,7 +102,7 @@ public final class PartitionImpl implements Partition {
             case GATHER, REGATHER, MEND -> gather(order);
             case RENEW -> renew(order);
             case AVERAGE -> nodes.points().averageAside(order.rules().anew());
-            case BALANCE -> receivers.receiveAmbient(order, nodes, IntStream.range(0, nodes.vertices()).toArray());
+            case BALANCE -> receivers.receiveAmbient(order, nodes, from(0));
             case REST -> gatherRest();
             default -> { }
         }
@@ -140,7 +138,7 @@ public final class PartitionImpl implements Partition {
     /** Gathers an order's light at the vertices at which other hosts gather, as their ghost values have not arrived. */
     public void gatherAtGhosts(Order order) {
         candidates.changed();
-        gather(work(order), ghosts.taken(points(order)));
+        gather(receivers.work(order), ghosts.taken(points(order)));
     }
 
     /**
@@ -151,8 +149,13 @@ public final class PartitionImpl implements Partition {
         return switch (order.kind()) {
             case GATHER -> nodes.points().madeBy(order.number() - 1);
             case MEND -> IntStream.range(0, nodes.vertices()).filter(this::isNegative).toArray();
-            default -> IntStream.range(0, nodes.vertices()).toArray();
+            default -> from(0);
         };
+    }
+
+    /** The vertices from number {@code first} on. */
+    private int[] from(int first) {
+        return IntStream.range(first, nodes.vertices()).toArray();
     }
 
     private boolean isNegative(int vertex) {
@@ -170,14 +173,14 @@ public final class PartitionImpl implements Partition {
                 .splitAll(order.number(), parallel);
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
-        light(IntStream.range(known, nodes.vertices()).toArray());
+        light(from(known));
     }
 
     private void renew(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
         if (!order.begun()) {
             nodes.points().setAside();
-            light(IntStream.range(0, nodes.vertices()).toArray());
+            light(from(0));
         }
     }
 
@@ -207,19 +210,12 @@ public final class PartitionImpl implements Partition {
         return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
     }
 
-    /** An order with its shooters and calculators, made once for both parts of a gathering. */
-    private record Work(Order order, ShooterHierarchy[] shooters, FormFactorCalculator[] calculators) { }
-
-    private Work work(Order order) {
-        return new Work(order, receivers.shooters(order), receivers.calculators(order));
-    }
-
     /**
      * Gathers at all vertices at which no other host gathers. If the order asks for ghost values, gathers only at the
      * vertices that other hosts need too, and leaves the rest to {@link Order.Kind#REST}.
      */
     private void gather(Order order) {
-        Work work = work(order);
+        Gatherer.Work work = receivers.work(order);
         if (order.givesGhosts() && ghosts.isShared()) {
             gather(work, ghosts.given(points(order)));
             rest = work;
@@ -230,33 +226,26 @@ public final class PartitionImpl implements Partition {
 
     private void gatherRest() {
         if (rest != null) {
-            gather(rest, ghosts.alone(points(rest.order)));
+            gather(rest, ghosts.alone(points(rest.order())));
             rest = null;
         }
     }
 
-    /** Gathers shooter by shooter at runs of neighbouring points: rays from neighbours to one shooter run alike. */
-    private void gather(Work work, int[] points) {
+    /** Gathers an order's light at some points; counts what that costs. */
+    private void gather(Gatherer.Work work, int[] points) {
         int[] vertices = IntStream.of(points).filter(v -> !nodes.points().isBuried(v)).toArray();
-        boolean isMended = work.order.kind() == Order.Kind.MEND;
-        boolean isAnother = isMended || work.order.kind() == Order.Kind.REGATHER || work.order.rules().sparing();
-        int turn = isAnother ? work.order.number() : 0;
+        Order order = work.order();
+        boolean isMended = order.kind() == Order.Kind.MEND;
+        boolean isAnother = isMended || order.kind() == Order.Kind.REGATHER || order.rules().sparing();
+        int turn = isAnother ? order.number() : 0;
         if (vertices.length == 0) {
             return;
         }
         if (isMended) {
             discard(vertices);
         }
-        receivers.receiveAmbient(work.order, nodes, vertices);
         costs.begin(vertices);
-        parallel.run(vertices.length, Gatherer.RUN, (from, to) -> {
-            int[] run = Arrays.copyOfRange(vertices, from, to);
-            long begin = BlockCosts.now();
-            for (ShooterHierarchy shooter : work.shooters) {
-                receivers.gather(work.calculators, shooter, nodes, run, turn);
-            }
-            costs.add(run, BlockCosts.now() - begin);
-        });
+        receivers.gather(work, nodes, vertices, turn, costs::add);
         if (isMended) {
             raise(vertices);
         }
