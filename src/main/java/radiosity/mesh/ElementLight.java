@@ -1,6 +1,7 @@
 package radiosity.mesh;
 
 import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
 import radiosity.mesh.face.Subdivision;
 import radiosity.util.ArraySize;
 
@@ -71,17 +72,17 @@ public final class ElementLight {
     /** Irradiance H at corner k of an element, W/m². A buried vertex takes the mean of the element's others. */
     public double irradiance(int node, int k, int channel) {
         int v = tree.corner(node, k);
-        return points.isBuried(v) ? ofOthers(node, channel) : arrived(v, channel);
+        return points.isBuried(v) ? ofOthers(node, w -> arrived(w, channel)) : arrived(v, channel);
     }
 
-    /** The mean irradiance of the element's vertices that are not buried, W/m²; 0 where all are buried. */
-    private double ofOthers(int node, int channel) {
+    /** The mean of a quantity over the element's vertices that are not buried; 0 where all are buried. */
+    public double ofOthers(int node, IntToDoubleFunction atVertex) {
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
             int v = tree.corner(node, j);
             if (!points.isBuried(v)) {
-                sum += arrived(v, channel);
+                sum += atVertex.applyAsDouble(v);
                 seen++;
             }
         }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import radiosity.mesh.Block;
@@ -103,19 +104,9 @@ public final class CoarseSystem {
 
     /** Irradiance at corner k of a patch, W/m²; at a buried corner the mean of the patch's other corners, or 0. */
     private double corner(int patch, int k, double[] h, int c) {
-        if (!nodes.points().isBuried(nodes.corner(patch, k))) {
-            return h[channels * rows.unknown(nodes.corner(patch, k)) + c];
-        }
-        double sum = 0;
-        int seen = 0;
-        for (int j = 0; j < 3; j++) {
-            int v = nodes.corner(patch, j);
-            if (!nodes.points().isBuried(v)) {
-                sum += h[channels * rows.unknown(v) + c];
-                seen++;
-            }
-        }
-        return seen == 0 ? 0 : sum / seen;
+        IntToDoubleFunction atVertex = v -> h[channels * rows.unknown(v) + c];
+        int corner = nodes.corner(patch, k);
+        return nodes.points().isBuried(corner) ? nodes.light().ofOthers(patch, atVertex) : atVertex.applyAsDouble(corner);
     }
 
     /**
