@@ -23,7 +23,7 @@ final class ClusterRays {
         int u = (int) (rotation >>> 32);
         int v = (int) rotation;
         int lot = R2.lot(rotation);
-        double pick = (Hash.mix(rotation, 1) >>> 11) * 0x1p-53;
+        double pick = Hash.unit(Hash.mix(rotation, 1));
         double sum = 0;
         int found = -1;
         float fb = 0;

@@ -147,7 +147,7 @@ public final class LightSources {
                     : point(light, x, n);
             case AREA -> area(light, x, n);
             case SKY_UNIFORM, SKY_OVERCAST, SKY_CLEAR -> skies.computeIfAbsent(light, Sky::new)
-                    .irradiance(x, n, d -> sees(x, x.plus(d.times(FAR))));
+                    .irradiance(n, d -> sees(x, x.plus(d.times(FAR))));
         };
     }
 

@@ -79,7 +79,7 @@ abstract class Projection extends PatchByPatch {
      * key, else neighbouring receivers would have similar errors. Sine and cosine come from t = tan of half the angle.
      */
     private static double[] axes(Receiver to) {
-        double t = (Hash.mix(to.key(), 2) >>> 11) * 0x1p-53;
+        double t = Hash.unit(Hash.mix(to.key(), 2));
         double cos = (1 - t * t) / (1 + t * t);
         double sin = 2 * t / (1 + t * t);
         double[] n = {to.nx(), to.ny(), to.nz()};

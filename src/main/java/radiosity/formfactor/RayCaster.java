@@ -134,7 +134,7 @@ public final class RayCaster implements FormFactorCalculator {
     }
 
     private static boolean isChosen(long rotation, double chance) {
-        return chance == 1 || (Hash.mix(rotation, 2) >>> 11) * 0x1p-53 < chance;
+        return chance == 1 || Hash.unit(Hash.mix(rotation, 2)) < chance;
     }
 
     /**

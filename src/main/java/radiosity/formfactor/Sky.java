@@ -62,11 +62,10 @@ final class Sky {
     /**
      * Irradiance of a point, relative to that of a level place with a free sky.
      *
-     * @param x    the point; not used, as only {@code free} depends on the point
      * @param n    normal of the point, length 1
      * @param free whether no triangle stands in the way in a direction from the point
      */
-    double irradiance(Vec3 x, Vec3 n, Predicate<Vec3> free) {
+    double irradiance(Vec3 n, Predicate<Vec3> free) {
         return scale * new Place(n, free).all();
     }
 

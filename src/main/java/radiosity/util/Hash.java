@@ -12,4 +12,9 @@ public final class Hash {
         z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
         return z ^ (z >>> 31);
     }
+
+    /** The number in [0, 1) that the upper 53 bits of a hash are. */
+    public static double unit(long hash) {
+        return (hash >>> 11) * 0x1p-53;
+    }
 }

@@ -128,7 +128,7 @@ final class BoundsBuilder {
         if (bestAxis < 0) {
             return c <= MAX_LEAF ? 0 : c / 2;
         }
-        float area = 4 * area(tree.box[6 * node + 3], tree.box[6 * node + 4], tree.box[6 * node + 5]);
+        float area = 4 * BoundsTree.area(tree.box[6 * node + 3], tree.box[6 * node + 4], tree.box[6 * node + 5]);
         if (c <= MAX_LEAF && bestCost + NODE_COST * area >= c * area) {
             return 0;
         }
@@ -180,11 +180,7 @@ final class BoundsBuilder {
     }
 
     private float mergedArea() {
-        return area(merged[3] - merged[0], merged[4] - merged[1], merged[5] - merged[2]);
-    }
-
-    private static float area(float x, float y, float z) {
-        return x * y + y * z + z * x;
+        return BoundsTree.area(merged[3] - merged[0], merged[4] - merged[1], merged[5] - merged[2]);
     }
 
     private int partition(int f, int c, int axis, int lastLeft, float from, float scale) {

@@ -85,10 +85,7 @@ final class BoundsLayout {
     /** Computes area and density of all nodes, from the leaves to the root. */
     private void measure() {
         for (int i = tree.nodes - 1; i >= 0; i--) {
-            float x = tree.box[6 * i + 3];
-            float y = tree.box[6 * i + 4];
-            float z = tree.box[6 * i + 5];
-            area[i] = x * y + y * z + z * x;
+            area[i] = BoundsTree.area(tree.box[6 * i + 3], tree.box[6 * i + 4], tree.box[6 * i + 5]);
             if (tree.second[i] >= 0) {
                 density[i] = (density[i + 1] * area[i + 1] + density[tree.second[i]] * area[tree.second[i]]) / area[i];
             } else {

@@ -44,6 +44,11 @@ final class BoundsTree {
         }
     }
 
+    /** Half the surface of a box with sides x, y and z. */
+    static float area(float x, float y, float z) {
+        return x * y + y * z + z * x;
+    }
+
     /** Appends the nodes {@code from} to {@code to - 1} of another tree, a subtree; its run begins at {@code place}. */
     void append(BoundsTree other, int from, int to, int place) {
         int begin = other.first[from];

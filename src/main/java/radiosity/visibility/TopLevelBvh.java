@@ -74,7 +74,7 @@ final class TopLevelBvh {
         float x = Math.max(box[6 * i + 3], box[6 * k + 3]) - Math.min(box[6 * i], box[6 * k]);
         float y = Math.max(box[6 * i + 4], box[6 * k + 4]) - Math.min(box[6 * i + 1], box[6 * k + 1]);
         float z = Math.max(box[6 * i + 5], box[6 * k + 5]) - Math.min(box[6 * i + 2], box[6 * k + 2]);
-        return x * y + y * z + z * x;
+        return BoundsTree.area(x, y, z);
     }
 
     /** Sets box {@code at} to the box around boxes i and k; any of the three may be the same. */
