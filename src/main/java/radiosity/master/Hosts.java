@@ -35,22 +35,26 @@ final class Hosts {
     private final Consumer<String> notices;
     private final HostFinder finder;
     private final Work work;
-    private final List<Host> present = new ArrayList<>();
+    private final List<Host> present;
     private final List<HostStatistics> gone = new ArrayList<>();
     /** This process as a host; null while there are other hosts. */
     private Host alone;
+    /** Number of failed computations since all hosts did a step, and number of steps done at the last failure. */
     private int failures;
+    private int doneBefore;
 
     /** The parts of the master that act on hosts and their blocks. */
     record Work(HostCalls calls, InFlightSteps underWay, BlockAssignment assignment, ShotLog log) { }
 
     /**
+     * @param present     the hosts in use, at first none; modified, by this class alone
      * @param task        scene and settings, as {@link SceneBytes} writes them
      * @param fingerprint fingerprint of the initial mesh of this scene
      * @param threads     number of threads with which this process goes on if all hosts are lost
      * @param notices     receives one line for each event that the user should know of
      */
-    Hosts(byte[] task, String fingerprint, int threads, Consumer<String> notices, Work work) {
+    Hosts(List<Host> present, byte[] task, String fingerprint, int threads, Consumer<String> notices, Work work) {
+        this.present = present;
         this.task = task;
         this.fingerprint = fingerprint;
         this.threads = threads;
@@ -77,11 +81,6 @@ final class Hosts {
             throw new NoWorkerException("hosts: expected at least one that can be used, got none");
         }
         adopt();
-    }
-
-    /** Notes that all hosts have done a step: failures in computation are counted anew. */
-    void haveDone() {
-        failures = 0;
     }
 
     /*---- Lost hosts ----*/
@@ -118,7 +117,9 @@ final class Hosts {
         work.underWay().lose(host);
         remove(host, "lost");
         if (why.inComputation()) {
-            if (host == alone || ++failures == MOST_FAILURES) {
+            failures = work.underWay().done() == doneBefore ? failures + 1 : 1;
+            doneBefore = work.underWay().done();
+            if (host == alone || failures == MOST_FAILURES) {
                 throw new IOException("host " + host.name()
                         + ": expected the round to be computed there or elsewhere, got "
                         + why.getMessage(), why);

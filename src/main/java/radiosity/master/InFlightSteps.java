@@ -2,7 +2,6 @@ package radiosity.master;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -17,19 +16,27 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Reply;
 import radiosity.solution.HostStatistics;
 import radiosity.solution.WorldStatistics;
+import radiosity.solver.World;
 
 /**
- * The steps that hosts were given and that not all hosts have done yet; sums up the times of the steps that are done.
- * No host waits for the others between steps, and the next step is on its way to a host while the host computes. The
- * answers to a step are read by the caller who began the step, see {@link Step}.
+ * The steps that hosts were given and that not all hosts have done yet; passes on the numbers of elements and the times
+ * in the replies, and sums up the times of the steps that are done. No host waits for the others between steps, and the
+ * next step is on its way to a host while the host computes. The answers to a step are read by the caller who began the
+ * step, see {@link Step}.
  *
  * <p>If a host is lost, its answers to steps that not all hosts have answered are dropped: the hosts that take over its
  * blocks answer again.
  */
 final class InFlightSteps {
 
+    /** Largest number of steps in flight, so of steps that a fast host may be ahead of a slow one. */
+    static final int AHEAD = 4;
+
     private final HostCalls calls;
     private final ShotLog log;
+    private final BlockAssignment assignment;
+    private final HaloExchange halo;
+    private final List<Host> present;
     private final Deque<Step> steps = new ArrayDeque<>();
     /** The last steps with a question, in their order, to which answers are missing as hosts were lost. */
     private final List<Step> partlyAnswered = new ArrayList<>();
@@ -43,11 +50,20 @@ final class InFlightSteps {
     private double cpu;
     private double slowest;
     private double wall;
+    /** Wall time of the first of the two steps of an order for ghost values, s. */
+    private double firstPart;
 
-    /** @param clock clock of which only differences are used, ns */
-    InFlightSteps(HostCalls calls, ShotLog log, LongSupplier clock) {
+    /**
+     * @param present the hosts in use, which may change between steps; not modified
+     * @param clock   clock of which only differences are used, ns
+     */
+    InFlightSteps(HostCalls calls, ShotLog log, BlockAssignment assignment, HaloExchange halo, List<Host> present,
+                  LongSupplier clock) {
         this.calls = calls;
         this.log = log;
+        this.assignment = assignment;
+        this.halo = halo;
+        this.present = present;
         this.clock = clock;
         opened = clock.getAsLong();
     }
@@ -61,6 +77,7 @@ final class InFlightSteps {
         /** The critical path when the step was given to hosts, s; see {@link HostLoad}. */
         private double given;
         private Map<Host, FutureTask<Reply>> running;
+        /** Wall time since this step was begun, or since the step before was done if that was later, s. */
         private double seconds;
         private Map<Host, Reply> replies;
         private final Map<Host, List<byte[]>> answers = new LinkedHashMap<>();
@@ -76,22 +93,13 @@ final class InFlightSteps {
             return order;
         }
 
-        int shots() {
-            return shots;
-        }
-
-        /** Wall time since this step was begun, or since the step before was done if that was later, s. */
-        double seconds() {
-            return seconds;
-        }
-
         /** Whether all hosts that are not lost have done the step. */
         boolean isDone() {
             return replies != null;
         }
 
         /** Wall time of the slowest host, s. */
-        double slowest() {
+        private double slowest() {
             return replies.values().stream().mapToDouble(Reply::seconds).max().orElse(0);
         }
 
@@ -111,26 +119,64 @@ final class InFlightSteps {
         }
     }
 
-    /** Number of steps that not all hosts have done. */
-    int count() {
-        return steps.size();
+    /** Whether some hosts have not done all steps. */
+    boolean isAny() {
+        return !steps.isEmpty();
     }
 
-    /** Gives a step to hosts: each host receives these bytes, the encoded order, and then its ghost values. */
-    void begin(Collection<Host> hosts, Step step, byte[] bytes) {
+    /** Number of the steps that are done. */
+    int done() {
+        return rounds;
+    }
+
+    /**
+     * Gives an order, encoded as {@code bytes}, to all hosts, each of which receives its ghost values, too;
+     * {@code times} receives the times of steps found done.
+     */
+    Step begin(Order order, byte[] bytes, World.StepTimes times) {
+        return begin(order, order.shots().size(), bytes, times);
+    }
+
+    /** Has hosts gather at the vertices at which the last order, one for ghost values, did not gather. */
+    Step beginRest(int shots, World.StepTimes times) {
+        Order rest = Order.plain(Order.Kind.REST, Order.Question.NOTHING);
+        return begin(rest, shots, rest.encode(), times);
+    }
+
+    private Step begin(Order order, int shots, byte[] bytes, World.StepTimes times) {
+        while (steps.size() >= AHEAD) {
+            await(times);
+        }
+        Step step = new Step(order, shots);
         step.running = new LinkedHashMap<>();
         step.begin = clock.getAsLong();
         step.given = criticalPath;
-        for (Host host : hosts) {
+        for (Host host : present) {
             long number = host.nextRound();
             byte[] all = host.withGhostValues(bytes);
             step.running.put(host, host.begin(() -> host.round(number, all)));
         }
         steps.add(step);
+        log.count(order);
+        halo.begun(order);
+        return step;
     }
 
-    /** Waits until all hosts have done, or are lost in, the first step. */
-    Step await() {
+    /** Carries out an order that changes no element and asks for no answer, while no step is in flight. */
+    Step carryOut(Order order) {
+        Step step = begin(order, order.encode(), World.NOBODY);
+        awaitAll(World.NOBODY);
+        return step;
+    }
+
+    void awaitAll(World.StepTimes times) {
+        while (isAny()) {
+            await(times);
+        }
+    }
+
+    /** Waits until all hosts have done, or are lost in, the first step; the log has the step for hosts to come. */
+    void await(World.StepTimes times) {
         Step first = steps.remove();
         first.replies = calls.await(first.running);
         first.running = null;
@@ -140,12 +186,19 @@ final class InFlightSteps {
         if (first.order.isAnswered()) {
             first.replies.forEach((host, reply) -> first.answers.put(host, new ArrayList<>(List.of(reply.answer()))));
             partlyAnswered.add(first);
+        } else if (first.order.givesGhosts()) {
+            firstPart = first.seconds;
+        } else {
+            times.took(first.shots, firstPart + first.seconds);
+            firstPart = 0;
         }
         if (!calls.isAnyLost()) {
             allAnswered();
             count(first);
+            assignment.add(first.replies, first.shots);
+            halo.done(first);
+            log.took(first.slowest());
         }
-        return first;
     }
 
     private void count(Step done) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import radiosity.master.InFlightSteps.Step;
+import radiosity.master.host.Host;
 import radiosity.master.host.HostCalls;
 import radiosity.master.host.Link;
 import radiosity.master.host.NoWorkerException;
@@ -39,8 +40,7 @@ public final class RemoteWorld extends World {
     private final ShotLog log;
     private final Hosts hosts;
     private final HostCalls calls = new HostCalls();
-    private final InFlightSteps underWay;
-    private final RemoteSteps steps;
+    private final InFlightSteps steps;
     private final LongSupplier clock;
     private final HaloExchange halo;
     /** The question that follows the last order, until hosts are asked; null where there is none. */
@@ -66,14 +66,14 @@ public final class RemoteWorld extends World {
         super(scene, settings, threads);
         this.clock = clock;
         log = new ShotLog(mesh, calls);
-        underWay = new InFlightSteps(calls, log, clock);
         halo = new HaloExchange(calls, mesh);
         assignment = new BlockAssignment(mesh);
-        Hosts.Work work = new Hosts.Work(calls, underWay, assignment, log);
-        hosts = new Hosts(SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices, work);
-        steps = new RemoteSteps(work, hosts, halo);
+        List<Host> present = new ArrayList<>();
+        steps = new InFlightSteps(calls, log, assignment, halo, present, clock);
+        hosts = new Hosts(present, SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
+                new Hosts.Work(calls, steps, assignment, log));
         hosts.open(links);
-        steps.recover();
+        recover();
     }
 
     @Override
@@ -168,7 +168,7 @@ public final class RemoteWorld extends World {
             while (!question.exchange.isDone()) {
                 steps.await(times);
             }
-            steps.recover();
+            recover();
             halo.deliver(question.exchange);
         }
         question.asked = steps.begin(question.order, prepare(question.order), times);
@@ -182,7 +182,7 @@ public final class RemoteWorld extends World {
             exchange();
             do {
                 halo.agree(hosts.present());
-                steps.recover();
+                recover();
             } while (!halo.isAgreed());
         }
     }
@@ -201,8 +201,8 @@ public final class RemoteWorld extends World {
         askNext(times);
         do {
             steps.awaitAll(times);
-            steps.recover();
-        } while (underWay.count() > 0);
+            recover();
+        } while (steps.isAny());
         assignment.settle(hosts.present());
     }
 
@@ -210,7 +210,7 @@ public final class RemoteWorld extends World {
     private List<byte[]> answers(Step step, StepTimes times) throws IOException {
         while (!step.isAnswered()) {
             if (calls.isAnyLost()) {
-                steps.recover();
+                recover();
             } else {
                 steps.await(times);
             }
@@ -220,7 +220,7 @@ public final class RemoteWorld extends World {
 
     @Override
     public int stepsAhead() {
-        return RemoteSteps.AHEAD;
+        return InFlightSteps.AHEAD;
     }
 
     @Override
@@ -255,6 +255,16 @@ public final class RemoteWorld extends World {
 
     /*---- Losing hosts, and finding them again ----*/
 
+    /** Where hosts are lost, waits for all steps in flight, and has other hosts rebuild the blocks of the lost ones. */
+    private void recover() throws IOException {
+        if (calls.isAnyLost()) {
+            steps.awaitAll(NOBODY);
+            hosts.recover();
+            halo.forget();
+            steps.allAnswered();
+        }
+    }
+
     /** Between rounds: gives blocks to hosts that have come, and moves blocks from slow hosts to fast ones. */
     private void admit() throws IOException {
         boolean due = assignment.isDue(hosts.present());
@@ -269,7 +279,7 @@ public final class RemoteWorld extends World {
         } else if (come || due) {
             move(assignment.moves(hosts.present()));
         }
-        steps.recover();
+        recover();
     }
 
     private void move(List<BlockAssignment.Move> moves) throws IOException {
@@ -291,7 +301,7 @@ public final class RemoteWorld extends World {
         long begin = now();
         exchange();
         while (true) {
-            steps.recover();
+            recover();
             List<byte[]> all = hosts.states();
             if (!calls.isAnyLost()) {
                 log.checkpoint(all, (now() - begin) * 1e-9);
@@ -305,7 +315,7 @@ public final class RemoteWorld extends World {
         log.checkpoint(states);
         hosts.restore();
         halo.forget();
-        steps.recover();
+        recover();
         if (mesh.predicts()) {
             log.restart(super.totals(), hosts.present());
         }
@@ -313,7 +323,7 @@ public final class RemoteWorld extends World {
 
     /** The work of each host so far, and that of the master. */
     public WorldStatistics statistics() {
-        return underWay.statistics(hosts.statistics());
+        return steps.statistics(hosts.statistics());
     }
 
     @Override
