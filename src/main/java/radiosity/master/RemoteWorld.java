@@ -317,7 +317,7 @@ public final class RemoteWorld extends World {
         halo.forget();
         recover();
         if (mesh.predicts()) {
-            log.restart(super.totals(), hosts.present());
+            log.restart(super.totals());
         }
     }
 

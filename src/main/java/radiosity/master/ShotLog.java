@@ -1,8 +1,10 @@
 package radiosity.master;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import radiosity.master.host.Host;
@@ -47,6 +49,8 @@ final class ShotLog {
     private final InitialMesh mesh;
     private final HostCalls calls;
     private final ShotHistory totals;
+    /** The hosts that have all light ever shot. */
+    private final Set<Host> informed = new HashSet<>();
 
     private record Entry(Order order, Supplier<byte[]> encoded, long bytes) { }
 
@@ -112,7 +116,9 @@ final class ShotLog {
 
     /** Notes that a host has joined: it has all light ever shot only if nothing was shot yet. */
     void welcome(Host host) {
-        host.knows = totals.isEmpty();
+        if (totals.isEmpty()) {
+            informed.add(host);
+        }
     }
 
     /** Adds the shots of an order to the light ever shot; the hosts that receive the order do the same. */
@@ -123,17 +129,17 @@ final class ShotLog {
     }
 
     /** Replaces the light ever shot by these totals of all shooters; hosts do not have them yet. */
-    void restart(List<Shot> now, List<Host> hosts) {
+    void restart(List<Shot> now) {
         totals.set(now);
-        hosts.forEach(host -> host.knows = false);
+        informed.clear();
     }
 
     /** Sends all light ever shot to the hosts that do not have it. */
     void inform(List<Host> hosts) {
-        List<Host> late = hosts.stream().filter(host -> !host.knows).toList();
+        List<Host> late = hosts.stream().filter(host -> !informed.contains(host)).toList();
         if (!late.isEmpty()) {
             byte[] all = Wire.bytes(out -> Wire.write(totals.all(), mesh.faces.channels(), out));
-            calls.onAll(late, host -> host.know(all)).keySet().forEach(host -> host.knows = true);
+            informed.addAll(calls.onAll(late, host -> host.know(all)).keySet());
         }
     }
 

@@ -62,8 +62,6 @@ public final class Host implements AutoCloseable {
     private long rounds;
     /** Speed relative to other hosts: the host's number of threads, until it is measured. */
     public double speed;
-    /** Whether the host has all light ever shot, see {@link ShotHistory}. */
-    public boolean knows;
     /** Pairs of receiving point and shooter in the last rounds, and the wall time they took, s; weighted sums. */
     public double pairs;
     public double seconds;
