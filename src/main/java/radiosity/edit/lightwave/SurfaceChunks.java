@@ -17,7 +17,7 @@ final class SurfaceChunks {
     private SurfaceChunks() { }
 
     /**
-     * Returns the object with another colour of a surface, and with its diffuse level set to 1.
+     * Returns the object with another colour of a surface, and with its diffuse level set to 1; neither is animated.
      *
      * @param object not modified
      * @param name   name of the surface; an object without this surface is returned unchanged
@@ -67,10 +67,10 @@ final class SurfaceChunks {
         while (at + SUB_HEAD <= values.length) {
             int size = ByteBuffer.wrap(values, at + 4, 2).getShort() & 0xffff;
             if (id(values, at).equals("COLR") && size >= COLOUR) {
-                ByteBuffer.wrap(values, at + SUB_HEAD, COLOUR).put(colour(colour));
+                put(colour(colour), values, at + SUB_HEAD, size);
                 hasColour = true;
             } else if (id(values, at).equals("DIFF") && size >= DIFFUSE) {
-                ByteBuffer.wrap(values, at + SUB_HEAD, DIFFUSE).putFloat(1);
+                put(ByteBuffer.allocate(DIFFUSE).putFloat(1).array(), values, at + SUB_HEAD, size);
                 hasDiffuse = true;
             }
             at += SUB_HEAD + size + (size & 1);
@@ -84,6 +84,12 @@ final class SurfaceChunks {
             add(out, "DIFF", ByteBuffer.allocate(DIFFUSE).putFloat(1).array());
         }
         return out.toByteArray();
+    }
+
+    /** Replaces the data of a subchunk by a value and the index 0, which stands for no envelope. */
+    private static void put(byte[] value, byte[] values, int from, int size) {
+        Arrays.fill(values, from, from + size, (byte) 0);
+        System.arraycopy(value, 0, values, from, value.length);
     }
 
     private static byte[] colour(Rgb colour) {
