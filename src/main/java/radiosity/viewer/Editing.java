@@ -224,8 +224,11 @@ final class Editing {
         return isHeld;
     }
 
-    /** Moves the object being dragged by a number of pixels. */
+    /** Moves the object being dragged by a number of pixels; does nothing after an undo has ended the drag. */
     void drag(Drag.Hand hand, int right, int down) {
+        if (drag == null) {
+            return;
+        }
         drag.move(hand, right, down, display.camera(), display.height());
         isEdited = true;
         pending = drag.edit();

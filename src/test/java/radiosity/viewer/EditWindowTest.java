@@ -105,6 +105,24 @@ class EditWindowTest {
     }
 
     @Test
+    void undoDuringADrag_letsGoOfTheObject() throws Exception {
+        try (DrivenWindow window = new DrivenWindow(rendered(), folder)) {
+            window.tap("M");
+            until(window, "click on an object");
+            window.say("click " + X + " " + MIDDLE);
+            window.say("drag " + X + " " + MIDDLE + " " + (X + 20) + " " + MIDDLE);
+            window.say("mouse PRESSED " + (X + 20) + " " + MIDDLE);
+            window.say("mouse DRAGGED " + (X + 40) + " " + MIDDLE);
+            window.say("hold CONTROL+Z 40");
+            window.say("mouse DRAGGED " + (X + 60) + " " + MIDDLE);
+            window.say("mouse RELEASED " + (X + 60) + " " + MIDDLE);
+            until(window, "undone, 0 left");
+            window.say("hold CONTROL+Z 40");
+            assertEquals("edit: nothing to undo", window.say("status"), "the second drag is no edit");
+        }
+    }
+
+    @Test
     void paintedWall_isAnotherColour() throws Exception {
         try (DrivenWindow window = new DrivenWindow(rendered(), folder)) {
             window.tap("M");

@@ -30,8 +30,9 @@ import radiosity.scene.Camera;
 /**
  * A window that is used by lines on standard input; each is answered by one line.
  *
- * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y [KEY]; probe X Y; paint RED GREEN BLUE; status; camera;
- * exposure; shot FILE; screen FILE; real KEY; press BUTTON; set SLIDER NUMBER; colour LAMP RED GREEN BLUE
+ * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y [KEY]; mouse PRESSED|DRAGGED|RELEASED X Y; probe X Y; paint RED
+ * GREEN BLUE; status; camera; exposure; shot FILE; screen FILE; real KEY; press BUTTON; set SLIDER NUMBER; colour LAMP
+ * RED GREEN BLUE
  *
  * <p>Keys and mouse are events given to the canvas, and time is a counter: however busy the machine is, a key is held
  * for as long as it says. Only {@code real} presses a key of the display, until the window has walked.
@@ -103,6 +104,8 @@ final class Session {
             case "click" -> mouse(number(words, 1), number(words, 2), number(words, 1), number(words, 2), "");
             case "drag" -> mouse(number(words, 1), number(words, 2), number(words, 3), number(words, 4),
                     words.length > 5 ? words[5] : "");
+            case "mouse" -> move(MouseEvent.class.getField("MOUSE_" + words[1]).getInt(null), number(words, 2),
+                    number(words, 3), "");
             case "paint" -> window.panel().edit()
                     .paint(new Color(number(words, 1), number(words, 2), number(words, 3)));
             case "status" -> {
