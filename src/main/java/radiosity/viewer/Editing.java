@@ -93,7 +93,8 @@ final class Editing {
         }
     }
 
-    private static String reason(Throwable e) {
+    /** The message of a failure, or its name where it has none. */
+    static String reason(Throwable e) {
         return e.getMessage() == null ? e.toString() : e.getMessage();
     }
 

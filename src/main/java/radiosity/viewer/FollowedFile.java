@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -13,22 +14,31 @@ import radiosity.output.gltf.LitScene;
 /**
  * Reads a scene file again whenever a render has replaced it ({@code -si}).
  *
- * <p>A file that cannot be read is skipped: the window keeps its scene until the file is replaced again.
+ * <p>A file that cannot be read is skipped: the user gets a line, and the window keeps its scene until the file is
+ * replaced again.
  */
 final class FollowedFile {
 
     private static final int MILLISECONDS = 500;
 
     private final Path file;
+    private final Callable<LitScene> reader;
     private final Consumer<LitScene> replaced;
+    private final Consumer<String> failed;
     private final Timer timer = new Timer(MILLISECONDS, e -> look());
     private List<Object> seen;
     private boolean reading;
 
-    /** @param replaced receives each new scene, on the event thread */
-    FollowedFile(Path file, Consumer<LitScene> replaced) {
+    /**
+     * @param reader   reads the file, on a thread of its own
+     * @param replaced receives each new scene, on the event thread
+     * @param failed   receives a line for the user where a new scene cannot be read, on the event thread
+     */
+    FollowedFile(Path file, Callable<LitScene> reader, Consumer<LitScene> replaced, Consumer<String> failed) {
         this.file = file;
+        this.reader = reader;
         this.replaced = replaced;
+        this.failed = failed;
         seen = state();
     }
 
@@ -60,17 +70,18 @@ final class FollowedFile {
     }
 
     private void read() {
-        LitScene[] read = new LitScene[1];
         try {
-            read[0] = LitScene.read(file);
-        } catch (IOException e) {
-            read[0] = null;
+            LitScene read = reader.call();
+            SwingUtilities.invokeLater(() -> end(() -> replaced.accept(read)));
+        } catch (Exception | OutOfMemoryError e) {
+            SwingUtilities.invokeLater(() -> end(() -> failed.accept("not read again: " + Editing.reason(e))));
         }
-        SwingUtilities.invokeLater(() -> {
-            reading = false;
-            if (read[0] != null && timer.isRunning()) {
-                replaced.accept(read[0]);
-            }
-        });
+    }
+
+    private void end(Runnable outcome) {
+        reading = false;
+        if (timer.isRunning()) {
+            outcome.run();
+        }
     }
 }

@@ -17,6 +17,7 @@ import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -54,11 +55,11 @@ public final class Walkthrough {
         panel = new ControlPanel(display);
         display.whenChanged(panel::refresh);
         frame.add(panel.component(), BorderLayout.EAST);
-        followed = settings.followed().map(file -> new FollowedFile(file, other -> {
+        followed = settings.followed().map(file -> new FollowedFile(file, () -> LitScene.read(file), other -> {
             if (!display.editing().hasBegun()) {
                 display.replace(other);
             }
-        }));
+        }, line -> display.status(List.of(line))));
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
