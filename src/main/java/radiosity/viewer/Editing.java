@@ -18,7 +18,9 @@ import radiosity.edit.LightFollower;
 import radiosity.edit.ObjectTriangles;
 import radiosity.edit.Picked;
 import radiosity.output.gltf.LitScene;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.Affine;
+import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneNode;
@@ -103,10 +105,12 @@ final class Editing {
             return;
         }
         files = new EditFiles(source);
+        Camera camera = display.lighting().scene().camera();
         history = new EditHistory(source.scene());
         isOn = true;
         follower = new LightFollower(source.light(), source.settings(), Runtime.getRuntime().availableProcessors(),
-                this::show, last -> EventQueue.invokeLater(() -> settle(last)),
+                solution -> show(LitScene.of(solution, camera), solution),
+                last -> EventQueue.invokeLater(() -> settle(last)),
                 failure -> EventQueue.invokeLater(() -> say(failure)));
         follow(source.scene(), false);
     }
@@ -121,8 +125,7 @@ final class Editing {
     }
 
     /** Shows a picture; called on the follower's thread, and returns when the picture is displayed. */
-    private void show(Solution solution) {
-        LitScene lit = LitScene.of(solution, display.lighting().scene().camera());
+    private void show(LitScene lit, Solution solution) {
         try {
             EventQueue.invokeAndWait(() -> {
                 if (!isClosed) {
@@ -312,14 +315,15 @@ final class Editing {
             LightFollower.Rest saved = rest;
             say("edit: saving");
             List<Edit> edits = history.edits();
-            saving = new Thread(() -> save(saved, edits), "save");
+            ToneMapping toneMapping = display.lighting().toneMapping();
+            saving = new Thread(() -> save(saved, toneMapping, edits), "save");
             saving.start();
         }
     }
 
-    private void save(LightFollower.Rest saved, List<Edit> edits) {
+    private void save(LightFollower.Rest saved, ToneMapping toneMapping, List<Edit> edits) {
         try {
-            String outcome = files.save(saved, display.lighting().toneMapping());
+            String outcome = files.save(saved, toneMapping);
             EventQueue.invokeLater(() -> {
                 isSaved = edits.equals(history.edits());
                 say(outcome);
