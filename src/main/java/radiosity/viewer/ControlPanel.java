@@ -20,6 +20,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import radiosity.output.image.ToneMapping;
 import radiosity.scene.Lamp;
+import radiosity.scene.Rgb;
 
 /**
  * A panel beside the picture that does with the mouse what keys do, with a slider and a colour for each lamp and for
@@ -34,6 +35,8 @@ final class ControlPanel {
     /** Steps of the exposure slider per EV, and largest exposure in EV, up or down. */
     private static final int STEPS = 3;
     private static final int MOST_STOPS = 10;
+    /** Right end of the slider of a lamp, per cent. */
+    private static final int MOST_LAMP = 300;
 
     private final Display display;
     private final JPanel content = new JPanel();
@@ -48,7 +51,7 @@ final class ControlPanel {
     private final JCheckBox walls = new JCheckBox("walls stop you");
     private final EditPanel edit;
     private final JPanel lamps = new JPanel();
-    private final List<LampControl> lampControls = new ArrayList<>();
+    private final List<ColourControl> lampControls = new ArrayList<>();
     private List<Lamp> shown = List.of();
     /** Whether components are being set to the present values: changes then do not act on the display. */
     private boolean refreshing;
@@ -98,7 +101,7 @@ final class ControlPanel {
         add(content, box);
     }
 
-    private static JButton button(String name, String text, Runnable action) {
+    static JButton button(String name, String text, Runnable action) {
         JButton button = new JButton(text);
         button.setName(name);
         button.addActionListener(e -> action.run());
@@ -126,7 +129,7 @@ final class ControlPanel {
         return edit;
     }
 
-    LampControl lamp(int lamp) {
+    ColourControl lamp(int lamp) {
         return lampControls.get(lamp);
     }
 
@@ -148,7 +151,7 @@ final class ControlPanel {
             replaceLamps();
         }
         for (int lamp = 0; lamp < lampControls.size(); lamp++) {
-            lampControls.get(lamp).show(lighting.lamp(lamp));
+            lampControls.get(lamp).show(shown.get(lamp).name(), lighting.lamp(lamp));
         }
         refreshing = false;
     }
@@ -158,8 +161,10 @@ final class ControlPanel {
         lampControls.clear();
         for (int i = 0; i < shown.size(); i++) {
             int lamp = i;
-            LampControl control = new LampControl(i, shown.get(i).name(),
-                    factor -> act(() -> display.lamp(lamp, factor)), () -> display.onlyLamp(lamp));
+            ColourControl control = new ColourControl("lamp" + i, "colour" + i, MOST_LAMP, false,
+                    (factor, isMoving) -> display.lamp(lamp, factor));
+            control.button("solo" + i, "solo", () -> display.onlyLamp(lamp));
+            control.button("off" + i, "off", () -> display.lamp(lamp, Rgb.BLACK));
             lampControls.add(control);
             control.parts().forEach(part -> add(lamps, part));
         }

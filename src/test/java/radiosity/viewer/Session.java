@@ -106,15 +106,15 @@ final class Session {
                     words.length > 5 ? words[5] : "");
             case "mouse" -> move(MouseEvent.class.getField("MOUSE_" + words[1]).getInt(null), number(words, 2),
                     number(words, 3), "");
-            case "paint" -> window.panel().edit()
-                    .paint(new Color(number(words, 1), number(words, 2), number(words, 3)));
+            case "paint" -> window.panel().edit().reflectance()
+                    .choose(new Color(number(words, 1), number(words, 2), number(words, 3)));
             case "status" -> {
                 return String.join("; ", window.display().status());
             }
             case "press" -> part(words[1], AbstractButton.class).doClick(0);
             case "set" -> part(words[1], JSlider.class).setValue(number(words, 2));
             case "colour" -> window.panel().lamp(number(words, 1))
-                    .colour(new Color(number(words, 2), number(words, 3), number(words, 4)));
+                    .choose(new Color(number(words, 2), number(words, 3), number(words, 4)));
             case "size" -> {
                 return window.canvas().getWidth() + " " + window.canvas().getHeight();
             }
