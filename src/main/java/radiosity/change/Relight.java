@@ -33,8 +33,6 @@ import radiosity.visibility.RadiosityBounds;
  */
 public final class Relight {
 
-    /** Number of vertices that a thread processes at a time. */
-    private static final int RUN = 64;
     /** Margin around a changed object's box in which vertices of recut faces gather anew, part of the diagonal. */
     private static final double AROUND = 0.1;
 
@@ -89,7 +87,7 @@ public final class Relight {
             lit.light(kept, new LightSources(now.faces, now.bounds()), 1);
         }
         int[] fresh = transfer.fresh.stream().filter(v -> !nodes.points().isBuried(v)).toArray();
-        gather(fresh, new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]));
+        gather(fresh, rules, weight);
         return lit.states();
     }
 
@@ -159,7 +157,7 @@ public final class Relight {
             whole[slack] = new RayCaster(before.bounds(), now.rays(), tolerance);
         }
         double[] irradiance = nodes.light().irradiance();
-        parallel.run(vertices.length, RUN, (from, to) -> {
+        parallel.run(vertices.length, LitMesh.RUN, (from, to) -> {
             checkWanted();
             for (int i = from; i < to; i++) {
                 int v = vertices[i];
@@ -195,12 +193,12 @@ public final class Relight {
     /*---- Vertices without light ----*/
 
     /** Gathers all light shot so far at some vertices, along two sets of rays: the mean is the irradiance. */
-    private void gather(int[] vertices, Order.Rules rules) {
+    private void gather(int[] vertices, Order.Rules rules, double[] weight) {
         if (vertices.length == 0) {
             return;
         }
         List<Shot> totals = lit.totals();
-        Order order = new Order(Order.Kind.GATHER, totals, new Order.Rules(rules.tolerance(), rules.weight(),
+        Order order = new Order(Order.Kind.GATHER, totals, new Order.Rules(rules.tolerance(), weight,
                 rules.meshError(), AmbientLevel.of(now, totals), new double[0]), Order.Question.NOTHING);
         double[] irradiance = nodes.light().irradiance();
         for (int turn = 0; turn < 2; turn++) {
