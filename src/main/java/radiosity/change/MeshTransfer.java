@@ -1,10 +1,9 @@
 package radiosity.change;
 
-import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.function.IntToLongFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
@@ -33,6 +32,8 @@ final class MeshTransfer {
     private static final double SMALLER = 3;
     /** Light at a corner is looked up this part of the way from the corner to the middle of its element. */
     private static final double INSIDE = 1e-3;
+    /** Group of faces that are gone, in which there are no faces of the later scene. */
+    private static final long GONE = -2;
 
     final RadiosityNodes made;
     /** Vertices without any light of the earlier scene. */
@@ -72,7 +73,8 @@ final class MeshTransfer {
         groupsNow = change.groupsNow();
         groupsBefore = change.groupsBefore();
         boolean[] gone = change.goneFaces();
-        same = same(gone);
+        same = SceneChange.twins(places(before, f -> gone[f] ? GONE : groupsBefore[f]),
+                places(now, f -> groupsNow[f]));
         boolean[] kept = new boolean[before.count()];
         for (int f : same) {
             if (f >= 0) {
@@ -94,37 +96,16 @@ final class MeshTransfer {
         fresh.andNot(known);
     }
 
-    private int[] same(boolean[] gone) {
-        Map<Long, List<Integer>> places = new HashMap<>();
-        for (int f = 0; f < gone.length; f++) {
-            if (!gone[f]) {
-                places.computeIfAbsent(place(before, f), p -> new ArrayList<>()).add(f);
+    /** 1 per face: key of its corners, its side of the triangle, and its group. */
+    private static long[] places(Faces faces, IntToLongFunction group) {
+        long[] places = new long[faces.count()];
+        for (int f = 0; f < places.length; f++) {
+            places[f] = Hash.mix(group.applyAsLong(f), faces.side(f) & 1);
+            for (int i = 0; i < 9; i++) {
+                places[f] = Hash.mix(places[f], Float.floatToRawIntBits(faces.corner(f, i / 3, i % 3)));
             }
         }
-        int[] found = new int[now.count()];
-        for (int f = 0; f < found.length; f++) {
-            List<Integer> here = groupsNow[f] < 0 ? null : places.get(place(now, f));
-            int at = here == null ? -1 : sameGroup(here, groupsNow[f]);
-            found[f] = at < 0 ? -1 : here.remove(at);
-        }
-        return found;
-    }
-
-    private int sameGroup(List<Integer> faces, long group) {
-        for (int i = 0; i < faces.size(); i++) {
-            if (groupsBefore[faces.get(i)] == group) {
-                return i;
-            }
-        }
-        return -1;
-    }
-
-    private static long place(Faces faces, int f) {
-        long key = faces.side(f) & 1;
-        for (int i = 0; i < 9; i++) {
-            key = Hash.mix(key, Float.floatToRawIntBits(faces.corner(f, i / 3, i % 3)));
-        }
-        return key;
+        return places;
     }
 
     /*---- Division of elements ----*/

@@ -47,7 +47,7 @@ public final class SceneChange {
         this.now = now;
         originBefore = before.origins;
         originNow = now.origins;
-        twin = twins(before.original, now.original);
+        twin = twins(places(before.original), places(now.original));
         gone = new boolean[before.original.triangles()];
         mark();
         Set<Long> tornBefore = torn(before.original, originBefore, t -> gone[t]);
@@ -70,28 +70,35 @@ public final class SceneChange {
         }
     }
 
-    private static int[] twins(Scene before, Scene now) {
-        Map<Long, Deque<Integer>> places = new HashMap<>();
-        for (int t = 0; t < before.triangles(); t++) {
-            places.computeIfAbsent(place(before, t), p -> new ArrayDeque<>()).add(t);
+    /**
+     * Pairs triangles, or faces, of two scenes by their keys; each belongs to at most one pair.
+     *
+     * @param earlier 1 per triangle of the earlier scene: its key
+     * @return 1 per triangle of the later scene: the first triangle of the same key that is left, or -1
+     */
+    static int[] twins(long[] earlier, long[] later) {
+        Map<Long, Deque<Integer>> ofKey = new HashMap<>();
+        for (int i = 0; i < earlier.length; i++) {
+            ofKey.computeIfAbsent(earlier[i], key -> new ArrayDeque<>()).add(i);
         }
-        int[] twin = new int[now.triangles()];
-        for (int t = 0; t < twin.length; t++) {
-            Deque<Integer> same = places.get(place(now, t));
-            twin[t] = same == null || same.isEmpty() ? -1 : same.remove();
+        int[] twin = new int[later.length];
+        for (int i = 0; i < twin.length; i++) {
+            Deque<Integer> same = ofKey.get(later[i]);
+            twin[i] = same == null || same.isEmpty() ? -1 : same.remove();
         }
         return twin;
     }
 
-    private static long place(Scene scene, int t) {
-        long key = scene.surface(t).twoSided() ? 1 : 2;
-        for (int k = 0; k < 3; k++) {
-            Vec3 p = scene.corner(t, k);
-            for (int a = 0; a < 3; a++) {
-                key = Hash.mix(key, Double.doubleToLongBits(p.coordinate(a)));
+    /** 1 per triangle: key of its corners and the number of its visible sides. */
+    private static long[] places(Scene scene) {
+        long[] places = new long[scene.triangles()];
+        for (int t = 0; t < places.length; t++) {
+            places[t] = scene.surface(t).twoSided() ? 1 : 2;
+            for (int i = 0; i < 9; i++) {
+                places[t] = Hash.mix(places[t], Double.doubleToLongBits(scene.corner(t, i / 3).coordinate(i % 3)));
             }
         }
-        return key;
+        return places;
     }
 
     /** Key of the object and surface of a triangle. */
