@@ -190,7 +190,7 @@ public final class Audit {
                 .shooter(faces, Weights.of(weight()), ambient);
         ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
                 (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
-                .shooter(faces, Weights.of(ones()));
+                .shooter(faces, Weights.of(ones(faces.channels())));
         FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, FINER * Accuracy.tolerance(asked));
         FormFactorCalculator few = few();
         parallel.run(batch.size(), i -> {
@@ -205,8 +205,8 @@ public final class Audit {
         return FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), FACTOR_TOLERANCE);
     }
 
-    private double[] ones() {
-        double[] ones = new double[faces.channels()];
+    private static double[] ones(int count) {
+        double[] ones = new double[count];
         Arrays.fill(ones, 1);
         return ones;
     }
@@ -236,8 +236,8 @@ public final class Audit {
 
     /** Area of one point's patch times its form factor to another's, as a mean over three points of the patch. */
     private double exchange(AuditPoint from, AuditPoint to) {
-        PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, threeOnes());
-        ShooterHierarchy shooter = new ShooterHierarchy(faces, List.of(tree), Weights.of(ones()));
+        PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, ones(3 * faces.channels()));
+        ShooterHierarchy shooter = new ShooterHierarchy(faces, List.of(tree), Weights.of(ones(faces.channels())));
         float[] corner = AuditPlaces.corners(faces, from.face, from.top);
         GatherSink.Irradiance sum = new GatherSink.Irradiance(faces.channels());
         for (int k = 0; k < 3; k++) {
@@ -248,11 +248,5 @@ public final class Audit {
                     faces.normal(from.face, 2), k, shooter, sum);
         }
         return sum.value[0] / 3 * faces.area(from.face) / (1L << 2 * NodePath.level(from.top));
-    }
-
-    private double[] threeOnes() {
-        double[] ones = new double[3 * faces.channels()];
-        Arrays.fill(ones, 1);
-        return ones;
     }
 }

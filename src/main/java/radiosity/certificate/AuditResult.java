@@ -113,14 +113,27 @@ final class AuditResult {
      * Wilcox, Introduction to Robust Estimation and Hypothesis Testing, 2012, on trimmed means).
      */
     private static double trimmedMean(List<AuditPoint> some, ToDoubleFunction<AuditPoint> value) {
-        double[] values = some.stream().mapToDouble(value).toArray();
-        double[] area = trimmed(values, some.stream().mapToDouble(p -> p.area).toArray());
-        double whole = Arrays.stream(area).sum();
-        double sum = 0;
-        for (int i = 0; i < area.length; i++) {
-            sum += area[i] * values[i];
+        Trimmed left = Trimmed.of(some, some.stream().mapToDouble(value).toArray());
+        return left.whole == 0 ? 0 : left.sum / left.whole;
+    }
+
+    /**
+     * Areas that points represent, less the share {@link #TAIL} of their sum that has the largest values.
+     *
+     * @param whole sum of the areas left
+     * @param sum   sum of these areas times the values
+     */
+    private record Trimmed(double[] area, double whole, double sum) {
+
+        /** @param values 1 per point, not modified */
+        static Trimmed of(List<AuditPoint> some, double[] values) {
+            double[] area = trimmed(values, some.stream().mapToDouble(p -> p.area).toArray());
+            double sum = 0;
+            for (int i = 0; i < area.length; i++) {
+                sum += area[i] * values[i];
+            }
+            return new Trimmed(area, Arrays.stream(area).sum(), sum);
         }
-        return whole == 0 ? 0 : sum / whole;
     }
 
     /**
@@ -201,17 +214,12 @@ final class AuditResult {
                 error[i] += square(some.get(i).error(c) / unit(some.get(i).radiosity(c), mean));
             }
         }
-        double[] area = trimmed(error, some.stream().mapToDouble(p -> p.area).toArray());
-        double whole = Arrays.stream(area).sum();
-        double sum = 0;
-        for (int i = 0; i < error.length; i++) {
-            sum += area[i] * error[i];
-        }
+        Trimmed left = Trimmed.of(some, error);
         double deviation = 0;
         for (int i = 0; i < error.length; i++) {
-            deviation += square(area[i] * error[i] - area[i] / whole * sum);
+            deviation += square(left.area[i] * error[i] - left.area[i] / left.whole * left.sum);
         }
-        return sum > 0 ? Math.sqrt(deviation) / sum : 0;
+        return left.sum > 0 ? Math.sqrt(deviation) / left.sum : 0;
     }
 
     private static double square(double x) {

@@ -1,9 +1,9 @@
 package radiosity.certificate;
 
-import java.util.Arrays;
 import radiosity.formfactor.PointSequence;
 import radiosity.mesh.face.Faces;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
 
 /**
  * Estimates the part of the light leaving a point that leaves the scene or falls on a back side.
@@ -44,7 +44,7 @@ final class Escape {
         for (int a = 0; a < 3; a++) {
             x[a] = (float) (place[a] + LIFT * n[a]);
         }
-        double[] frame = frame(n);
+        double[] frame = Solids.frame(n[0], n[1], n[2]);
         int all = 0;
         int lost = 0;
         for (int i = 1; i <= TRIES; i++) {
@@ -66,21 +66,5 @@ final class Escape {
         }
         int t = bounds.nearest(x[0], x[1], x[2], d[0], d[1], d[2], FAR, new float[3]);
         return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
-    }
-
-    /** Returns two unit vectors, x, y, z each, perpendicular to each other and to the unit normal n. */
-    private static double[] frame(double[] n) {
-        double[] a = Math.abs(n[0]) < 0.6 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
-        double[] u = cross(n, a);
-        double length = Math.sqrt(Arrays.stream(u).map(v -> v * v).sum());
-        for (int i = 0; i < 3; i++) {
-            u[i] /= length;
-        }
-        double[] v = cross(n, u);
-        return new double[] {u[0], u[1], u[2], v[0], v[1], v[2]};
-    }
-
-    private static double[] cross(double[] a, double[] b) {
-        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 }

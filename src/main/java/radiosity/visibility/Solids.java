@@ -63,8 +63,8 @@ public final class Solids {
         return true;
     }
 
-    /** Two unit vectors in the plane with this normal, at right angles to each other; 3 numbers each. */
-    private static double[] frame(double nx, double ny, double nz) {
+    /** Returns two unit vectors, x, y, z each, at right angles to each other and to a normal of length 1. */
+    public static double[] frame(double nx, double ny, double nz) {
         double ax = Math.abs(nx) < 0.6 ? 1 : 0;
         double ay = 1 - ax;
         double ux = -ay * nz;
