@@ -10,7 +10,6 @@ import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.ExitCode;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
-import radiosity.cli.render.SaveBeforeExit;
 import radiosity.cli.terminal.StopRequest;
 import radiosity.output.gltf.SceneFile;
 
@@ -24,12 +23,17 @@ final class Animation {
 
     private final List<String> arguments;
     private final StopRequest stop;
-    private final SaveBeforeExit ending;
+    private final Renderer renderer;
 
-    Animation(List<String> arguments, StopRequest stop, SaveBeforeExit ending) {
+    /** Renders one frame. */
+    interface Renderer {
+        void render(RendererOptions frame) throws IOException;
+    }
+
+    Animation(List<String> arguments, StopRequest stop, Renderer renderer) {
         this.arguments = arguments;
         this.stop = stop;
-        this.ending = ending;
+        this.renderer = renderer;
     }
 
     /**
@@ -41,15 +45,16 @@ final class Animation {
         int[] frames = options.scene.frames.all();
         List<Exception> inexact = new ArrayList<>();
         Path before = options.file.change;
-        for (int i = 0; i < frames.length && !stop.made(); i++) {
+        for (int i = 0; i < frames.length && !stop.everMade(); i++) {
             RendererOptions frame = new RendererOptions();
             new CommandLineParser(frame).parse(arguments.toArray(String[]::new));
             frame.toFrame(frames[i], before);
             before = frame.output();
             if (!isThere(frame)) {
                 System.err.println("frame " + frames[i] + " (" + (i + 1) + " of " + frames.length + ")");
+                stop.begin();
                 try {
-                    new RadiosityRenderer(frame, arguments, stop).render(ending);
+                    renderer.render(frame);
                 } catch (Failure e) {
                     if (e.exitCode() != ExitCode.NOT_ACCURATE) {
                         throw e;

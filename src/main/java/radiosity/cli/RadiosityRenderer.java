@@ -89,10 +89,12 @@ public final class RadiosityRenderer {
                     printInfo(options.described());
                 } else {
                     options.check();
+                    Animation.Renderer renderer =
+                            frame -> new RadiosityRenderer(frame, List.of(arguments), stop).render(ending);
                     if (options.scene.frames != null) {
-                        new Animation(List.of(arguments), stop, ending).render(options);
+                        new Animation(List.of(arguments), stop, renderer).render(options);
                     } else {
-                        new RadiosityRenderer(options, List.of(arguments), stop).render(ending);
+                        renderer.render(options);
                     }
                 }
             }, arguments);

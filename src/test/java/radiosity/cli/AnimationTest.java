@@ -1,18 +1,25 @@
 package radiosity.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.cli.options.CommandLineParser;
+import radiosity.cli.options.RendererOptions;
+import radiosity.cli.render.SaveBeforeExit;
 import radiosity.cli.render.SavedCalculation;
+import radiosity.cli.terminal.StopRequest;
 import radiosity.solution.SavedState;
 import radiosity.testkit.ProgramRun;
 
@@ -67,6 +74,46 @@ class AnimationTest {
         ProgramRun rest = render();
         assertTrue(rest.err().contains("frame 20 (3 of 3)") && !rest.err().contains("frame 10"), rest.err());
         assertEquals(last, state(20));
+    }
+
+    /** The first frame stops after a round; writing its pictures forgets the request, which it has fulfilled. */
+    @Test
+    void stopDuringAFrame_leavesOutTheFramesAfterIt() throws IOException {
+        StopRequest stop = new StopRequest();
+        List<String> arguments = List.of("-q", "--frames", "0-20:10", "-pa", "5000", scene.toString(),
+                directory.resolve("a.scene").toString());
+        try (SaveBeforeExit ending = new SaveBeforeExit(stop, Duration.ZERO)) {
+            animate(arguments, stop, frame -> {
+                stop.make();
+                new RadiosityRenderer(frame, arguments, stop).render(ending);
+            });
+        }
+        assertTrue(Files.exists(file(0)));
+        assertFalse(Files.exists(file(10)));
+    }
+
+    @Test
+    void stopDuringALaterFrame_isAnsweredAsInTheFirst() throws IOException {
+        List<String> answers = new ArrayList<>();
+        for (int last : new int[] {0, 10}) {
+            StopRequest stop = new StopRequest();
+            stop.tell(answers::add);
+            animate(List.of("--frames", "0-20:10", "a.lws", file(0).toString()), stop, frame -> {
+                if (frame.output().toString().endsWith(String.format("%04d.scene", last))) {
+                    stop.make();
+                }
+                stop.renew("leaving out the pictures that are not finished");
+            });
+        }
+        String answer = "stopping after this round, then saving";
+        assertEquals(List.of(answer, answer), answers);
+    }
+
+    private static void animate(List<String> arguments, StopRequest stop, Animation.Renderer renderer)
+            throws IOException {
+        RendererOptions options = new RendererOptions();
+        new CommandLineParser(options).parse(arguments.toArray(String[]::new));
+        new Animation(arguments, stop, renderer).render(options);
     }
 
     @Test

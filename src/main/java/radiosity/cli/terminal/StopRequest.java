@@ -5,8 +5,11 @@ import java.util.function.Consumer;
 /** The user's request to end the calculation after the current round, or to leave out unfinished pictures. */
 public final class StopRequest {
 
+    private static final String STOPPING = "stopping after this round, then saving";
+
     private volatile boolean made;
-    private volatile String answer = "stopping after this round, then saving";
+    private volatile boolean everMade;
+    private volatile String answer = STOPPING;
     private volatile Consumer<String> user = line -> { };
 
     /** @param to receives a line when the request is made, as the current round may take a while */
@@ -15,12 +18,18 @@ public final class StopRequest {
     }
 
     public void make() {
+        everMade = true;
         made = true;
         say(answer);
     }
 
+    /** Says that a calculation begins, which the next request ends; a request that is already made stays. */
+    public void begin() {
+        answer = STOPPING;
+    }
+
     /**
-     * Clears the request, which has been fulfilled, when other work begins.
+     * Clears the request, which has been fulfilled, when other work begins; {@link #everMade} stays true.
      *
      * @param newAnswer line for the user when the next request is made
      */
@@ -36,5 +45,10 @@ public final class StopRequest {
 
     public boolean made() {
         return made;
+    }
+
+    /** Whether a request was made since the program began, cleared or not: no further calculation is to begin. */
+    public boolean everMade() {
+        return everMade;
     }
 }
