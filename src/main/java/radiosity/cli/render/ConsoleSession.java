@@ -13,7 +13,6 @@ public final class ConsoleSession implements ProgressDisplay {
     private final PrintStream err;
     private final KeyListener keys;
     private volatile ProgressDisplay display;
-    private boolean begun;
 
     public ConsoleSession(PrintStream err, ProgressDisplay display, StopRequest stop) {
         this.err = err;
@@ -22,12 +21,9 @@ public final class ConsoleSession implements ProgressDisplay {
         stop.tell(this::message);
     }
 
-    /** Starts to listen for keys; has no effect after the first call. */
+    /** Starts to listen for keys; called at most once. */
     void begin() {
-        if (!begun) {
-            begun = true;
-            keys.listen();
-        }
+        keys.listen();
     }
 
     @Override

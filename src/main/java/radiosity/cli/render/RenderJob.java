@@ -1,15 +1,12 @@
 package radiosity.cli.render;
 
 import java.io.IOException;
-import java.util.HashSet;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
 import radiosity.cli.terminal.ProgressText;
@@ -32,8 +29,6 @@ public final class RenderJob {
     private final OutputFiles files;
     private final Warnings warnings;
     private final ConsoleSession user;
-    private final HostNotices hostNotices;
-    private boolean warned;
 
     public RenderJob(RendererOptions options, Scene scene, OutputFiles files, Warnings warnings, ConsoleSession user) {
         this.options = options;
@@ -41,7 +36,6 @@ public final class RenderJob {
         this.files = files;
         this.warnings = warnings;
         this.user = user;
-        hostNotices = new HostNotices(user::message);
     }
 
     /** Errors that a calculation is to reach, one after the other. */
@@ -109,48 +103,7 @@ public final class RenderJob {
             return new LocalWorld(scene, settings, threads);
         }
         HostKey key = options.host.key == null ? null : FileChecks.key(options.host.key);
-        return hostNotices.whileOpening(() -> new RemoteWorld(scene, settings, options.host.hosts, key, threads,
-                hostNotices));
-    }
-
-    /** Passes notices about hosts to the user; a notice that is repeated while hosts are opened is passed once only. */
-    public static final class HostNotices implements Consumer<String> {
-
-        private final Consumer<String> user;
-        private final Set<String> ofOpening = new HashSet<>();
-        private boolean opening;
-
-        public HostNotices(Consumer<String> user) {
-            this.user = user;
-        }
-
-        public <T> T whileOpening(Opening<T> world) throws IOException {
-            setOpening(true);
-            try {
-                return world.open();
-            } finally {
-                setOpening(false);
-            }
-        }
-
-        private synchronized void setOpening(boolean now) {
-            opening = now;
-        }
-
-        @Override
-        public synchronized void accept(String line) {
-            if (!opening) {
-                ofOpening.clear();
-            } else if (!ofOpening.add(line)) {
-                return;
-            }
-            user.accept(line);
-        }
-    }
-
-    /** Opens sessions with hosts. */
-    public interface Opening<T> {
-        T open() throws IOException;
+        return new RemoteWorld(scene, settings, options.host.hosts, key, threads, user::message);
     }
 
     private RoundListener listener(World world, AutosaveListener rounds) {
@@ -163,8 +116,7 @@ public final class RenderJob {
     }
 
     private void check(World world) {
-        if (world.droppedTriangles() > 0 && !warned) {
-            warned = true;
+        if (world.droppedTriangles() > 0) {
             warnings.accept(scene.name() + ": " + ProgressText.count(world.droppedTriangles(), "triangle")
                     + (world.droppedTriangles() == 1 ? " is too small to be lit; it still casts shadows"
                     : " are too small to be lit; they still cast shadows"));
