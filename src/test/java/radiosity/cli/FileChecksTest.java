@@ -151,6 +151,14 @@ class FileChecksTest {
     }
 
     @Test
+    void sceneFileThatReplacesTheOneItGoesOnFrom_mayBeOfASceneWithImages() throws IOException {
+        Path old = written("b.scene", "glTF");
+        checks.output(old);
+        checks.input(old);
+        assertDoesNotThrow(() -> checks.partOfScene(directory.resolve("floor.png")));
+    }
+
+    @Test
     void renderOverAnImageOfItsScene_isOneLineAndExitCode2() throws IOException {
         BufferedImage painted = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
         Path image = directory.resolve("floor.png");

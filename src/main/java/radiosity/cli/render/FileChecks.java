@@ -3,9 +3,7 @@ package radiosity.cli.render;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -29,9 +27,8 @@ public final class FileChecks {
     private static final Pattern OBJECTS = Pattern.compile("(?i).*\\.(obj|mtl)");
 
     private final List<Path> inputs = new ArrayList<>();
-    private final List<Path> outputs = new ArrayList<>();
-    /** Files that the program writes without being asked to, each with a description for messages. */
-    private final Map<Path, String> reserved = new LinkedHashMap<>();
+    /** Files that the program writes; the values end the message that refuses another output with that name. */
+    private final Map<Path, String> taken = new LinkedHashMap<>();
     /** Scene file whose name, with a number, the pictures of {@code -sn} get; null without {@code -sn}. */
     private Path snapshots;
 
@@ -51,8 +48,7 @@ public final class FileChecks {
     /** Adds a file that the scene refers to, like an image; fails where an output added so far would overwrite it. */
     public void partOfScene(Path file) {
         inputs.add(file);
-        outputs.forEach(this::refuseInputs);
-        reserved.keySet().forEach(this::refuseInputs);
+        taken.keySet().forEach(output -> refuse(output, file));
         refuseSnapshots(file);
     }
 
@@ -63,7 +59,7 @@ public final class FileChecks {
      */
     public void reserve(Path file, String what) {
         refuseInputs(file);
-        reserved.put(file, what);
+        taken.put(file, what);
     }
 
     /** Reserves the names of the pictures of {@code -sn}, which derive from the name of the scene file. */
@@ -78,12 +74,7 @@ public final class FileChecks {
                     + (Files.isDirectory(file) ? "a directory" : "one that cannot"), null);
         }
         refuseInputs(file);
-        for (Path other : outputs) {
-            if (same(file, other)) {
-                throw Failure.commandLine(file.toString(), "expected a file of its own for each output, got one twice");
-            }
-        }
-        reserved.forEach((other, what) -> {
+        taken.forEach((other, what) -> {
             if (same(file, other)) {
                 throw Failure.commandLine(file.toString(), "expected a file of its own for each output, got " + what);
             }
@@ -91,15 +82,17 @@ public final class FileChecks {
         refuseSnapshots(file);
         refuseModels(file);
         tryPlace(file);
-        outputs.add(file);
+        taken.put(file, "one twice");
     }
 
     private void refuseInputs(Path file) {
-        for (Path input : inputs) {
-            if (same(file, input)) {
-                throw Failure.commandLine(file.toString(), "expected an output that is no input, got the same file as "
-                        + input);
-            }
+        inputs.forEach(input -> refuse(file, input));
+    }
+
+    private static void refuse(Path output, Path input) {
+        if (same(output, input)) {
+            throw Failure.commandLine(output.toString(), "expected an output that is no input, got the same file as "
+                    + input);
         }
     }
 
