@@ -120,7 +120,7 @@ public final class RadiosityRenderer {
 
     private Scene scene() throws IOException {
         user.phase("reading " + options.input().getFileName());
-        Scene scene = options.scene.daylight(SceneReader.read(options.input(), options.scene.lightWave(),
+        Scene scene = options.scene.daylight(SceneReader.read(options.input(), options.scene.readOptions(),
                 warnings::print));
         options.scene.check(scene);
         files.check(scene);

@@ -89,7 +89,7 @@ public final class ViewSceneFile {
 
     private LitScene scene() throws IOException {
         return options.window.lightWave ? LitScene.unlit(SurfaceMaps.read(
-                SceneReader.read(options.file(), options.scene.lightWave(), warnings::print), options.scene.srgb,
+                SceneReader.read(options.file(), options.scene.readOptions(), warnings::print), options.scene.srgb,
                         warnings::accept))
                 : LitScene.read(options.file());
     }

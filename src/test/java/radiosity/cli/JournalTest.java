@@ -60,7 +60,7 @@ class JournalTest {
         List<byte[]> journals = new ArrayList<>();
         // between two looks of one call nothing passes, so that writing costs nothing by this clock
         AtomicLong clock = new AtomicLong();
-        Journal journal = new Journal(claim(), settings(schedule), line -> { }, clock::get);
+        Journal journal = new Journal(claim(), settings(schedule).toString(), line -> { }, clock::get);
         ProgressiveRadiosity watched = radiosity(schedule);
         watched.run(progress -> {
             clock.addAndGet(HOUR);
@@ -81,7 +81,7 @@ class JournalTest {
     @ParameterizedTest
     @EnumSource(value = Schedule.class, names = "PAPER")
     void clockThatStands_writesNoJournal(Schedule schedule) throws IOException {
-        Journal journal = new Journal(claim(), settings(schedule), line -> { }, () -> 0);
+        Journal journal = new Journal(claim(), settings(schedule).toString(), line -> { }, () -> 0);
         ProgressiveRadiosity watched = radiosity(schedule);
         watched.run(progress -> {
             assertEquals(0, kept(journal, watched).length);
@@ -92,7 +92,7 @@ class JournalTest {
     @Test
     void stateThatDoesNotFitIntoMemory_isAWarningAndNoMore() throws IOException {
         List<String> notices = new ArrayList<>();
-        Journal journal = new Journal(claim(), RadiositySettings.defaults(), notices::add, () -> 0);
+        Journal journal = new Journal(claim(), RadiositySettings.defaults().toString(), notices::add, () -> 0);
         Journal.Source tooLarge = () -> {
             throw new OutOfMemoryError("Java heap space");
         };

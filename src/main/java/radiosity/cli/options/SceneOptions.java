@@ -183,7 +183,7 @@ public final class SceneOptions {
         }
     }
 
-    public ReadOptions lightWave() {
+    public ReadOptions readOptions() {
         ReadOptions options = ReadOptions.defaults().withEmission(emission).withContent(content).withMap(map)
                 .withLights(lights).withSrgb(srgb).withStrict(strict).withLuminaires(luminaires)
                 .withUnits(new Units(unit == null ? Double.NaN : unit, photometric));

@@ -19,7 +19,6 @@ import java.util.zip.CheckedOutputStream;
 import radiosity.cli.options.ErrorReport;
 import radiosity.output.file.AtomicFile;
 import radiosity.scene.SceneFormatException;
-import radiosity.settings.RadiositySettings;
 import radiosity.solution.SavedState;
 import radiosity.solver.ProgressiveRadiosity;
 
@@ -46,15 +45,11 @@ public final class Journal {
     private boolean failed;
 
     /**
-     * @param claim   to the journal's file; must be held while the journal is in use
-     * @param notices receives messages to the user
-     * @param clock   nanoseconds, used for differences only
+     * @param claim    to the journal's file; must be held while the journal is in use
+     * @param settings text that must be the same in the interrupted and the resuming render
+     * @param notices  receives messages to the user
+     * @param clock    nanoseconds, used for differences only
      */
-    public Journal(JournalClaim claim, RadiositySettings settings, Consumer<String> notices, LongSupplier clock) {
-        this(claim, settings.toString(), notices, clock);
-    }
-
-    /** @param settings text that must be the same in the interrupted and the resuming render */
     public Journal(JournalClaim claim, String settings, Consumer<String> notices, LongSupplier clock) {
         file = claim.journal();
         this.settings = settings;

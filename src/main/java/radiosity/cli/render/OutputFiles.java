@@ -75,16 +75,11 @@ public final class OutputFiles {
             Points.check(options.file.points.in());
         }
         options.scene.luminaires.values().forEach(checks::input);
-        if (options.host.key != null) {
-            checks.input(options.host.key);
-        }
+        Stream.ofNullable(options.host.key).forEach(checks::input);
         checks.output(options.output());
-        if (options.file.resume != null) {
-            checks.input(options.file.resume.file()); // after the scene file, which alone may replace this file
-        }
-        if (options.file.change != null) {
-            checks.input(options.file.change); // after the scene file, which alone may replace this file
-        }
+        // after the scene file, which alone may replace these files
+        Stream.ofNullable(options.file.resume).map(FileOptions.Resume::file).forEach(checks::input);
+        Stream.ofNullable(options.file.change).forEach(checks::input);
         checks.reserve(Journal.of(options.output()), "the journal of " + options.output());
         if (options.picture.snapshotInterval != null) {
             checks.reserveSnapshots(options.output());
@@ -95,9 +90,7 @@ public final class OutputFiles {
             checks.output(options.file.points.out());
         }
         options.file.grids.forEach(grid -> checks.output(grid.out()));
-        if (options.file.report != null) {
-            checks.output(options.file.report);
-        }
+        Stream.ofNullable(options.file.report).forEach(checks::output);
         if (options.file.lightmap != null) {
             checks.output(options.file.lightmap);
             checks.output(LightmapModel.beside(options.file.lightmap));
@@ -216,7 +209,7 @@ public final class OutputFiles {
 
     private void saveLightmap(Path file, Solution solution) throws IOException {
         OptionalDouble texels = Stream.ofNullable(options.file.lightmapTexels).mapToDouble(n -> n).findFirst();
-        Optional<GltfModel> original = SceneReader.original(options.input(), options.scene.lightWave(),
+        Optional<GltfModel> original = SceneReader.original(options.input(), options.scene.readOptions(),
                 solution.scene());
         GltfModel model = original.isPresent() ? original.get() : SceneModel.of(solution.scene());
         LightmapModel.write(file, model, Lightmap.of(solution, texels),
