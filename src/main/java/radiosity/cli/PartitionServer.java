@@ -3,7 +3,6 @@ package radiosity.cli;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.nio.file.Path;
 import java.rmi.server.ExportException;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;

@@ -27,7 +27,6 @@ import org.junit.jupiter.api.io.TempDir;
 import radiosity.cli.options.ExitCode;
 import radiosity.cli.render.SavedCalculation;
 import radiosity.output.file.LockedFile;
-import radiosity.output.gltf.SceneFile;
 import radiosity.testkit.Program;
 
 /**

@@ -48,7 +48,7 @@ public final class ErrorReport {
                 || error instanceof NoNumberException || error instanceof TooLargeException) {
             return error.getMessage();
         }
-        if (error instanceof java.nio.file.FileSystemException problem) {
+        if (error instanceof FileSystemException problem) {
             return problem.getFile() + ": expected to be read and written, got " + reason(problem);
         }
         return "internal error: " + error.toString().replaceAll("\\s*\\R\\s*", " ")

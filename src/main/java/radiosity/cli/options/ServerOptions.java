@@ -4,10 +4,9 @@ import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import radiosity.cli.PartitionServer;
 import radiosity.rmi.HostAddress;
 
-/** The command line of {@link PartitionServer}. */
+/** The command line of {@code PartitionServer}. */
 @Command(name = "PartitionServer", sortOptions = false, versionProvider = Version.class,
         customSynopsis = "PartitionServer [parameters]",
         description = "%nComputes a part of a scene for RadiosityRenderer -h on another machine; "

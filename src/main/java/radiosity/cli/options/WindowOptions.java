@@ -2,10 +2,9 @@ package radiosity.cli.options;
 
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
-import radiosity.cli.ViewSceneFile;
 import radiosity.output.image.ToneMapping;
 
-/** Options for what {@link ViewSceneFile} shows, and where (appendix C.5 of the paper). */
+/** Options for what {@code ViewSceneFile} shows, and where (appendix C.5 of the paper). */
 public final class WindowOptions {
 
     static final int USUAL_WIDTH = 800;

@@ -1,6 +1,5 @@
 package radiosity.input.obj;
 
-import java.util.HashMap;
 import java.util.Map;
 import radiosity.input.file.Diagnostics;
 import radiosity.scene.Rgb;

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -12,7 +11,6 @@ import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
-import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
 
