@@ -25,6 +25,20 @@ public final class Failure extends RuntimeException {
         return new Failure(ExitCode.FILE, where + ": " + what, cause);
     }
 
+    /** Fails where an option is given together with another that it excludes. */
+    static void excludes(String option, String other, boolean areBothGiven) {
+        if (areBothGiven) {
+            throw commandLine(option, "expected without " + other + ", got both");
+        }
+    }
+
+    /** Fails where an option is given without another that it needs. */
+    static void needs(String option, String other, boolean isOtherMissing) {
+        if (isOtherMissing) {
+            throw commandLine(option, "expected with " + other + ", got it without");
+        }
+    }
+
     /** Failure of a render that is done and saved, but less exact than was asked for. */
     public static Failure notAccurate(String line) {
         return new Failure(ExitCode.NOT_ACCURATE, line, null);

@@ -65,19 +65,13 @@ public final class FileOptions {
 
     /** Fails where the options for changes, lightmaps or grids contradict each other or need another option. */
     void check() {
-        if (change != null && resume != null) {
-            throw Failure.commandLine("--change", "expected without -tf, got both");
-        }
-        if (grids.isEmpty() != (spacing == null)) {
-            throw spacing == null ? Failure.commandLine("--grid", "expected with --spacing, got it without")
-                    : Failure.commandLine("--spacing", "expected with --grid, got it without");
-        }
+        Failure.excludes("--change", "-tf", change != null && resume != null);
+        Failure.needs("--grid", "--spacing", !grids.isEmpty() && spacing == null);
+        Failure.needs("--spacing", "--grid", spacing != null && grids.isEmpty());
         if (lightmap != null && !lightmap.toString().toLowerCase(Locale.ROOT).endsWith(".glb")) {
             throw Failure.commandLine("--lightmap", "expected a name that ends in .glb, got " + lightmap);
         }
-        if (lightmap == null && lightmapTexels != null) {
-            throw Failure.commandLine("--lightmap-texels", "expected with --lightmap, got it without");
-        }
+        Failure.needs("--lightmap-texels", "--lightmap", lightmapTexels != null && lightmap == null);
     }
 
     /**

@@ -96,12 +96,9 @@ public final class PictureOptions {
 
     /** Fails where a picture's name has the extension of no known format, or an option needs a picture and has none. */
     void check() {
-        if (size != null && !isWanted()) {
-            throw Failure.commandLine("--size", "expected with --picture, --false-colour or -sn, got it without");
-        }
-        if (finalGather != null && pictures.isEmpty() && snapshotInterval == null) {
-            throw Failure.commandLine("--final-gather", "expected with --picture or -sn, got it without");
-        }
+        Failure.needs("--size", "--picture, --false-colour or -sn", size != null && !isWanted());
+        Failure.needs("--final-gather", "--picture or -sn",
+                finalGather != null && pictures.isEmpty() && snapshotInterval == null);
         for (Path picture : falseColours) {
             if (!picture.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
                 throw Failure.commandLine("--false-colour", "expected a name that ends in .png, got " + picture);

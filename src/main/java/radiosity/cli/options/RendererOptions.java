@@ -3,10 +3,8 @@ package radiosity.cli.options;
 import static java.util.stream.Collectors.joining;
 
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -15,10 +13,9 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import radiosity.cli.RadiosityRenderer;
 import radiosity.rmi.HostAddress;
 
-/** The command line of {@link RadiosityRenderer} (appendix C.1 of the paper). */
+/** The command line of {@code RadiosityRenderer} (appendix C.1 of the paper). */
 @Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
         customSynopsis = "RadiosityRenderer [parameters] <LightWave Scene> <output Scene file>",
         description = "%nRenders a scene (LightWave, glTF or OBJ) by progressive radiosity and writes a scene file, a"
@@ -75,12 +72,8 @@ public final class RendererOptions {
     public void check() {
         scene.check();
         file.check();
-        if (host.key != null && host.hosts == null) {
-            throw Failure.commandLine("-key", "expected with -h, got it without");
-        }
-        if (statistics && host.hosts == null) {
-            throw Failure.commandLine("--statistics", "expected with -h, got it without");
-        }
+        Failure.needs("-key", "-h", host.key != null && host.hosts == null);
+        Failure.needs("--statistics", "-h", statistics && host.hosts == null);
         if (file.report != null && MODEL.matcher(file.report.toString()).matches()) {
             throw Failure.commandLine("--report", "expected a file to write, such as a.json, got " + file.report);
         }
@@ -128,33 +121,21 @@ public final class RendererOptions {
 
     /** Fails for options that exclude a time limit, which chooses the accuracy and calculates several times. */
     private void checkTime() {
-        Map<String, Boolean> others = new LinkedHashMap<>();
-        others.put("--accuracy", calculation.accuracy != null);
-        others.put("-dr", file.disableRendering);
-        others.put("-si", file.saveInterval != null);
-        others.put("-sn", picture.snapshotInterval != null);
-        others.put("-tf", file.resume != null);
-        others.put("--change", file.change != null);
-        others.forEach((option, given) -> {
-            if (given) {
-                throw Failure.commandLine(TimeLimit.OPTION, "expected without " + option + ", got both");
-            }
-        });
+        Failure.excludes(TimeLimit.OPTION, "--accuracy", calculation.accuracy != null);
+        Failure.excludes(TimeLimit.OPTION, "-dr", file.disableRendering);
+        Failure.excludes(TimeLimit.OPTION, "-si", file.saveInterval != null);
+        Failure.excludes(TimeLimit.OPTION, "-sn", picture.snapshotInterval != null);
+        Failure.excludes(TimeLimit.OPTION, "-tf", file.resume != null);
+        Failure.excludes(TimeLimit.OPTION, "--change", file.change != null);
     }
 
     /** Fails where an option excludes {@code --frames}, or the scene is no LightWave scene and so has no frames. */
     private void checkFrames() {
-        Map<String, Boolean> others = new LinkedHashMap<>();
-        others.put("--frame", scene.frame != null);
-        others.put("-tf", file.resume != null);
-        others.put(TimeLimit.OPTION, calculation.time != null);
-        others.put("-dr", file.disableRendering);
-        others.put("--grid", !file.grids.isEmpty());
-        others.forEach((option, given) -> {
-            if (given) {
-                throw Failure.commandLine("--frames", "expected without " + option + ", got both");
-            }
-        });
+        Failure.excludes("--frames", "--frame", scene.frame != null);
+        Failure.excludes("--frames", "-tf", file.resume != null);
+        Failure.excludes("--frames", TimeLimit.OPTION, calculation.time != null);
+        Failure.excludes("--frames", "-dr", file.disableRendering);
+        Failure.excludes("--frames", "--grid", !file.grids.isEmpty());
         if (!input().toString().toLowerCase(Locale.ROOT).endsWith(".lws")) {
             throw Failure.commandLine("--frames", "expected a LightWave scene (.lws), got " + input());
         }

@@ -12,12 +12,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import radiosity.cli.ViewSceneFile;
 import radiosity.edit.EditSource;
 import radiosity.output.image.ToneMapping;
 import radiosity.viewer.ViewSettings;
 
-/** The command line of {@link ViewSceneFile} (appendix C.5 of the paper). */
+/** The command line of {@code ViewSceneFile} (appendix C.5 of the paper). */
 @Command(name = "ViewSceneFile", sortOptions = false, versionProvider = Version.class,
         customSynopsis = "ViewSceneFile [parameters] <Scene file>",
         description = "%nShows a scene file in a window in which the user walks with the arrow and Page Up/Down keys;"
@@ -50,13 +49,10 @@ public final class ViewOptions {
                     + " file, got "
                     + (got.isEmpty() ? "none" : got));
         }
-        if (window.port != null && !window.web) {
-            throw Failure.commandLine("--port", "expected with --web, got it without");
-        }
+        Failure.needs("--port", "--web", window.port != null && !window.web);
         for (OptionSpec option : command.mixins().get(READING).options()) {
-            if (!window.lightWave && command.commandLine().getParseResult().hasMatchedOption(option)) {
-                throw Failure.commandLine(option.longestName(), "expected with -lw, got it without");
-            }
+            Failure.needs(option.longestName(), "-lw",
+                    !window.lightWave && command.commandLine().getParseResult().hasMatchedOption(option));
         }
         scene.check();
         if (window.web && (window.size != null || window.lightWave || window.wireframe || window.textures
@@ -67,9 +63,7 @@ public final class ViewOptions {
         if (window.source != null && (window.web || window.lightWave)) {
             throw Failure.commandLine("--source", "expected without -lw and --web, got one of them");
         }
-        if (window.textures && window.lightWave) {
-            throw Failure.commandLine("-ut", "expected without -lw, got both");
-        }
+        Failure.excludes("-ut", "-lw", window.textures && window.lightWave);
         if (window.screenshot != null && !window.screenshot.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
             throw Failure.commandLine("--screenshot", "expected a name that ends in .png, got " + window.screenshot);
         }
