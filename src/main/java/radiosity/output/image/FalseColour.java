@@ -19,7 +19,7 @@ import radiosity.solution.Solution;
  * A picture in which colours stand for illuminance (irradiance in radiometric scenes), with lines of equal illuminance
  * and a legend in the scene's unit.
  *
- * <p>The step of the legend is 1, 2, 4 or 5 times a power of ten; the legend ends at the least multiple of the step, at
+ * <p>The step of the legend is 1, 2 or 5 times a power of ten; the legend ends at the least multiple of the step, at
  * least five steps, that 99 % of the samples do not exceed.
  */
 public final class FalseColour {
@@ -28,7 +28,6 @@ public final class FalseColour {
     private static final int SAMPLES = 2;
     private static final double SHOWN = 0.99;
     private static final int FEWEST_STEPS = 5;
-    private static final int MOST_STEPS = 10;
     private static final int LEGEND = 120;
     private static final Color NOTHING = new Color(40, 40, 40);
     private static final int LINE = 0x202020;
@@ -55,15 +54,14 @@ public final class FalseColour {
         steps = (int) Math.max(FEWEST_STEPS, Math.ceil(most / step - 1e-9));
     }
 
-    /** The step of a legend, which fits 5 to 10 times into the value: 1, 2, 4 or 5 times a power of ten; 1 for 0. */
+    /** The step of a legend, which fits 4 to 10 times into the value: 1, 2 or 5 times a power of ten; 1 for 0. */
     static double step(double most) {
         if (!(most > 0)) {
             return 1;
         }
         double ten = StrictMath.pow(10, Math.floor(StrictMath.log10(most / FEWEST_STEPS)));
         double times = most / FEWEST_STEPS / ten;
-        double step = ten * (times >= 5 ? 5 : times >= 2 ? 2 : 1);
-        return most / step > MOST_STEPS ? 2 * step : step;
+        return ten * (times > 4 ? 5 : times >= 2 ? 2 : 1);
     }
 
     /**

@@ -63,7 +63,8 @@ class FalseColourTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1000, 200", "999, 100", "5, 1", "0.013, 0.002", "0, 1", "7e9, 1e9"})
+    @CsvSource({"1000, 200", "999, 100", "5, 1", "0.013, 0.002", "0, 1", "7e9, 1e9",
+        "20, 2", "22.5, 5", "2499, 500", "25, 5"})
     void steps_areRoundNumbers(double most, double step) {
         assertEquals(step, FalseColour.step(most), 1e-12 * step);
     }
