@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.Arrays;
+import java.nio.IntBuffer;
 import java.util.HashMap;
 import java.util.Map;
 import radiosity.gltf.GltfLists;
@@ -22,7 +22,8 @@ final class VertexCopier {
     /** Accessors of copies that were made already. */
     private final Map<Copy, Integer> copies = new HashMap<>();
 
-    private record Copy(int accessor, int rows, int hash) { }
+    /** @param rows of the accessor; two buffers are equal if their numbers are */
+    private record Copy(int accessor, IntBuffer rows) { }
 
     VertexCopier(GltfModel model) {
         this.model = model;
@@ -31,11 +32,11 @@ final class VertexCopier {
     /**
      * Copies an accessor, unless the same copy exists, and returns the number of the copy.
      *
-     * @param rows element of the accessor that each element of the copy repeats; not modified
+     * @param rows element of the accessor that each element of the copy repeats; kept, so the caller must not
+     *             modify the array
      */
     int copy(int accessor, int[] rows) {
-        Copy copy = new Copy(accessor, rows.length, Arrays.hashCode(rows));
-        return copies.computeIfAbsent(copy, c -> made(accessor, rows));
+        return copies.computeIfAbsent(new Copy(accessor, IntBuffer.wrap(rows)), c -> made(accessor, rows));
     }
 
     private int made(int number, int[] rows) {
