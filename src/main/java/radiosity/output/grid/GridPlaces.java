@@ -2,13 +2,14 @@ package radiosity.output.grid;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -28,7 +29,10 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
 
     private static final Pattern PLANE = Pattern.compile("([+-]?)([xyz])=([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)");
     private static final int MOST = 1_000_000;
-    /** Normals, and offsets over the root of the scene's area, are equal if they round to the same multiple. */
+    /**
+     * Components of normals, and offsets over the root of the scene's area, are those of one plane if they differ by at
+     * most half as much, and of two planes if by more than one and a half times as much.
+     */
     private static final double PLANE_ROUNDING = 1e-4;
 
     /** The triangles of a surface that lie in one plane. */
@@ -77,16 +81,23 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
     }
 
     private void on(Scene scene, String name, double spacing) {
-        Map<String, Plane> planes = new LinkedHashMap<>();
+        List<Plane> planes = new ArrayList<>();
+        Map<List<Long>, Plane> planeOf = new HashMap<>();
         double size = Math.sqrt(scene.area());
         for (int t = 0; t < scene.triangles(); t++) {
             if (scene.surface(t).name().equals(name)) {
                 Vec3 normal = scene.cross(t).unit();
                 double offset = normal.dot(scene.corner(t, 0));
-                String key = Math.round(normal.x() / PLANE_ROUNDING) + " " + Math.round(normal.y() / PLANE_ROUNDING)
-                        + " " + Math.round(normal.z() / PLANE_ROUNDING) + " "
-                        + Math.round(offset / (size * PLANE_ROUNDING));
-                planes.computeIfAbsent(key, k -> new Plane(normal, offset, new ArrayList<>())).triangles.add(t);
+                double[] numbers = {normal.x() / PLANE_ROUNDING, normal.y() / PLANE_ROUNDING,
+                    normal.z() / PLANE_ROUNDING, offset / (size * PLANE_ROUNDING)};
+                List<Long> rounded = Arrays.stream(numbers).mapToObj(Math::round).toList();
+                if (!planeOf.containsKey(rounded)) {
+                    planes.add(new Plane(normal, offset, new ArrayList<>()));
+                    for (int up = 0; up < 16; up++) {
+                        planeOf.putIfAbsent(rounded(numbers, up), planes.get(planes.size() - 1));
+                    }
+                }
+                planeOf.get(rounded).triangles.add(t);
             }
         }
         if (planes.isEmpty()) {
@@ -94,13 +105,16 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
                     .map(Surface::name).distinct().limit(20).collect(Collectors.joining(", "))
                     + ") or a plane like y=0.85, got " + name);
         }
-        planes.values().forEach(plane -> on(scene, plane, spacing));
+        planes.forEach(plane -> on(scene, plane, spacing));
         if (points.isEmpty()) {
-            Plane first = planes.values().iterator().next();
-            int t = first.triangles.get(0);
-            points.add(scene.middle(t));
-            normals.add(first.normal);
+            points.add(scene.middle(planes.get(0).triangles.get(0)));
+            normals.add(planes.get(0).normal);
         }
+    }
+
+    /** Four numbers rounded down or, where the bit of a number is set in {@code up}, to the next whole number above. */
+    private static List<Long> rounded(double[] numbers, int up) {
+        return IntStream.range(0, 4).mapToObj(i -> (long) Math.floor(numbers[i]) + (up >> i & 1)).toList();
     }
 
     private void on(Scene scene, Plane plane, double spacing) {

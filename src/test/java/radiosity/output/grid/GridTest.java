@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Units;
 import radiosity.scene.Vec3;
@@ -77,6 +78,20 @@ class GridTest {
         assertEquals(least / (sum / 64), grid.uniformity(), .002);
         assertTrue(grid.summary().matches("floor: average illuminance 100\\.\\d lx, minimum .*, uniformity U0 0\\.\\d\\d,"
                 + " 64 points"), grid.summary());
+    }
+
+    /** Two halves of a square of 2 x 2 m whose heights differ by less than a square of this size can tell. */
+    @Test
+    void trianglesOfOnePlane_shareOneGrid() {
+        Surface floor = RoomScenes.grey("floor", 0, .5);
+        for (double height = 0; height < 5e-4; height += 1e-5) {
+            double low = height - 1e-9;
+            double high = height + 1e-9;
+            Scene square = new SceneBuilder()
+                    .polygon(floor, new Vec3(0, low, 0), new Vec3(0, low, 2), new Vec3(2, low, 2))
+                    .polygon(floor, new Vec3(0, high, 0), new Vec3(2, high, 2), new Vec3(2, high, 0)).scene("floor");
+            assertEquals(1, GridPlaces.of(square, "floor", 2).points().size(), "height " + height);
+        }
     }
 
     @Test
