@@ -46,6 +46,8 @@ public final class LightmapModel {
     private final VertexCopier copier;
     /** Number of the lightmap's set of texture coordinates: the first that no mesh has. */
     private final int set;
+    /** The material of primitives that have none in the user's model; -1 if there is no such primitive so far. */
+    private int noMaterial = -1;
 
     private LightmapModel(GltfModel model, Lightmap lightmap) {
         this.model = model;
@@ -249,13 +251,13 @@ public final class LightmapModel {
         }
     }
 
-    private static void giveMaterial(ObjectNode primitive, ArrayNode materials) {
+    private void giveMaterial(ObjectNode primitive, ArrayNode materials) {
         if (!primitive.has("material") && primitive.path("mode").asInt(TRIANGLES) == TRIANGLES) {
-            JsonNode last = materials.isEmpty() ? null : materials.get(materials.size() - 1);
-            if (last == null || !last.path("name").asText().equals("no material")) {
+            if (noMaterial < 0) {
+                noMaterial = materials.size();
                 materials.addObject().put("name", "no material");
             }
-            primitive.put("material", materials.size() - 1);
+            primitive.put("material", noMaterial);
         }
     }
 }

@@ -24,6 +24,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -182,6 +183,17 @@ class LightmapModelTest {
             assertEquals(9, got.get("accessors").get(position.asInt()).get("count").asInt(),
                     "a vertex for each place: in this light each triangle is lit for itself");
         }
+    }
+
+    @Test
+    void primitiveWithoutMaterial_doesNotGetTheUsersMaterialOfTheSameName() throws IOException {
+        Path model = instances();
+        Files.writeString(model, Files.readString(model).replace("\"meshes\"",
+                "\"materials\": [{\"name\": \"no material\", \"doubleSided\": true}], \"meshes\""));
+        JsonNode got = json(lit(model));
+        assertEquals(2, got.get("materials").size());
+        assertEquals(Set.of(1), got.get("meshes").findValues("material").stream().map(JsonNode::asInt)
+                .collect(Collectors.toSet()), "one material for all primitives that have none");
     }
 
     /** By the Khronos validator, where node and npm are there. */
