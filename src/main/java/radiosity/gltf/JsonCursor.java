@@ -35,8 +35,10 @@ public record JsonCursor(String file, String path, JsonNode node) {
         return new JsonCursor(file, path + step, child);
     }
 
+    /** The value under a key; empty if there is none, or null. */
     public Optional<JsonCursor> optional(String key) {
-        return Optional.ofNullable(node.get(key)).map(child -> new JsonCursor(file, path + "/" + key, child));
+        return Optional.ofNullable(node.get(key)).filter(child -> !child.isNull())
+                .map(child -> new JsonCursor(file, path + "/" + key, child));
     }
 
     /** An extension of the value; empty if there is none. */

@@ -239,7 +239,7 @@ public final class LightmapModel {
     private void describeLightmap(Map<String, Object> description) {
         ArrayNode materials = json.withArrayProperty("materials");
         for (JsonNode node : json.get("nodes")) {
-            if (node.has("mesh")) {
+            if (node.hasNonNull("mesh")) {
                 json.get("meshes").get(node.get("mesh").asInt()).get("primitives")
                         .forEach(primitive -> giveMaterial((ObjectNode) primitive, materials));
             }
@@ -252,7 +252,7 @@ public final class LightmapModel {
     }
 
     private void giveMaterial(ObjectNode primitive, ArrayNode materials) {
-        if (!primitive.has("material") && primitive.path("mode").asInt(TRIANGLES) == TRIANGLES) {
+        if (!primitive.hasNonNull("material") && primitive.path("mode").asInt(TRIANGLES) == TRIANGLES) {
             if (noMaterial < 0) {
                 noMaterial = materials.size();
                 materials.addObject().put("name", "no material");

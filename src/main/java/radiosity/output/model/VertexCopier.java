@@ -74,7 +74,7 @@ final class VertexCopier {
     private byte[] elements(JsonNode accessor, int size) {
         int count = accessor.get("count").asInt();
         byte[] all = new byte[size * count];
-        if (accessor.has("bufferView")) {
+        if (accessor.hasNonNull("bufferView")) {
             JsonNode view = list("bufferViews").get(accessor.get("bufferView").asInt());
             ByteBuffer from = view(view, accessor.path("byteOffset").asLong());
             int step = view.path("byteStride").asInt(size);
@@ -82,7 +82,7 @@ final class VertexCopier {
                 from.get(i * step, all, size * i, size);
             }
         }
-        if (accessor.has("sparse")) {
+        if (accessor.hasNonNull("sparse")) {
             replace(all, accessor.get("sparse"), size);
         }
         return all;

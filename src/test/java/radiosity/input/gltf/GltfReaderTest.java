@@ -93,6 +93,14 @@ class GltfReaderTest {
     }
 
     @Test
+    void nullInJson_isLikeNoValue() throws IOException {
+        Scene scene = read(square(",'mode':null,'targets':null", ",'matrix':null,'scale':[2,3,1],'camera':null",
+                "{'name':null,'emissiveFactor':null,'pbrMetallicRoughness':null}"));
+        assertEquals(6, scene.area(), 1e-12);
+        assertEquals(Rgb.BLACK, scene.surface(0).exitance());
+    }
+
+    @Test
     void mirroredNode_isSeenFromTheSameSide() throws IOException {
         Scene scene = read(square("", ",'scale':[-1,1,1]", PAINT));
         assertEquals(new Vec3(0, 0, 1), scene.cross(0));
