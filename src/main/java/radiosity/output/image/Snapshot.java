@@ -183,7 +183,7 @@ public final class Snapshot {
                         1 - 2 * (row + 0.5) / height), hit);
                 int i = row * width + column;
                 values.value[i] = element < 0 ? Float.NaN
-                        : (float) units.total(snapshot.irradiance(element, hit[1], hit[2]));
+                        : (float) units.total(Elements.irradiance(snapshot.solution, element, hit[1], hit[2]));
                 values.plane[i] = element < 0 ? 0 : snapshot.plane(element);
             }
         });
@@ -238,13 +238,6 @@ public final class Snapshot {
         return found < 0 ? -1 : facing[found];
     }
 
-    private Rgb irradiance(int element, double v, double w) {
-        int[] corners = solution.corners();
-        return solution.irradianceAt(corners[3 * element]).times(1 - v - w)
-                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
-                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
-    }
-
     /** Light seen along each ray of a pixel, traced beyond the first element; gathered once per triangle met. */
     private Rgb[] seen(Camera camera, int column, int row, int width, int height) {
         Vec3[] directions = IntStream.range(0, SAMPLES * SAMPLES)
@@ -286,6 +279,6 @@ public final class Snapshot {
 
     private Rgb radiosity(int element, double v, double w) {
         return solution.scene().look(solution.faceOf()[element] >> 1, Elements.point(solution, element, v, w))
-                .radiosity(irradiance(element, v, w));
+                .radiosity(Elements.irradiance(solution, element, v, w));
     }
 }

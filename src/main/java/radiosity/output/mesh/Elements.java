@@ -1,5 +1,6 @@
 package radiosity.output.mesh;
 
+import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
@@ -25,6 +26,14 @@ public final class Elements {
     public static Vec3 point(Solution solution, int element, double v, double w) {
         return corner(solution, element, 0).times(1 - v - w).plus(corner(solution, element, 1).times(v))
                 .plus(corner(solution, element, 2).times(w));
+    }
+
+    /** Irradiance H at a point of an element, with weights as in {@link #point}, W/m². */
+    public static Rgb irradiance(Solution solution, int element, double v, double w) {
+        int[] corners = solution.corners();
+        return solution.irradianceAt(corners[3 * element]).times(1 - v - w)
+                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
+                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
     }
 
     /** Vector normal to an element out of its visible side, twice as long as its area is large, square scene units. */

@@ -116,10 +116,7 @@ final class ElementRays {
 
     /** Irradiance H at a point of an element, interpolated between the vertices, W/m². */
     Rgb irradiance(int element, double v, double w) {
-        int[] corners = solution.corners();
-        return solution.irradianceAt(corners[3 * element]).times(1 - v - w)
-                .plus(solution.irradianceAt(corners[3 * element + 1]).times(v))
-                .plus(solution.irradianceAt(corners[3 * element + 2]).times(w));
+        return Elements.irradiance(solution, element, v, w);
     }
 
     Solution solution() {
