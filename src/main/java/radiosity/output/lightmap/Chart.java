@@ -1,5 +1,8 @@
 package radiosity.output.lightmap;
 
+import java.util.List;
+import radiosity.output.mesh.Elements;
+import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
 /**
@@ -19,27 +22,29 @@ record Chart(Vec3 u, Vec3 v, double left, double top, double samples, int width,
     static final int PAD = 2;
 
     /**
-     * Makes the chart of a part.
+     * Makes the chart of a part. An edge of the first face becomes horizontal, so that rectangles lie straight.
      *
-     * @param along  an edge of the part, which becomes horizontal, so that rectangles lie straight; not 0
-     * @param normal unit normal of the part
-     * @param points all corners of the part
+     * @param faces  of the part, at least one: 2 * original triangle, + 1 for its back
      * @param least  texels per scene unit that the chart has at least
      * @param wanted texels per scene unit that the chart has as long as it is no wider or higher than {@code most}
      * @param most   texels
      */
-    static Chart of(Vec3 along, Vec3 normal, Iterable<Vec3> points, double least, double wanted, int most) {
-        Vec3 u = along.unit();
-        Vec3 v = u.cross(normal);
+    static Chart of(Scene scene, List<Integer> faces, double least, double wanted, int most) {
+        int first = faces.get(0);
+        Vec3 u = Elements.corner(scene, first, 1).minus(Elements.corner(scene, first, 0)).unit();
+        Vec3 v = u.cross(Elements.normal(scene, first));
         double left = Double.MAX_VALUE;
         double right = -Double.MAX_VALUE;
         double top = Double.MAX_VALUE;
         double bottom = -Double.MAX_VALUE;
-        for (Vec3 p : points) {
-            left = Math.min(left, p.dot(u));
-            right = Math.max(right, p.dot(u));
-            top = Math.min(top, p.dot(v));
-            bottom = Math.max(bottom, p.dot(v));
+        for (int face : faces) {
+            for (int k = 0; k < 3; k++) {
+                Vec3 p = Elements.corner(scene, face, k);
+                left = Math.min(left, p.dot(u));
+                right = Math.max(right, p.dot(u));
+                top = Math.min(top, p.dot(v));
+                bottom = Math.max(bottom, p.dot(v));
+            }
         }
         double room = (most - 2 * PAD) / Math.max(right - left, bottom - top);
         double samples = Math.max(least, Math.min(wanted, room));

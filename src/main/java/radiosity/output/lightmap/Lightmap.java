@@ -24,7 +24,6 @@ import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
-import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.DisjointSets;
 
@@ -39,8 +38,6 @@ import radiosity.util.DisjointSets;
  */
 public record Lightmap(Picture irradiance, float[] places, double samples) {
 
-    /** Largest width and height of a lightmap, texels: a size that every browser can show. */
-    public static final int LARGEST = 8192;
     /** Number of texels that triangles cover where the user gives no density. */
     private static final double USUAL_TEXELS = 600_000;
 
@@ -48,7 +45,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
      * Bakes the lightmap of a solution.
      *
      * @param samples texels per scene unit, above 0; if empty, as many as cover about 600,000 texels
-     * @throws IOException if the lightmap would be wider or higher than {@value #LARGEST} texels
+     * @throws IOException if the lightmap would be wider or higher than 8192 texels
      */
     public static Lightmap of(Solution solution, OptionalDouble samples) throws IOException {
         Solution closed = TJunctions.close(solution);
@@ -76,28 +73,21 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
 
         Lightmap bake() throws IOException {
             List<List<Integer>> parts = planeParts();
-            List<Chart> charts = parts.stream().map(this::chart).toList();
-            ShelfPacker shelves = new ShelfPacker(charts);
-            if (Math.max(shelves.width, shelves.height) > LARGEST) {
-                throw new IOException("--lightmap-texels: expected a lightmap of at most " + LARGEST + " texels along"
-                        + " an edge, got " + shelves.width + "x" + shelves.height + "; give fewer");
-            }
-            Texels texels = new Texels(shelves.width, shelves.height);
+            Atlas atlas = new Atlas(parts.stream().map(part -> Chart.of(scene,
+                    part.stream().map(t -> 2 * t).toList(), samples, samples, Atlas.LARGEST)).toList());
+            Texels texels = atlas.texels("--lightmap-texels");
             float[] places = new float[6 * scene.triangles()];
-            for (int c = 0; c < charts.size(); c++) {
-                double[] corner = {shelves.x[c], shelves.y[c]};
+            for (int c = 0; c < parts.size(); c++) {
                 List<Integer> lit = litSide(parts.get(c)).stream().filter(e -> flux(e) > 0).toList();
                 for (int e : lit) {
-                    draw(texels, charts.get(c), corner, e, false);
+                    draw(texels, atlas.corners(c, solution, e), e, false);
                 }
                 for (int e : lit) {
-                    draw(texels, charts.get(c), corner, e, true);
+                    draw(texels, atlas.corners(c, solution, e), e, true);
                 }
                 for (int t : parts.get(c)) {
                     for (int k = 0; k < 3; k++) {
-                        Vec3 p = scene.corner(t, k);
-                        places[6 * t + 2 * k] = (float) ((corner[0] + charts.get(c).x(p)) / shelves.width);
-                        places[6 * t + 2 * k + 1] = (float) ((corner[1] + charts.get(c).y(p)) / shelves.height);
+                        atlas.place(c, scene.corner(t, k), places, 6 * t + 2 * k);
                     }
                 }
             }
@@ -106,12 +96,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
 
         /** Connected, coplanar groups of triangles; triangles too small to have elements are left out. */
         private List<List<Integer>> planeParts() {
-            DisjointSets joined = new DisjointSets(solution.vertices(), solution.corners());
-            for (List<Integer> elements : elementsOf.values()) {
-                for (int e : elements) {
-                    joined.join(solution.corners()[3 * elements.get(0)], solution.corners()[3 * e]);
-                }
-            }
+            DisjointSets joined = Atlas.parts(solution);
             Map<Integer, List<Integer>> parts = new LinkedHashMap<>();
             for (int t = 0; t < scene.triangles(); t++) {
                 if (elementsOf.containsKey(2 * t)) {
@@ -120,18 +105,6 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
                 }
             }
             return List.copyOf(parts.values());
-        }
-
-        private Chart chart(List<Integer> triangles) {
-            int first = triangles.get(0);
-            List<Vec3> points = new ArrayList<>();
-            for (int t : triangles) {
-                for (int k = 0; k < 3; k++) {
-                    points.add(scene.corner(t, k));
-                }
-            }
-            return Chart.of(scene.corner(first, 1).minus(scene.corner(first, 0)), scene.cross(first).unit(), points,
-                    samples, samples, LARGEST);
         }
 
         /** The elements on the fronts of triangles, or on their backs if more light arrives there. */
@@ -159,21 +132,15 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
             return sum * Elements.cross(solution, element).length();
         }
 
-        private void draw(Texels texels, Chart chart, double[] corner, int element, boolean beyond) {
-            double[] x = new double[3];
-            double[] y = new double[3];
+        /** @param at the element's corners on the lightmap, as {@link Atlas#corners} gives them */
+        private void draw(Texels texels, double[][] at, int element, boolean beyond) {
             Rgb[] h = new Rgb[3];
-            for (int k = 0; k < 3; k++) {
-                Vec3 p = Elements.corner(solution, element, k);
-                x[k] = corner[0] + chart.x(p);
-                y[k] = corner[1] + chart.y(p);
-                h[k] = solution.irradianceAt(solution.corners()[3 * element + k]);
-            }
+            Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * element + k]));
             Texels.Light light = (v, w) -> within(h, h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w)));
             if (beyond) {
-                texels.drawBeyond(x, y, light);
+                texels.drawBeyond(at[0], at[1], light);
             } else {
-                texels.draw(x, y, light);
+                texels.draw(at[0], at[1], light);
             }
         }
 

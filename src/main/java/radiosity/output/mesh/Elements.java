@@ -54,11 +54,18 @@ public final class Elements {
 
     /**
      * Unit normal of an element out of its visible side. The original triangle's normal is used, as it is more exact
-     * than that of the element. The normal of a triangle without area is +Y on its front, -Y on its back.
+     * than that of the element.
      */
     public static Vec3 normal(Solution solution, int element) {
-        Scene scene = solution.scene();
-        int face = solution.faceOf()[element];
+        return normal(solution.scene(), solution.faceOf()[element]);
+    }
+
+    /**
+     * Unit normal of a face out of its visible side; of a triangle without area, +Y on its front and -Y on its back.
+     *
+     * @param face 2 * original triangle, + 1 for its back
+     */
+    public static Vec3 normal(Scene scene, int face) {
         Vec3 cross = scene.cross(face >> 1);
         Vec3 front = cross.length() > 0 ? cross.unit() : new Vec3(0, 1, 0);
         return (face & 1) == 0 ? front : Vec3.ZERO.minus(front);
