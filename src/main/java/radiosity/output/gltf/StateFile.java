@@ -22,6 +22,8 @@ import radiosity.solution.SavedState;
 final class StateFile {
 
     private static final int DIGITS = 16;
+    /** Matches the part of the name that follows the scene file's name. */
+    private static final String END = "\\.[0-9a-f]{" + DIGITS + "}\\.state";
 
     private StateFile() { }
 
@@ -56,8 +58,7 @@ final class StateFile {
     }
 
     private static boolean isState(String file, String scene) {
-        return file.startsWith(scene + ".")
-                && file.substring(scene.length()).matches("\\.[0-9a-f]{" + DIGITS + "}\\.state");
+        return file.startsWith(scene) && file.substring(scene.length()).matches(END);
     }
 
     /**
@@ -69,7 +70,7 @@ final class StateFile {
      *         length
      */
     static SavedState read(Path scene, String name, long length) throws IOException {
-        if (!name.matches("[^/\\\\]+\\.[0-9a-f]{" + DIGITS + "}\\.state")) {
+        if (!name.matches("[^/\\\\]+" + END)) {
             throw new SceneFormatException(scene.toString(), "state", "the name of a state file", name);
         }
         Path file = scene.toRealPath().resolveSibling(name);
