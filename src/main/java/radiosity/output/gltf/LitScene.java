@@ -95,7 +95,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
      * The scene as a solution, for pictures; reflectance that varies over a surface is replaced by the surface's mean.
      */
     public Solution solution() {
-        return new MergedMeshes(meshes, origin).solution(progress, 0, 0, 0, NO_LEDGER, Optional.of(camera));
+        return MergedMeshes.solution(meshes, origin, progress, 0, 0, 0, NO_LEDGER, Optional.of(camera));
     }
 
     private static Optional<Textures> textures(SceneFile file) throws IOException {

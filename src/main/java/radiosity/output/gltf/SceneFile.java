@@ -275,7 +275,7 @@ public final class SceneFile implements Closeable {
     public Solution solution() throws IOException {
         int shots = radiosity.at("shots").integer();
         int rounds = radiosity.at("rounds").integer();
-        return new MergedMeshes(meshes.read(), meshes.origin()).solution(glb.name, shots, rounds,
+        return MergedMeshes.solution(meshes.read(), meshes.origin(), glb.name, shots, rounds,
                 radiosity.at("unshotFlux").number(), ledger(), meshes.camera());
     }
 
