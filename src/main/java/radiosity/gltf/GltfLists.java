@@ -22,6 +22,13 @@ public record GltfLists(ObjectNode root) {
     /** Targets of buffer views. */
     public static final int VERTICES = 34962;
     public static final int INDICES = 34963;
+    /** Filters of samplers. */
+    public static final int NEAREST = 9728;
+    public static final int LINEAR = 9729;
+    /** How samplers go on beyond the edges of an image. */
+    public static final int CLAMP = 33071;
+    public static final int MIRROR = 33648;
+    public static final int REPEAT = 10497;
 
     /** A list, which is created if there is none yet. */
     public ArrayNode list(String name) {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.Diagnostics;
 import radiosity.scene.ImageMap;
@@ -21,9 +22,6 @@ import radiosity.scene.Surface;
 
 /** The surfaces of a scene, one per material in use: base colour becomes reflectance, emission becomes exitance. */
 final class Materials {
-
-    private static final int MIRRORED = 33648;
-    private static final int CLAMPED = 33071;
 
     private final JsonCursor root;
     private final Buffers buffers;
@@ -193,7 +191,8 @@ final class Materials {
 
     private ImageMap.Wrap wrap(int sampler, String key) throws SceneFormatException {
         int mode = sampler < 0 ? -1 : root.at("samplers").at(sampler).index(key);
-        return mode == CLAMPED ? ImageMap.Wrap.EDGE : mode == MIRRORED ? ImageMap.Wrap.MIRROR : ImageMap.Wrap.REPEAT;
+        return mode == GltfLists.CLAMP ? ImageMap.Wrap.EDGE
+                : mode == GltfLists.MIRROR ? ImageMap.Wrap.MIRROR : ImageMap.Wrap.REPEAT;
     }
 
     private Optional<ImageSource> image(JsonCursor source) throws IOException {

@@ -29,8 +29,6 @@ final class SceneDocument {
      * counts its bytes in an int and keeps a node's translation in floats.
      */
 
-    private static final int LINEAR = 9729;
-    private static final int CLAMP = 33071;
     static final String UNLIT = "KHR_materials_unlit";
 
     private final ObjectMapper mapper = new ObjectMapper().enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS);
@@ -143,8 +141,8 @@ final class SceneDocument {
         if (!origin.equals(Vec3.ZERO)) {
             GltfLists.put(textures.putArray("translation"), origin);
         }
-        list("samplers").addObject().put("magFilter", LINEAR).put("minFilter", LINEAR).put("wrapS", CLAMP)
-                .put("wrapT", CLAMP);
+        list("samplers").addObject().put("magFilter", GltfLists.LINEAR).put("minFilter", GltfLists.LINEAR)
+                .put("wrapS", GltfLists.CLAMP).put("wrapT", GltfLists.CLAMP);
     }
 
     /** Adds a side to the second scene. Only the encoded image of its texture is kept. */

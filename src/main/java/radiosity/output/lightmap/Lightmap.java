@@ -191,10 +191,6 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
 
     /** The largest irradiance of any channel, W/m²; 1 where all is dark. */
     public double range() {
-        double most = 0;
-        for (float light : irradiance.rgb()) {
-            most = Math.max(most, light);
-        }
-        return most > 0 ? most : 1;
+        return irradiance.most() > 0 ? irradiance.most() : 1;
     }
 }

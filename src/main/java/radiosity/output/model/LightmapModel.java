@@ -228,7 +228,8 @@ public final class LightmapModel {
         ArrayNode images = json.withArrayProperty("images");
         images.addObject().put("name", "lightmap").put("mimeType", "image/png").put("bufferView", model.add(png));
         ArrayNode samplers = json.withArrayProperty("samplers");
-        samplers.addObject().put("magFilter", 9728).put("minFilter", 9728).put("wrapS", 33071).put("wrapT", 33071);
+        samplers.addObject().put("magFilter", GltfLists.NEAREST).put("minFilter", GltfLists.NEAREST)
+                .put("wrapS", GltfLists.CLAMP).put("wrapT", GltfLists.CLAMP);
         ArrayNode textures = json.withArrayProperty("textures");
         textures.addObject().put("name", "lightmap").put("sampler", samplers.size() - 1)
                 .put("source", images.size() - 1);

@@ -168,7 +168,7 @@ public final class SceneModel {
 
     private void emission(ObjectNode material, Surface surface) throws IOException {
         Optional<Raster> map = surface.maps().exitance();
-        double most = map.isPresent() ? most(map.get()) : surface.exitance().max();
+        double most = map.isPresent() ? picture(map.get()).most() : surface.exitance().max();
         double strength = Math.max(1, most);
         if (strength > 1) {
             material.putObject("extensions").putObject(STRENGTH).put("emissiveStrength", strength);
@@ -186,8 +186,7 @@ public final class SceneModel {
 
     /** Adds a texture, the raster's light times a factor, and returns its number. */
     private int texture(Raster raster, double factor) throws IOException {
-        byte[] png = PictureFormat.png(new Picture(raster.width(), raster.height(), raster.rgb()),
-                light -> light.times(factor));
+        byte[] png = PictureFormat.png(picture(raster), light -> light.times(factor));
         ArrayNode images = json.withArrayProperty("images");
         images.addObject().put("mimeType", "image/png").put("bufferView", model.add(png));
         ArrayNode samplers = json.withArrayProperty("samplers");
@@ -197,19 +196,15 @@ public final class SceneModel {
         return textures.size() - 1;
     }
 
-    private static int wrap(ImageMap.Wrap wrap) {
-        return switch (wrap) {
-            case REPEAT -> 10497;
-            case MIRROR -> 33648;
-            case NONE, EDGE -> 33071;
-        };
+    private static Picture picture(Raster raster) {
+        return new Picture(raster.width(), raster.height(), raster.rgb());
     }
 
-    private static double most(Raster raster) {
-        double most = 0;
-        for (float light : raster.rgb()) {
-            most = Math.max(most, light);
-        }
-        return most;
+    private static int wrap(ImageMap.Wrap wrap) {
+        return switch (wrap) {
+            case REPEAT -> GltfLists.REPEAT;
+            case MIRROR -> GltfLists.MIRROR;
+            case NONE, EDGE -> GltfLists.CLAMP;
+        };
     }
 }
