@@ -106,7 +106,8 @@ public final class CoarseSystem {
     private double corner(int patch, int k, double[] h, int c) {
         IntToDoubleFunction atVertex = v -> h[channels * rows.unknown(v) + c];
         int corner = nodes.corner(patch, k);
-        return nodes.points().isBuried(corner) ? nodes.light().ofOthers(patch, atVertex) : atVertex.applyAsDouble(corner);
+        return nodes.points().isBuried(corner) ? nodes.light().ofOthers(patch, atVertex)
+                : atVertex.applyAsDouble(corner);
     }
 
     /**
