@@ -93,7 +93,8 @@ final class AuditPlaces {
     }
 
     /**
-     * Relative error expected on an element, up to a factor. An element with one receiving point may vary by its mean.
+     * Relative error expected on an element, up to a factor. An element with one receiving point may vary by its mean,
+     * or by the mean of the scene where its receiving point is darker.
      */
     private double expected(RadiosityNodes of, int node, int colour) {
         double[] corner = new double[3];
@@ -106,7 +107,7 @@ final class AuditPlaces {
         }
         Arrays.sort(corner);
         double mean = (corner[0] + corner[1] + corner[2]) / 3;
-        double differs = DIFFERENCE * (of.isPoint(node) ? mean : corner[2] - corner[0]);
+        double differs = DIFFERENCE * (of.isPoint(node) ? Math.max(mean, reflected[colour]) : corner[2] - corner[0]);
         double unit = Math.max(reflected[colour], mean / Accuracy.BRIGHT);
         return ratio(mean + differs, unit) + ratio(emitted, leaving[colour]);
     }

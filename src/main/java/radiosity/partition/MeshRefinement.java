@@ -74,7 +74,7 @@ public final class MeshRefinement {
             }
         }
         for (int top : nodes.tops()) {
-            if (nodes.isElement(top) && (nodes.isPoint(top) ? wants(top, ofPoint(top)) : wantsUnseen(top))) {
+            if (nodes.isElement(top) && wantsTop(top)) {
                 nodes.split(top, round);
             }
         }
@@ -214,8 +214,17 @@ public final class MeshRefinement {
     }
 
     /**
-     * Whether a top node that is an element is to be divided. A top node has no parent, so nothing is known of the
-     * light between its corners, even if these are dark: its error may be all of its light.
+     * Whether a top node that is an element is to be divided. Where such an element receives at its middle only and the
+     * middle is dark, another part of the element may be lit, as where a solid covers the middle.
+     */
+    private boolean wantsTop(int top) {
+        double error = nodes.isPoint(top) ? ofPoint(top) : 0;
+        return error > 0 ? wants(top, error) : wantsUnseen(top);
+    }
+
+    /**
+     * Whether a top node is to be divided by its area alone. A top node has no parent, so nothing is known of the light
+     * between its receiving points, even if these are dark: its error may be all of its light.
      */
     private boolean wantsUnseen(int top) {
         double share = nodes.area(top) / area;

@@ -2,8 +2,10 @@ package radiosity.accuracy;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import radiosity.output.points.Points;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
@@ -38,6 +40,36 @@ class HiddenSpotsTest {
                     new Vec3(x, ABOVE, z + SIZE));
         }
         return builder.scene("hidden spots");
+    }
+
+    /** A plate of a few centimetres that a bright tube goes through: the middles of its triangles are in the tube. */
+    private static Scene plate() {
+        SceneBuilder builder = new SceneBuilder();
+        Surface wall = RoomScenes.grey("wall", 0, .6);
+        Box room = new Box(Vec3.ZERO, new Vec3(3, 3, 3));
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(wall, room.inside(side));
+        }
+        Surface lamp = RoomScenes.grey("lamp", 200, 0);
+        Box tube = new Box(new Vec3(1.507, 1.507, 1), new Vec3(1.533, 1.533, 2));
+        for (int side = 0; side < 6; side++) {
+            Vec3[] inside = tube.inside(side);
+            builder.polygon(lamp, inside[3], inside[2], inside[1], inside[0]);
+        }
+        builder.polygon(wall, new Vec3(1.5, 1.5, 1.5), new Vec3(1.54, 1.5, 1.5), new Vec3(1.54, 1.54, 1.5),
+                new Vec3(1.5, 1.54, 1.5));
+        return builder.scene("plate around a tube");
+    }
+
+    @Test
+    void plateWithCoveredMiddle_isLitBesideIt() throws IOException {
+        Scene scene = plate();
+        Points points = new Points(Solve.byDefault().solution(scene));
+        int last = scene.triangles() - 1;
+        Vec3 normal = scene.corner(last, 1).minus(scene.corner(last, 0))
+                .cross(scene.corner(last, 2).minus(scene.corner(last, 0))).unit();
+        double irradiance = points.at(new Vec3(1.538, 1.52, 1.5), normal).irradiance().r();
+        assertTrue(irradiance > 20, "irradiance of " + irradiance);
     }
 
     @Test
