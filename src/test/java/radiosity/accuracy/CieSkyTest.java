@@ -21,12 +21,13 @@ import radiosity.testkit.Solve;
 /**
  * CIE 171:2006 under skies, in an all but black room of 4 m x 4 m x 3 m, in per cent of E_hz: 5.9 an opening in the roof; 5.11 one in
  * the wall y = 4, of 2 m x 1 m from 1 m above the floor; 5.13 the same below a black slab that stands out 1 m, 0.5 m above
- * it, whose upper side is left out. What slab and ground reflect is left out: they are black.
+ * it, whose upper side is left out; 5.14 the same before a black wall 3 m high, 6 m away. What slab, wall and ground
+ * reflect is left out: they are black.
  *
  * <p>What reflects nothing matters to no mesh, so the reflectance is .001: interreflection adds at most that part.
  *
  * <p>References: the sky's luminance integrated over the opening as seen from the point, E = integral of L cos cos' dA /
- * d², by midpoints of 400 x 400 parts, with nothing where the slab is in the way or the direction is below the
+ * d², by midpoints of 400 x 400 parts, with nothing where slab or wall is in the way or the direction is below the
  * horizon.
  */
 @Tag("slow")
@@ -45,7 +46,8 @@ class CieSkyTest {
     /** All geometries under one sky each, and all skies. */
     static List<CieCase> cases() {
         return List.of(roof(1, Light.Kind.SKY_OVERCAST), roof(4, Light.Kind.SKY_CLEAR), roof(4, Light.Kind.SKY_UNIFORM),
-                window(Light.Kind.SKY_UNIFORM), window(Light.Kind.SKY_CLEAR), belowSlab(Light.Kind.SKY_OVERCAST));
+                window(Light.Kind.SKY_UNIFORM), window(Light.Kind.SKY_CLEAR), belowSlab(Light.Kind.SKY_OVERCAST),
+                beforeWall(Light.Kind.SKY_OVERCAST));
     }
 
     private static CieCase window(Light.Kind sky) {
@@ -55,6 +57,11 @@ class CieSkyTest {
     private static CieCase belowSlab(Light.Kind sky) {
         return facade("5.13", sky, new Vec3[] {new Vec3(-20, 5, 2.5), new Vec3(24, 5, 2.5), new Vec3(24, 4, 2.5),
             new Vec3(-20, 4, 2.5)}, ray -> !meets(ray, 2, 2.5, 1, 4, 5));
+    }
+
+    private static CieCase beforeWall(Light.Kind sky) {
+        return facade("5.14", sky, new Vec3[] {new Vec3(-20, 10, 0), new Vec3(-20, 10, 3), new Vec3(24, 10, 3),
+            new Vec3(24, 10, 0)}, ray -> !meets(ray, 1, 10, 2, 0, 3));
     }
 
     /** Whether a ray (origin, direction) meets a plane of an axis where another coordinate is in a range. */
