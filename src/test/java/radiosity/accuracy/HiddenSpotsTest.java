@@ -22,21 +22,26 @@ import radiosity.testkit.Solve;
 @Tag("slow")
 class HiddenSpotsTest {
 
+    private static final Surface WALL = RoomScenes.grey("wall", 0, .6);
+    private static final Surface LAMP = RoomScenes.grey("lamp", 200, 0);
     private static final double SIZE = .08;
     private static final double ABOVE = .04;
 
-    private static Scene room() {
+    private static SceneBuilder walls() {
         SceneBuilder builder = new SceneBuilder();
-        Surface wall = RoomScenes.grey("wall", 0, .6);
         Box room = new Box(Vec3.ZERO, new Vec3(3, 3, 3));
         for (int side = 0; side < 6; side++) {
-            builder.polygon(wall, room.inside(side));
+            builder.polygon(WALL, room.inside(side));
         }
-        Surface lamp = RoomScenes.grey("lamp", 200, 0);
+        return builder;
+    }
+
+    private static Scene room() {
+        SceneBuilder builder = walls();
         for (int i = 0; i < 9; i++) {
             double x = .41 + i % 3;
             double z = .37 + i / 3;
-            builder.polygon(lamp, new Vec3(x, ABOVE, z), new Vec3(x + SIZE, ABOVE, z), new Vec3(x + SIZE, ABOVE, z + SIZE),
+            builder.polygon(LAMP, new Vec3(x, ABOVE, z), new Vec3(x + SIZE, ABOVE, z), new Vec3(x + SIZE, ABOVE, z + SIZE),
                     new Vec3(x, ABOVE, z + SIZE));
         }
         return builder.scene("hidden spots");
@@ -44,19 +49,13 @@ class HiddenSpotsTest {
 
     /** A plate of a few centimetres that a bright tube goes through: the middles of its triangles are in the tube. */
     private static Scene plate() {
-        SceneBuilder builder = new SceneBuilder();
-        Surface wall = RoomScenes.grey("wall", 0, .6);
-        Box room = new Box(Vec3.ZERO, new Vec3(3, 3, 3));
-        for (int side = 0; side < 6; side++) {
-            builder.polygon(wall, room.inside(side));
-        }
-        Surface lamp = RoomScenes.grey("lamp", 200, 0);
+        SceneBuilder builder = walls();
         Box tube = new Box(new Vec3(1.507, 1.507, 1), new Vec3(1.533, 1.533, 2));
         for (int side = 0; side < 6; side++) {
             Vec3[] inside = tube.inside(side);
-            builder.polygon(lamp, inside[3], inside[2], inside[1], inside[0]);
+            builder.polygon(LAMP, inside[3], inside[2], inside[1], inside[0]);
         }
-        builder.polygon(wall, new Vec3(1.5, 1.5, 1.5), new Vec3(1.54, 1.5, 1.5), new Vec3(1.54, 1.54, 1.5),
+        builder.polygon(WALL, new Vec3(1.5, 1.5, 1.5), new Vec3(1.54, 1.5, 1.5), new Vec3(1.54, 1.54, 1.5),
                 new Vec3(1.5, 1.54, 1.5));
         return builder.scene("plate around a tube");
     }
