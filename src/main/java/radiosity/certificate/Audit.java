@@ -30,14 +30,14 @@ import radiosity.util.ParallelFor;
 public final class Audit {
 
     /** Number of points per batch: one per this number of elements, within the least and the most. */
-    private static final int ELEMENTS_PER_POINT = 100;
-    private static final int LEAST_POINTS = 192;
-    private static final int MOST_POINTS = 400;
+    private static final int ELEMENTS_PER_POINT = 20;
+    private static final int LEAST_POINTS = 480;
+    private static final int MOST_POINTS = 6000;
     /**
      * Where each batch begins within the sampling step, as a fraction of the step. Batches are added until the relative
      * standard error of the mean square error is at most {@link #ENOUGH}.
      */
-    private static final double[] START = {0.5, 0, 0.25, 0.75};
+    private static final double[] START = {0.5, 0};
     private static final double ENOUGH = 0.3;
     /** The limit where the error exceeds the one asked for: the excess says how much finer the mesh must be. */
     private static final double ENOUGH_TO_REFINE = 0.15;
@@ -49,10 +49,13 @@ public final class Audit {
      */
     private static final double MOSTLY = 0.5;
     /**
-     * Light that a ray of the audit may carry, relative to the first tolerance of a render with the error asked for.
-     * The noise of these rays is subtracted, and makes the estimate uncertain only where the noise exceeds the error.
+     * Light that a ray to a point may carry, relative to the first tolerance of a render with the error asked for. The
+     * noise of these rays is subtracted: many points with coarse rays tell more of an error with a heavy tail than few
+     * points with fine rays.
      */
-    private static final double FINER = 0.5;
+    private static final double TO_POINT = 2;
+    /** The same at the corners of elements: fine enough that their noise is less than that of the solution's rays. */
+    private static final double TO_VERTEX = 0.5;
     /** Form factor that a ray may carry where sums of form factors are calculated. */
     private static final double FACTOR_TOLERANCE = 0.05;
     /** Number of other patches with which the patch of each point is compared for reciprocity. */
@@ -138,8 +141,10 @@ public final class Audit {
     private boolean isClear(AuditResult result) {
         double uncertainty = result.uncertainty();
         double found = result.expected() * result.expected();
+        double doubt = result.biasUncertainty() * result.biasUncertainty();
         double enough = result.expected() > asked ? ENOUGH_TO_REFINE : ENOUGH;
-        return uncertainty <= enough && Math.abs(found - asked * asked) >= CLEAR * uncertainty * found;
+        return uncertainty <= enough && Math.abs(found - asked * asked) >= CLEAR * uncertainty * found
+                && (found <= asked * asked || found - doubt > asked * asked);
     }
 
     private AuditResult result() {
@@ -191,17 +196,22 @@ public final class Audit {
         ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
                 (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
                 .shooter(faces, Weights.of(ones(faces.channels())));
-        FormFactorCalculator many = new RayCaster(mesh.bounds(), 1, FINER * Accuracy.tolerance(asked));
-        FormFactorCalculator few = few();
+        FormFactorCalculator coarse = new RayCaster(mesh.bounds(), 1, TO_POINT * Accuracy.tolerance(asked));
+        FormFactorCalculator fine = new RayCaster(mesh.bounds(), 1, TO_VERTEX * Accuracy.tolerance(asked));
+        FormFactorCalculator factors = factors();
         parallel.run(batch.size(), i -> {
-            if (!batch.get(i).isBuried) {
-                batch.get(i).gather(many, light);
-                batch.get(i).addFactors(few, ones);
+            AuditPoint point = batch.get(i);
+            if (!point.isBuried) {
+                point.gather(coarse, light);
+                if (point.isDetailed) {
+                    point.gatherAtVertex(fine, light);
+                    point.addFactors(factors, ones);
+                }
             }
         });
     }
 
-    private FormFactorCalculator few() {
+    private FormFactorCalculator factors() {
         return FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), FACTOR_TOLERANCE);
     }
 
@@ -219,7 +229,7 @@ public final class Audit {
     /*---- Reciprocity: area times form factor from one patch to another, compared with the opposite direction ----*/
 
     private double reciprocity() {
-        List<AuditPoint> seen = points.stream().filter(p -> !p.isBuried).toList();
+        List<AuditPoint> seen = points.stream().filter(p -> p.isDetailed && !p.isBuried).toList();
         double[] difference = new double[PARTNERS * seen.size()];
         double[] sum = new double[difference.length];
         parallel.run(difference.length, i -> {
@@ -244,7 +254,7 @@ public final class Audit {
             double[] weight = {1 / 6.0, 1 / 6.0, 1 / 6.0};
             weight[k] = 2 / 3.0;
             float[] x = AuditPlaces.within(corner, weight);
-            few().gather(x[0], x[1], x[2], faces.normal(from.face, 0), faces.normal(from.face, 1),
+            factors().gather(x[0], x[1], x[2], faces.normal(from.face, 0), faces.normal(from.face, 1),
                     faces.normal(from.face, 2), k, shooter, sum);
         }
         return sum.value[0] / 3 * faces.area(from.face) / (1L << 2 * NodePath.level(from.top));

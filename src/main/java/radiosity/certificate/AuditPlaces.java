@@ -32,6 +32,9 @@ final class AuditPlaces {
     /** Weight of the difference between the corners of an element, relative to the weight of its mean. */
     private static final double DIFFERENCE = 10;
     private static final int LEAST_PER_SURFACE = 2;
+    /** About the number of detailed points of a batch; at most every third point is detailed. */
+    private static final int DETAILED = 500;
+    private static final int LEAST_PER_DETAILED = 3;
 
     private final InitialMesh mesh;
     private final Faces faces;
@@ -138,8 +141,10 @@ final class AuditPlaces {
         Arrays.setAll(step, s -> whole[s] / Math.max(LEAST_PER_SURFACE, Math.round(wanted * whole[s] / all)));
         List<AuditPoint> points = new ArrayList<>();
         double[] next = Arrays.stream(step).map(s -> s * start).toArray();
+        int[] count = new int[surfaces];
+        int perDetailed = Math.max(LEAST_PER_DETAILED, wanted / DETAILED);
         for (Block block : mesh.blocks) {
-            pick(block.id(), step, next, known, points);
+            pick(block.id(), step, next, count, perDetailed, known, points);
         }
         return points;
     }
@@ -147,10 +152,12 @@ final class AuditPlaces {
     /**
      * Appends the points that lie on elements of a block.
      *
-     * @param step 1 per surface: sampling weight from one point to the next
-     * @param next modified, 1 per surface: sampling weight left up to the next point
+     * @param step  1 per surface: sampling weight from one point to the next
+     * @param next  modified, 1 per surface: sampling weight left up to the next point
+     * @param count modified, 1 per surface: number of points in this batch; one of each {@code perDetailed} is detailed
      */
-    private void pick(int block, double[] step, double[] next, int known, List<AuditPoint> points) {
+    private void pick(int block, double[] step, double[] next, int[] count, int perDetailed, int known,
+                      List<AuditPoint> points) {
         Weighed of = weighed[block];
         RadiosityNodes its = null;
         for (int i = 0; i < of.node.length; i++) {
@@ -159,18 +166,18 @@ final class AuditPlaces {
             for (; next[s] < 0; next[s] += step[s]) {
                 its = its == null ? nodes.apply(block) : its;
                 double area = step[s] * its.area(of.node[i]) / of.weight[i];
-                points.add(point(its, of.node[i], area, known + points.size() + 1));
+                points.add(point(its, of.node[i], area, known + points.size() + 1, count[s]++ % perDetailed == 0));
             }
         }
     }
 
-    private AuditPoint point(RadiosityNodes of, int node, double area, int number) {
+    private AuditPoint point(RadiosityNodes of, int node, double area, int number, boolean isDetailed) {
         double u = PointSequence.u(number);
         double v = PointSequence.v(number);
         boolean fold = u + v > 1;
         double b = fold ? 1 - u : u;
         double c = fold ? 1 - v : v;
-        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, burial, bulges);
+        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, isDetailed, burial, bulges);
     }
 
     /** Returns the three corners of a node, x, y, z each, in coordinates of the scene scaled to size 1. */

@@ -18,11 +18,13 @@ import radiosity.util.Hash;
 final class AuditPoint {
 
     /** Number of times that light is gathered anew: the differences estimate the noise of the rays. */
-    static final int TIMES = 2;
+    private static final int TIMES = 2;
 
     final int face;
     /** Area that the point represents, in units of the squared scene size. */
     final double area;
+    /** Whether light is gathered at a corner of the element, too, and form factors are added up. */
+    final boolean isDetailed;
     /** Whether the point lies inside a solid, where no light arrives. */
     final boolean isBuried;
     /** Path of the root, in its block, of the subtree that contains the point. */
@@ -52,10 +54,13 @@ final class AuditPoint {
     private final double[] atVertex;
     /** One per channel, W/m²: irradiance from sources without geometry, interpolated less exact. */
     private final double[] fromLights;
-    /** Irradiance gathered anew, W/m²: {@link #TIMES} times at the point, and once at the nearest corner. */
-    final GatherSink.Irradiance[] anew = new GatherSink.Irradiance[TIMES];
-    final GatherSink.Irradiance anewAtVertex;
-    /** Sum of the form factors to all elements. */
+    /**
+     * Irradiance gathered anew, W/m²: {@link #TIMES} times at the point, and as often at the nearest corner where the
+     * point is detailed.
+     */
+    private final GatherSink.Irradiance[] anew = new GatherSink.Irradiance[TIMES];
+    private final GatherSink.Irradiance[] anewAtVertex = new GatherSink.Irradiance[TIMES];
+    /** Sum of the form factors to all elements; 0 where the point is not detailed. */
     double factors;
     /** Part of the light leaving the point that arrives nowhere, from 0 to 1. */
     double lost;
@@ -65,9 +70,10 @@ final class AuditPoint {
      * @param weight 3: barycentric weights of the element's corners at the point, kept
      * @param number number of the point, from which its rays follow
      */
-    AuditPoint(RadiosityNodes nodes, int node, double area, double[] weight, int number, InteriorTest burial,
-               VertexBulge bulges) {
+    AuditPoint(RadiosityNodes nodes, int node, double area, double[] weight, int number, boolean isDetailed,
+               InteriorTest burial, VertexBulge bulges) {
         this.area = area;
+        this.isDetailed = isDetailed;
         this.number = number;
         faces = nodes.faces();
         face = nodes.face(node);
@@ -96,28 +102,32 @@ final class AuditPoint {
         atVertex = channels(c -> nodes.light().irradiance(node, nearest, c));
         fromLights = new double[faces.channels()];
         Arrays.setAll(anew, i -> new GatherSink.Irradiance(faces.channels()));
-        anewAtVertex = new GatherSink.Irradiance(faces.channels());
+        Arrays.setAll(anewAtVertex, i -> new GatherSink.Irradiance(faces.channels()));
     }
 
     private double[] channels(IntToDoubleFunction value) {
         return IntStream.range(0, faces.channels()).mapToDouble(value).toArray();
     }
 
-    /** Whether the point sees nothing and has no light, as on the outside of a room. */
+    /** Whether the point sees no front of a surface and has no light, as on the outside of a room. */
     boolean isDark() {
-        return factors == 0 && Arrays.stream(interpolated).allMatch(h -> h == 0)
+        return lost == 1 && Arrays.stream(interpolated).allMatch(h -> h == 0)
                 && Arrays.stream(anew[0].value).allMatch(h -> h == 0);
     }
 
     /*---- Gathering anew ----*/
 
-    /** Adds the light of a shooter, at the point and at the nearest corner of its element. */
+    /** Adds the light of a shooter at the point. */
     void gather(FormFactorCalculator calculator, ShooterHierarchy shooter) {
         for (int i = 0; i < TIMES; i++) {
             gather(calculator, shooter, place, 0, i, anew[i]);
         }
-        if (!vertexIsBuried) {
-            gather(calculator, shooter, corner, 3 * nearest, TIMES, anewAtVertex);
+    }
+
+    /** Adds the light of a shooter at the nearest corner of the element. */
+    void gatherAtVertex(FormFactorCalculator calculator, ShooterHierarchy shooter) {
+        for (int i = 0; i < TIMES && !vertexIsBuried; i++) {
+            gather(calculator, shooter, corner, 3 * nearest, TIMES + i, anewAtVertex[i]);
         }
     }
 
@@ -137,11 +147,12 @@ final class AuditPoint {
 
     /** Adds the light of sources without geometry, and the uniform radiosity of a closed room. */
     void light(LightSources lights, UniformRadiosity ambient) {
-        for (int i = 0; i <= TIMES; i++) {
-            double[] to = i < TIMES ? anew[i].value : anewAtVertex.value;
-            lights.add(i < TIMES ? place : corner, i < TIMES ? 0 : 3 * nearest, face, to, 0);
-            for (int c = 0; c < to.length; c++) {
-                to[c] += ambient.at(face, c);
+        for (int i = 0; i < TIMES; i++) {
+            lights.add(place, 0, face, anew[i].value, 0);
+            lights.add(corner, 3 * nearest, face, anewAtVertex[i].value, 0);
+            for (int c = 0; c < faces.channels(); c++) {
+                anew[i].value[c] += ambient.at(face, c);
+                anewAtVertex[i].value[c] += ambient.at(face, c);
             }
         }
         if (!lights.isEmpty()) {
@@ -165,32 +176,37 @@ final class AuditPoint {
 
     /** Error of the solution's radiosity, W/m²; positive: too bright. */
     double error(int colour) {
-        return sum(colour, c -> reflectance[c] * (shown[c] - anew(c)));
+        return sum(colour, c -> reflectance[c] * (shown[c] - mean(anew, c)));
     }
 
     /** Noise that the rays of the audit leave in {@link #error}, W/m²; the square of it estimates the variance. */
     double noise(int colour) {
-        return sum(colour, c -> reflectance[c] * (anew[0].value[c] - anew[1].value[c])) / TIMES;
+        return sum(colour, c -> reflectance[c] * noise(anew, c));
     }
 
     /** Error of the radiosity at the nearest corner of the element, W/m²; 0 where that corner is buried. */
     double errorAtVertex(int colour) {
-        return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * (atVertex[c] - anewAtVertex.value[c]));
+        return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * (atVertex[c] - mean(anewAtVertex, c)));
+    }
+
+    /** Noise that the rays of the audit leave in {@link #errorAtVertex}, W/m², as {@link #noise}. */
+    double noiseAtVertex(int colour) {
+        return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * noise(anewAtVertex, c));
     }
 
     /** Irradiance that the solution reflects, less the irradiance gathered anew, W/m². */
     double excess(int colour) {
-        return sum(colour, c -> interpolated[c] + bulge[c] - (isBuried ? 0 : anew(c)));
+        return sum(colour, c -> interpolated[c] + bulge[c] - (isBuried ? 0 : mean(anew, c)));
     }
 
     /** Radiosity gathered anew, W/m². */
     double radiosity(int colour) {
-        return sum(colour, c -> exitance[c] + reflectance[c] * anew(c));
+        return sum(colour, c -> exitance[c] + reflectance[c] * mean(anew, c));
     }
 
     /** Radiosity gathered anew at the nearest corner of the element, W/m². */
     double radiosityAtVertex(int colour) {
-        return sum(colour, c -> exitance[c] + reflectance[c] * anewAtVertex.value[c]);
+        return sum(colour, c -> exitance[c] + reflectance[c] * mean(anewAtVertex, c));
     }
 
     /** Light that leaves the point and escapes, plus light of sources that interpolation adds at the point, W/m². */
@@ -212,8 +228,12 @@ final class AuditPoint {
         return isBuried ? 0 : reflectance[colour];
     }
 
-    private double anew(int channel) {
+    private static double mean(GatherSink.Irradiance[] anew, int channel) {
         return (anew[0].value[channel] + anew[1].value[channel]) / TIMES;
+    }
+
+    private static double noise(GatherSink.Irradiance[] anew, int channel) {
+        return (anew[0].value[channel] - anew[1].value[channel]) / TIMES;
     }
 
     private double sum(int colour, IntToDoubleFunction value) {

@@ -45,13 +45,20 @@ final class AuditResult {
         return Math.sqrt(errors(reflecting()).total);
     }
 
+    /** Standard error of the bias, relative to the mean radiosity: part of {@link #expected}. */
+    double biasUncertainty() {
+        return Math.sqrt(errors(reflecting()).uncertainty);
+    }
+
     Certificate certificate(double unshotFlux, double reciprocity) {
-        double most = points.stream().mapToDouble(p -> p.factors).max().orElse(0);
+        List<AuditPoint> detailed = detailed(points);
+        double most = detailed.stream().mapToDouble(p -> p.factors).max().orElse(0);
         List<AuditPoint> reflecting = reflecting();
         Errors all = errors(reflecting);
-        return new Certificate(points.size(), missing(unshotFlux, most), mean(points, p -> p.factors), most,
+        return new Certificate(points.size(), missing(unshotFlux, most), mean(detailed, p -> p.factors), most,
                 reciprocity,
-                Math.sqrt(all.total), Math.sqrt(all.sampling), Math.sqrt(all.meshing), all.bias, surfaces(reflecting));
+                Math.sqrt(all.total), Math.sqrt(all.sampling), Math.sqrt(all.meshing), all.bias,
+                Math.sqrt(all.uncertainty), surfaces(reflecting));
     }
 
     /** Returns the points that reflect and do not emit; where there are none, all points that reflect. */
@@ -59,6 +66,10 @@ final class AuditResult {
         List<AuditPoint> all = points.stream().filter(AuditPoint::reflects).toList();
         List<AuditPoint> dark = all.stream().filter(point -> !point.emits()).toList();
         return dark.isEmpty() ? all : dark;
+    }
+
+    private static List<AuditPoint> detailed(List<AuditPoint> some) {
+        return some.stream().filter(point -> point.isDetailed).toList();
     }
 
     /**
@@ -155,11 +166,11 @@ final class AuditResult {
     }
 
     /** Mean squares relative to the squared mean radiosity; the bias relative to the mean radiosity. */
-    private record Errors(double total, double sampling, double meshing, double bias) { }
+    private record Errors(double total, double sampling, double meshing, double bias, double uncertainty) { }
 
     /** Returns the mean over the colours that have light. */
     private Errors errors(List<AuditPoint> some) {
-        double[] sum = new double[4];
+        double[] sum = new double[5];
         int lit = 0;
         for (int c = 0; c < faces.colours(); c++) {
             int colour = c;
@@ -169,8 +180,8 @@ final class AuditResult {
                 add(some, colour, mean, sum);
             }
         }
-        return lit == 0 ? new Errors(0, 0, 0, 0)
-                : new Errors(sum[0] / lit, sum[1] / lit, sum[2] / lit, sum[3] / lit);
+        return lit == 0 ? new Errors(0, 0, 0, 0, 0)
+                : new Errors(sum[0] / lit, sum[1] / lit, sum[2] / lit, sum[3] / lit, sum[4] / lit);
     }
 
     /**
@@ -178,16 +189,14 @@ final class AuditResult {
      * error there is due to interpolation itself. The noise of the audit's own rays is subtracted. The error that
      * interreflection makes of the mean error is taken to be no less than its standard error.
      *
-     * @param sum modified: 4, in the order of {@link Errors}
+     * @param sum modified: 5, in the order of {@link Errors}
      */
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
         double noise = mean(some, p -> square(p.noise(colour) / unit(p.radiosity(colour), mean)));
         double local = mean(some, p -> p.error(colour) / unit(p.radiosity(colour), mean));
         double square = Math.max(0, trimmedMean(some, p -> square(p.error(colour) / unit(p.radiosity(colour), mean)))
                 - noise);
-        double atVertex = trimmedMean(some,
-                p -> square(p.errorAtVertex(colour) / unit(p.radiosityAtVertex(colour), mean)));
-        double rays = Math.max(0, atVertex - AuditPoint.TIMES * noise);
+        double rays = rays(detailed(some), colour, mean);
         double raysLeft = rays * mean(some, p -> p.spread);
         double reflectance = mean(some, p -> p.reflectance(colour));
         double all = local + bias[colour].spread(reflectance) / mean;
@@ -196,6 +205,17 @@ final class AuditResult {
         sum[1] += rays;
         sum[2] += Math.max(0, square - raysLeft);
         sum[3] += all;
+        sum[4] += square(uncertain);
+    }
+
+    /** Returns the mean square error at the corners of elements, relative to the mean radiosity. */
+    private static double rays(List<AuditPoint> detailed, int colour, double mean) {
+        return Math.max(0, trimmedMean(detailed, p -> square(p.errorAtVertex(colour) / unitAtVertex(p, colour, mean)))
+                - mean(detailed, p -> square(p.noiseAtVertex(colour) / unitAtVertex(p, colour, mean))));
+    }
+
+    private static double unitAtVertex(AuditPoint point, int colour, double mean) {
+        return unit(point.radiosityAtVertex(colour), mean);
     }
 
     /** Returns the larger of mean radiosity and a part of the point's radiosity: unit of errors, W/m². */

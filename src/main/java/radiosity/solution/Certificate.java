@@ -19,20 +19,22 @@ import radiosity.util.NoNumberException;
  * @param reciprocity mean difference between A F of a pair of patches and A F the other way, relative to the mean A F
  * @param expected    expected error of radiosity: root mean square over all surfaces that reflect and do not emit,
  *                    relative to their mean radiosity or a third of a place's own radiosity, whichever is more; the
- *                    next three numbers are relative to the same radiosity
+ *                    next four numbers are relative to the same radiosity
  * @param sampling    part of the error at a point that comes from rays
  * @param meshing     part of the error at a point that comes from interpolation
  * @param bias        mean error, which interreflection multiplies; signed
+ * @param uncertainty part of the error that may be the estimate's own: standard error of the bias where interreflection
+ *                    multiplies what the points tell of it
  * @param surfaces    errors of each surface
  */
 public record Certificate(int points, Double missingFlux, double factors, double mostFactors, double reciprocity,
                           double expected, double sampling, double meshing, double bias,
-                          List<SurfaceError> surfaces) {
+                          double uncertainty, List<SurfaceError> surfaces) {
 
     /** @throws NoNumberException where a number is infinite or NaN */
     public Certificate {
         NoNumberException.unlessNumbers("certificate", missingFlux == null ? 0 : missingFlux, factors, mostFactors,
-                reciprocity, expected, sampling, meshing, bias);
+                reciprocity, expected, sampling, meshing, bias, uncertainty);
     }
 
     /**

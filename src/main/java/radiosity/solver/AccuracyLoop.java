@@ -114,7 +114,8 @@ final class AccuracyLoop {
 
     /**
      * Chooses what to refine and lowers its tolerance: the mesh where mesh and bias hold more than their part of the
-     * mean square error, else the rays; nothing where the error is at most the one asked for, or no longer falls.
+     * mean square error, else the rays; nothing where the error is at most the one asked for, but for what may be the
+     * estimate's own, or no longer falls.
      *
      * <p>At shadow edges the mean square error of a mesh is proportional to {@link #meshError}; elsewhere the mean
      * square error falls faster: where light is smooth, N elements have an error of 1 / N, and each adds 1 / N^3 to its
@@ -122,21 +123,22 @@ final class AccuracyLoop {
      */
     Refine refine(Certificate certificate, int elements) {
         double found = certificate.expected();
+        double certain = Math.sqrt(Math.max(0, square(found) - square(certificate.uncertainty())));
         double now = elements / tolerance;
         boolean isNewAim = Double.isNaN(reached);
         boolean isBetter = isNewAim || work == 0 || found < reached * StrictMath.pow(now / work, -SLOWEST);
         inVain = isBetter ? 0 : now > GROWTH * work ? inVain + 1 : inVain;
         reached = found;
         work = now;
-        if (found <= asked || inVain == MOST_IN_VAIN || !isBetter && isFinest()) {
+        if (certain <= asked || inVain == MOST_IN_VAIN || !isBetter && isFinest()) {
             return Refine.NOTHING;
         }
         if (isNewAim) {
             return Refine.MESH;
         }
         double wanted = MARGIN * asked * asked;
-        double rays = certificate.sampling() * certificate.sampling();
-        double mesh = Math.max(0, found * found - rays);
+        double rays = square(certificate.sampling());
+        double mesh = Math.max(0, square(certain) - rays);
         double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
         if (mesh > wanted - forRays) {
             meshError *= Math.max(STEP, (wanted - forRays) / mesh);
@@ -144,6 +146,10 @@ final class AccuracyLoop {
         }
         tolerance *= StrictMath.pow(Math.max(STEP, forRays / rays), Accuracy.POWER / 2);
         return Refine.RAYS;
+    }
+
+    private static double square(double x) {
+        return x * x;
     }
 
     private boolean isFinest() {

@@ -67,18 +67,18 @@ class NumbersTest {
 
     @Test
     void certificateThatIsNone_isCaught() {
-        for (int i = 0; i < 11; i++) {
-            double[] x = new double[11];
+        for (int i = 0; i < 12; i++) {
+            double[] x = new double[12];
             x[i] = Double.POSITIVE_INFINITY;
             assertEquals("certificate: expected numbers, got Infinity",
                     assertThrows(NoNumberException.class, () -> certificate(x)).getMessage());
         }
-        assertNull(new Certificate(1, null, 1, 1, 0, 0, 0, 0, 0, List.of()).missingFlux(), "no bound");
+        assertNull(new Certificate(1, null, 1, 1, 0, 0, 0, 0, 0, 0, List.of()).missingFlux(), "no bound");
     }
 
     private static Certificate certificate(double[] x) {
-        return new Certificate(1, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7],
-                List.of(new Certificate.SurfaceError("wall", 1, x[8], x[9], x[10])));
+        return new Certificate(1, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8],
+                List.of(new Certificate.SurfaceError("wall", 1, x[9], x[10], x[11])));
     }
 
     @Test

@@ -23,12 +23,21 @@ class AccuracyLoopTest {
     }
 
     private static Certificate certificate(double expected, double sampling, double meshing) {
-        return new Certificate(400, 0.0, 1, 1, 0, expected, sampling, meshing, 0, List.of());
+        return new Certificate(400, 0.0, 1, 1, 0, expected, sampling, meshing, 0, 0, List.of());
     }
 
     @Test
     void exactEnough_ends() {
         assertEquals(Refine.NOTHING, loop().refine(certificate(.019, .01, .01), 1000));
+    }
+
+    /** A finer mesh tells nothing of openings that the points have not found. */
+    @Test
+    void uncertaintyOfTheEstimate_isNotAnsweredByRefining() {
+        Certificate unsure = new Certificate(400, 0.0, 1, 1, 0, .05, .01, .01, .02, .047, List.of());
+        assertEquals(Refine.NOTHING, loop().refine(unsure, 1000));
+        Certificate sure = new Certificate(400, 0.0, 1, 1, 0, .05, .01, .04, .02, .02, List.of());
+        assertEquals(Refine.MESH, loop().refine(sure, 1000));
     }
 
     @Test
