@@ -34,8 +34,8 @@ public final class Audit {
     private static final int LEAST_POINTS = 480;
     private static final int MOST_POINTS = 6000;
     /**
-     * Where each batch begins within the sampling step, as a fraction of the step. Batches are added until the relative
-     * standard error of the mean square error is at most {@link #ENOUGH}.
+     * Where each batch begins within the sampling step, as a fraction of the step. The second batch is added where the
+     * relative standard error of the mean square error is above {@link #ENOUGH}, see {@link #certificate}.
      */
     private static final double[] START = {0.5, 0};
     private static final double ENOUGH = 0.3;
@@ -121,8 +121,8 @@ public final class Audit {
     /*---- Gathering anew ----*/
 
     /**
-     * Adds batches of points while a few points make up most of the error, or while the error may lie on either side of
-     * the error asked for.
+     * Adds batches of points while a few points make up most of the error, while the error may lie on either side of
+     * the error asked for, or while it exceeds that only by what may be the estimate's own.
      *
      * @param unshotFlux flux not shot yet, all channels, W
      */

@@ -147,16 +147,23 @@ final class AuditPoint {
 
     /** Adds the light of sources without geometry, and the uniform radiosity of a closed room. */
     void light(LightSources lights, UniformRadiosity ambient) {
-        for (int i = 0; i < TIMES; i++) {
-            lights.add(place, 0, face, anew[i].value, 0);
-            lights.add(corner, 3 * nearest, face, anewAtVertex[i].value, 0);
-            for (int c = 0; c < faces.channels(); c++) {
-                anew[i].value[c] += ambient.at(face, c);
-                anewAtVertex[i].value[c] += ambient.at(face, c);
-            }
+        begin(anew, lights, place, 0, ambient);
+        if (isDetailed) {
+            begin(anewAtVertex, lights, corner, 3 * nearest, ambient);
         }
         if (!lights.isEmpty()) {
             compare(lights);
+        }
+    }
+
+    private void begin(GatherSink.Irradiance[] to, LightSources lights, float[] x, int at, UniformRadiosity ambient) {
+        double[] first = to[0].value;
+        lights.add(x, at, face, first, 0);
+        for (int c = 0; c < first.length; c++) {
+            first[c] += ambient.at(face, c);
+        }
+        for (int i = 1; i < TIMES; i++) {
+            System.arraycopy(first, 0, to[i].value, 0, first.length);
         }
     }
 

@@ -27,6 +27,8 @@ final class AuditResult {
     private final EnergyLedger ledger;
     /** 1 per colour. */
     private final AuditBias[] bias;
+    /** Errors of all points that reflect. */
+    private final Errors errors;
 
     /**
      * @param all     all points, buried ones included
@@ -38,27 +40,25 @@ final class AuditResult {
         this.ledger = ledger;
         bias = new AuditBias[faces.colours()];
         Arrays.setAll(bias, c -> new AuditBias(mesh, all, batches, ledger, c));
+        errors = errors(reflecting());
     }
 
     /** Expected error, relative to the mean radiosity. */
     double expected() {
-        return Math.sqrt(errors(reflecting()).total);
+        return Math.sqrt(errors.total);
     }
 
     /** Standard error of the bias, relative to the mean radiosity: part of {@link #expected}. */
     double biasUncertainty() {
-        return Math.sqrt(errors(reflecting()).uncertainty);
+        return Math.sqrt(errors.uncertainty);
     }
 
     Certificate certificate(double unshotFlux, double reciprocity) {
         List<AuditPoint> detailed = detailed(points);
         double most = detailed.stream().mapToDouble(p -> p.factors).max().orElse(0);
-        List<AuditPoint> reflecting = reflecting();
-        Errors all = errors(reflecting);
         return new Certificate(points.size(), missing(unshotFlux, most), mean(detailed, p -> p.factors), most,
-                reciprocity,
-                Math.sqrt(all.total), Math.sqrt(all.sampling), Math.sqrt(all.meshing), all.bias,
-                Math.sqrt(all.uncertainty), surfaces(reflecting));
+                reciprocity, expected(), Math.sqrt(errors.sampling), Math.sqrt(errors.meshing), errors.bias,
+                biasUncertainty(), surfaces(reflecting()));
     }
 
     /** Returns the points that reflect and do not emit; where there are none, all points that reflect. */
