@@ -172,7 +172,8 @@ class StopTest {
         int shots = SavedCalculation.read(file).shots();
         assertTrue(shots >= leastShots, "stopped after " + shots + " shots");
         Path more = program.file("more.scene");
-        ProgramRun run = ProgramRun.of("-q", "-tf", file, shots, "-it", shots + 1, program.file("foobar.lws"), more);
+        ProgramRun run = ProgramRun.of("-q", "-tf", file, shots, "-it", shots + 1, "-se", 0,
+                program.file("foobar.lws"), more);
         assertEquals(ExitCode.DONE, run.exitCode(), run.err());
         assertEquals(shots + 1, SavedCalculation.read(more).shots());
     }
