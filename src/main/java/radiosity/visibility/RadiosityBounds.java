@@ -34,7 +34,7 @@ public final class RadiosityBounds {
     private static final float LEAST = 1e-18f;
     private static final int ONE = bits(1);
 
-    /** A front is preferred to a back that is nearer by up to this factor. */
+    /** Distances whose quotient is at most this are the same: a front is preferred to a back in its place. */
     private static final double SAME_PLACE = 1 + 1e-6;
 
     private final float[] corners;
@@ -194,6 +194,44 @@ public final class RadiosityBounds {
     public int nearestFront(Vec3 o, Vec3 d, double far, boolean backs, float[] hit) {
         return nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) d.x(), (float) d.y(), (float) d.z(),
                 (float) far, backs ? SAME_PLACE : Double.POSITIVE_INFINITY, hit);
+    }
+
+    /**
+     * Whether a ray passes through a triangle whose visible side it leaves behind, at a distance of its own.
+     *
+     * @param dx    direction, of any length but 0: dx, dy, dz
+     * @param place distance in units of |d|, above 0, exact to {@link #SAME_PLACE}
+     * @param front 3 per triangle: normal of its visible side, 0 where both sides are visible; not modified
+     */
+    boolean leavesAt(float ox, float oy, float oz, float dx, float dy, float dz, float place, float[] front) {
+        double[] origin = {ox, oy, oz};
+        double[] direction = {dx, dy, dz};
+        double[] cut = new double[3];
+        float ix = inverse(dx);
+        float iy = inverse(dy);
+        float iz = inverse(dz);
+        double far = place * SAME_PLACE;
+        double near = place / SAME_PLACE;
+        float[] d = data;
+        int at = root;
+        while (at != BoundsLayout.END) {
+            if (missed(d, at, ox, oy, oz, ix, iy, iz, bits((float) far))) {
+                at = bits(d[at + BoundsLayout.NEXT]);
+                continue;
+            }
+            int block = bits(d[at + BoundsLayout.BLOCK]);
+            int last = BoundsLayout.last(block);
+            for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
+                int t = PackedTriangle.number(d, k);
+                if (front[3 * t] * dx + front[3 * t + 1] * dy + front[3 * t + 2] * dz > 0
+                        && PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
+                        && cut[0] >= near && cut[0] <= far) {
+                    return true;
+                }
+            }
+            at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);
+        }
+        return false;
     }
 
     /** @param backs factor by which the distance of triangles met from behind is multiplied, 1 or more */

@@ -4,7 +4,8 @@ import radiosity.scene.Vec3;
 
 /**
  * Tells which points of surfaces lie inside a solid, such as points of a floor that runs on below a block: all
- * triangles that rays from a point inside meet show their invisible side.
+ * triangles that rays from a point inside meet show their invisible side. Where the solid touches another surface, its
+ * own triangle counts and not the other's in the same place.
  */
 public final class Solids {
 
@@ -56,11 +57,16 @@ public final class Solids {
                         + DIRECTIONS[i + 2] * normal[a]);
             }
             int t = bounds.nearest(x, y, z, d[0], d[1], d[2], FAR, hit);
-            if (t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] <= 0) {
+            if (t < 0 || !leaves(t, d) && !bounds.leavesAt(x, y, z, d[0], d[1], d[2], hit[0], front)) {
                 return false;
             }
         }
         return true;
+    }
+
+    /** Whether a ray that meets a triangle leaves its visible side behind. */
+    private boolean leaves(int t, float[] d) {
+        return front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
     }
 
     /** Returns two unit vectors, x, y, z each, at right angles to each other and to a normal of length 1. */
