@@ -180,7 +180,7 @@ public final class Deviations {
     /*---- 5: single triangles dealt ----*/
 
     private void dealing() {
-        Patcher patcher = new Patcher(faces, Patcher.areaFor(faces, PATCHES), false);
+        Patcher patcher = new Patcher(faces, Patcher.areaFor(faces, PATCHES), (f, small) -> null);
         List<Block> blocks = Partitioner.blocks(patcher, BLOCKS);
         RadiosityNodes whole = new RadiosityNodes(patcher, blocks);
         List<Block> single = new ArrayList<>();

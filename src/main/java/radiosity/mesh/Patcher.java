@@ -1,7 +1,11 @@
 package radiosity.mesh;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.IntPredicate;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 
@@ -17,68 +21,90 @@ public final class Patcher {
     /** Distance by which a receiving point is pulled inside its region, in heights of an element. */
     static final double PULL = 0.03;
     /** Largest area of a patch that receives at its middle only, as share of all faces' area; see {@link #isPoint}. */
-    private static final double POINT = 0x1p-16;
+    public static final double POINT = 0x1p-16;
     /** Largest value of {@link #slack}. */
     public static final int MOST_SLACK = 3;
     /** Coplanar regions of this number of faces or more have fewer shared corners than middles of faces. */
     private static final int SHARED = 6;
 
+    /** Tells which faces are divided at least once, and where the others receive. */
+    public interface PointRule {
+
+        /** Whether a face is divided, however small it is. */
+        default boolean divides(int face) {
+            return false;
+        }
+
+        /**
+         * Where a face receives that has one receiving point.
+         *
+         * @param isSmall whether the face is so small that one point is enough for it
+         * @return x, y, z in the scene brought to size 1; null where the face receives at its corners
+         */
+        float[] point(int face, boolean isSmall);
+    }
+
     private final Faces faces;
     private final double patchArea;
     private final byte[] level;
     private final BitSet point;
+    /** Receiving points, x, y, z, of those faces of {@link #point} that do not receive at their middle. */
+    private final Map<Integer, float[]> moved;
     /** 9 per face: displacement of the receiving point at each corner of the face, x, y, z. */
     private final float[] cornerPull;
 
     /**
      * @param patchArea largest area of a patch, in squared scene sizes, above 0
-     * @param points    whether small patches may receive at their middle only
+     * @param rule      which faces are divided in any case, and where undivided faces receive
      */
-    public Patcher(Faces faces, double patchArea, boolean points) {
-        this(faces, patchArea, levels(faces, patchArea), points ? points(faces) : new BitSet());
-    }
-
-    private Patcher(Faces faces, double patchArea, byte[] level, BitSet point) {
-        this.faces = faces;
-        this.patchArea = patchArea;
-        this.level = level;
-        this.point = point;
-        cornerPull = new ReceiverInset(faces, level).displacements();
-    }
-
-    private static byte[] levels(Faces faces, double patchArea) {
-        byte[] level = new byte[faces.count()];
-        for (int f = 0; f < level.length; f++) {
-            for (double a = faces.area(f); a > patchArea && level[f] < NodePath.MAX_LEVEL; a /= 4) {
-                level[f]++;
-            }
-        }
-        return level;
-    }
-
-    private static BitSet points(Faces faces) {
+    public Patcher(Faces faces, double patchArea, PointRule rule) {
+        this(faces, patchArea, levels(faces, patchArea, rule::divides), new BitSet(), new HashMap<>());
         int[] size = new int[faces.count()];
         for (int f = 0; f < size.length; f++) {
             size[faces.part[f]]++;
         }
-        BitSet points = new BitSet();
         for (int f = 0; f < size.length; f++) {
-            points.set(f, size[faces.part[f]] < SHARED && faces.area(f) < POINT * faces.area());
+            boolean isSmall = size[faces.part[f]] < SHARED && faces.area(f) < POINT * faces.area();
+            float[] at = level[f] == 0 ? rule.point(f, isSmall) : null;
+            point.set(f, at != null);
+            if (at != null && !Arrays.equals(at, faces.middle(f))) {
+                moved.put(f, at);
+            }
         }
-        return points;
+    }
+
+    private Patcher(Faces faces, double patchArea, byte[] level, BitSet point, Map<Integer, float[]> moved) {
+        this.faces = faces;
+        this.patchArea = patchArea;
+        this.level = level;
+        this.point = point;
+        this.moved = moved;
+        cornerPull = new ReceiverInset(faces, level).displacements();
+    }
+
+    private static byte[] levels(Faces faces, double patchArea, IntPredicate divides) {
+        byte[] level = new byte[faces.count()];
+        for (int f = 0; f < level.length; f++) {
+            int deepest = 0;
+            for (double a = faces.area(f); a > patchArea && deepest < NodePath.MAX_LEVEL; a /= 4) {
+                deepest++;
+            }
+            level[f] = (byte) Math.max(deepest, divides.test(f) ? 1 : 0);
+        }
+        return level;
     }
 
     /** A mesh of about this number of patches or fewer, but deep enough to hold every subtree of some blocks. */
     public Patcher coarser(List<Block> blocks, int patches) {
         double largest = Math.max(patchArea, areaFor(faces, patches));
-        byte[] coarse = levels(faces, largest);
+        byte[] coarse = levels(faces, largest, f -> false);
         for (Block block : blocks) {
             for (int i = 0; i < block.face().length; i++) {
                 int f = block.face()[i];
                 coarse[f] = (byte) Math.max(coarse[f], NodePath.level(block.path()[i]));
             }
         }
-        return new Patcher(faces, largest, coarse, point);
+        return new Patcher(faces, largest, coarse, point, moved);
     }
 
     /** The patch area, in squared scene sizes, that gives about this number of patches. */
@@ -101,11 +127,18 @@ public final class Patcher {
     }
 
     /**
-     * Whether a face is one small patch that receives at its middle only: such a face is modelled finer than the light
-     * needs and shares few corners with coplanar faces, so three receiving points would cost more and gain nothing.
+     * Whether a face is one patch with one receiving point, mostly its middle. Such a face is modelled finer than the
+     * light needs and shares few corners with coplanar faces, so three receiving points would cost more and gain
+     * nothing; or all its corners are covered.
      */
     public boolean isPoint(int face) {
         return level[face] == 0 && point.get(face);
+    }
+
+    /** The receiving point of a face that has one, x, y, z in the scene brought to size 1; not to be modified. */
+    float[] point(int face) {
+        float[] elsewhere = moved.get(face);
+        return elsewhere == null ? faces.middle(face) : elsewhere;
     }
 
     /**

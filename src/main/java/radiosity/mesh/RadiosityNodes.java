@@ -259,9 +259,9 @@ public final class RadiosityNodes {
         return tree.corner(node, k);
     }
 
-    /** Area of a node, in squared scene sizes. */
+    /** Area of a node that no solid covers, in squared scene sizes. */
     public double area(int node) {
-        return faces.area(face(node)) / (1L << 2 * tree.level(node));
+        return faces.exposedArea(face(node)) / (1L << 2 * tree.level(node));
     }
 
     /** Exitance E, mean over a node, W/m². */

@@ -52,13 +52,15 @@ public final class ReceivingPoints {
         return vertex(f, w, wAt, depth, at, from, with, with);
     }
 
-    /** Finds or makes the vertex at the centroid of a face. */
+    /** Finds or makes the vertex at the centroid of a face, which receives where the patcher says. */
     int middle(int f, float[] corners) {
         float[] at = new float[3];
         for (int a = 0; a < 3; a++) {
             at[a] = (corners[a] + corners[3 + a] + corners[6 + a]) / 3;
         }
-        return vertex(f, MIDDLE, 0, 0, at, 0, 0);
+        int v = vertex(f, MIDDLE, 0, 0, at, 0, 0);
+        System.arraycopy(patcher.point(f), 0, receiver, 3 * v, 3);
+        return v;
     }
 
     /** @param shared where {@code with} is not 0: vertices of one place are the same only where this is equal */

@@ -1,5 +1,6 @@
 package radiosity.partition;
 
+import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
@@ -27,11 +28,14 @@ public final class MeshRefinement {
     /** Share of the total area below which no element is divided: its corners, as floats, might coincide. */
     private static final double LEAST_AREA = 1e-10;
     /**
-     * Largest error times share of area on a bright element, in units of {@link #meshError}. Where the light curves the
-     * same way on many elements their errors add up, and a surface that reflects most of a lamp's light passes the sum
-     * on to the whole room.
+     * Largest error of irradiance times share of area on a bright element, in units of {@link #meshError}. Where the
+     * light curves the same way on many elements their errors add up, and a surface that reflects most of a lamp's
+     * light passes the sum on to the whole room. So does a black surface, as flux that it receives in excess is taken
+     * from all.
      */
     private static final double FLUX = 0.005;
+    /** Radiosity relative to the mean radiosity below which a surface looks black. */
+    private static final double BLACK = 0.01;
     /** Elements may be merged if the error of the merged element is below this part of the refinement threshold. */
     private static final double COARSE = 0.25;
 
@@ -177,7 +181,7 @@ public final class MeshRefinement {
         double share = nodes.area(element) / area;
         double brightness = brightness(element);
         return share > LEAST_AREA && (error / brightness * Math.sqrt(share) > meshError
-                || brightness > 1 && error * share > FLUX * meshError);
+                || brightness > 1 && error / importance(element) * share > FLUX * meshError);
     }
 
     /** Error at the middle of the edge opposite corner k; {@link #ofVisible} where a vertex of the edge is buried. */
@@ -214,37 +218,64 @@ public final class MeshRefinement {
     }
 
     /**
-     * Whether a top node that is an element is to be divided. Where such an element receives at its middle only and the
-     * middle is dark, another part of the element may be lit, as where a solid covers the middle.
+     * Whether a top node that is an element is to be divided. Where such an element is dark, or has corners of its own,
+     * another part of the element may have other light, as where a solid covers the middle.
      */
     private boolean wantsTop(int top) {
-        double error = nodes.isPoint(top) ? ofPoint(top) : 0;
-        return error > 0 ? wants(top, error) : wantsUnseen(top);
+        double error = ofTop(top);
+        return error > 0 && wants(top, error) || (error <= 0 || !nodes.isPoint(top)) && wantsUnseen(top);
     }
 
     /**
      * Whether a top node is to be divided by its area alone. A top node has no parent, so nothing is known of the light
-     * between its receiving points, even if these are dark: its error may be all of its light.
+     * between its receiving points, even if these are dark: its error may be all of its light. A black one is divided
+     * if it is large enough to be looked at, as a canvas whose corners lie behind its frame.
      */
     private boolean wantsUnseen(int top) {
         double share = nodes.area(top) / area;
-        return share > LEAST_AREA && missed(top) * Math.sqrt(share) > meshError;
+        return share > LEAST_AREA && (missed(top) * Math.sqrt(share) > meshError
+                || share > Patcher.POINT && isBlack(top));
+    }
+
+    /** Whether a node looks black at all of its corners, though not all of them lie inside solids. */
+    private boolean isBlack(int node) {
+        double brightest = 0;
+        boolean isVisible = false;
+        for (int k = 0; k < 3; k++) {
+            isVisible |= !nodes.points().isBuried(nodes.corner(node, k));
+            for (int c = 0; c < nodes.channels(); c++) {
+                brightest = Math.max(brightest, weigh(node, c, at(nodes.corner(node, k), c)));
+            }
+        }
+        return isVisible && brightest < BLACK;
     }
 
     /** Largest error of a node if all of its light is missed: errors of a bright node are relative to its own light. */
     private double missed(int node) {
+        return Accuracy.BRIGHT * importance(node);
+    }
+
+    /** Largest {@linkplain Faces#importance importance} of a node's face, over the channels. */
+    private double importance(int node) {
         double importance = 0;
         for (int c = 0; c < nodes.channels(); c++) {
             importance = Math.max(importance, faces.importance(nodes.face(node), c));
         }
-        return Accuracy.BRIGHT * importance;
+        return importance;
     }
 
-    /** Error of an element that receives at its middle only: a quarter of its light, as its corners are not known. */
-    private double ofPoint(int node) {
+    /**
+     * Error of a top node that is an element: a quarter of its light, as the light between its corners, or around its
+     * middle where it receives at its middle only, is not known.
+     */
+    private double ofTop(int node) {
         double largest = 0;
         for (int c = 0; c < nodes.channels(); c++) {
-            largest = Math.max(largest, weigh(node, c, nodes.light().irradiance(node, 0, c) / 4));
+            double most = 0;
+            for (int k = 0; k < 3; k++) {
+                most = Math.max(most, nodes.light().irradiance(node, k, c));
+            }
+            largest = Math.max(largest, weigh(node, c, most / 4));
         }
         return largest;
     }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.io.NumberOutput;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import radiosity.formfactor.EscapingLight;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.Block;
@@ -14,6 +15,7 @@ import radiosity.mesh.cut.QuadSplitter;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.room.ClosedRooms;
 import radiosity.protocol.Rounding;
+import radiosity.protocol.Shot;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
 import radiosity.scene.LuminousIntensity;
@@ -36,7 +38,7 @@ public final class InitialMesh {
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Version of the saved state of calculations: a state with another version is refused. */
-    private static final int STATE = 4;
+    private static final int STATE = 5;
     /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
     /**
@@ -78,6 +80,8 @@ public final class InitialMesh {
     public final Rounding rounding;
 
     private RadiosityBounds bounds;
+    /** Made when escaping light is looked for first; null before. */
+    private EscapingLight escaping;
     /** Made by the first test whether a face lies inside a solid; null before. */
     private Solids solids;
 
@@ -91,10 +95,16 @@ public final class InitialMesh {
         faces = predicts() ? DiscontinuityMesher.cut(whole) : whole;
         rooms = new ClosedRooms(faces, this::isBuried);
         faces.darken(rooms::isHidden);
+        boolean mayBeCovered = predicts() && !rooms.isPlain();
+        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds(), solids()) : null;
+        if (mayBeCovered) {
+            faces.cover(covered::visibleShare);
+        }
         double squared = faces.size() * faces.size();
         double area = settings.patchArea() > 0 ? settings.patchArea() / squared
                 : Patcher.areaFor(faces, patches());
-        patcher = new Patcher(faces, area, predicts());
+        patcher = new Patcher(faces, area, mayBeCovered ? covered
+                : (face, isSmall) -> predicts() && isSmall ? faces.middle(face) : null);
         clusters = new Clusters(patcher, predicts() ? CLUSTERS : BLOCKS, predicts() ? FINE_BLOCKS : BLOCKS);
         blocks = clusters.blocks;
         coarse = solvesAtOnce() ? patcher : patcher.coarser(clusters.clusters, COARSE_PATCHES);
@@ -105,7 +115,7 @@ public final class InitialMesh {
         emitted = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
             for (int c = 0; c < emitted.length; c++) {
-                emitted[c] += faces.exitance(f, c) * faces.area(f) * squared;
+                emitted[c] += faces.exitance(f, c) * faces.exposedArea(f) * squared;
             }
         }
     }
@@ -118,15 +128,16 @@ public final class InitialMesh {
 
     /** Whether the middle of a face lies inside a solid. */
     private boolean isBuried(int face) {
-        float[] middle = new float[3];
-        for (int i = 0; i < 9; i++) {
-            middle[i % 3] += faces.corner(face, i / 3, i % 3) / 3;
-        }
+        float[] middle = faces.middle(face);
+        return solids().hold(middle[0], middle[1], middle[2],
+                faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
+    }
+
+    private Solids solids() {
         if (solids == null) {
             solids = new Solids(bounds(), faces.fronts());
         }
-        return solids.hold(middle[0], middle[1], middle[2],
-                faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
+        return solids;
     }
 
     /** Tree of the triangles that cast shadows, made at the first call: a master without elements needs none. */
@@ -162,6 +173,28 @@ public final class InitialMesh {
     /** Flux that arrives from sources without geometry but sun and sky, one per channel, W; the same for every mesh. */
     public double[] lightFlux() {
         return new LightSources(faces, bounds()).flux();
+    }
+
+    /**
+     * Flux of a shot that arrives nowhere, found by rays: see {@link EscapingLight#flux}.
+     *
+     * @param perRay |flux| for which one ray stands, W, above 0
+     * @return per channel the escaping flux, W; then per channel the variance of that estimate, W²
+     */
+    public double[] escapingFlux(Shot shot, double perRay) {
+        double squared = faces.size() * faces.size();
+        double[] flux = escaping().flux(shot.trees(), perRay / squared);
+        for (int c = 0; c < flux.length; c++) {
+            flux[c] *= c < faces.channels() ? squared : squared * squared;
+        }
+        return flux;
+    }
+
+    private synchronized EscapingLight escaping() {
+        if (escaping == null) {
+            escaping = new EscapingLight(faces, bounds());
+        }
+        return escaping;
     }
 
     /** Whether all flux that is shot must be received: with prediction, in one closed room without covered faces. */

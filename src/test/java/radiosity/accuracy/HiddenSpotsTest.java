@@ -6,6 +6,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.output.points.Points;
+import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
@@ -69,6 +70,25 @@ class HiddenSpotsTest {
                 .cross(scene.corner(last, 2).minus(scene.corner(last, 0))).unit();
         double irradiance = points.at(new Vec3(1.538, 1.52, 1.5), normal).irradiance().r();
         assertTrue(irradiance > 20, "irradiance of " + irradiance);
+    }
+
+    /** Two sheets bent to prisms go through each other; they are no solids, but the middles of faces are dark inside. */
+    @Test
+    void facesThatCrossEachOther_areLitWhereTheyAreOutside() throws IOException {
+        Surface sheet = new Surface("sheet", Rgb.BLACK, Rgb.grey(.6), true);
+        SceneBuilder builder = walls();
+        builder.polygon(RoomScenes.grey("lamp", 10, 0), new Vec3(1, 2.9, 1), new Vec3(2, 2.9, 1), new Vec3(2, 2.9, 2),
+                new Vec3(1, 2.9, 2));
+        Box one = new Box(new Vec3(1.4, 1.4, 1.4), new Vec3(1.415, 1.415, 1.415));
+        Box other = new Box(new Vec3(1.403, 1.403, 1.41), new Vec3(1.412, 1.412, 1.425));
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(sheet, one.inside(side));
+            builder.polygon(sheet, other.inside(side));
+        }
+        Points points = new Points(Solve.byDefault().accurate(.2).solution(builder.scene("crossing boxes")));
+        double rim = points.at(new Vec3(1.4015, 1.406, 1.415), new Vec3(0, 0, 1)).irradiance().r();
+        double wall = points.at(new Vec3(1.4, 1.8, 0), new Vec3(0, 0, 1)).irradiance().r();
+        assertTrue(rim > wall / 5, "irradiance of " + rim + " beside the other box, " + wall + " on the wall");
     }
 
     @Test

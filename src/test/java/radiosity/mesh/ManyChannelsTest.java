@@ -28,7 +28,7 @@ class ManyChannelsTest {
                 List.of(new Surface("s", Rgb.BLACK, new Rgb(.1, .2, .3), false)), Collections.nCopies(256, lamp),
                 Optional.empty());
         Faces faces = new Faces(scene, true);
-        Patcher patcher = new Patcher(faces, faces.area(0) / (1 << 20), false);
+        Patcher patcher = new Patcher(faces, faces.area(0) / (1 << 20), (f, small) -> null);
         List<Block> blocks = Partitioner.blocks(patcher, 64);
         TooLargeException e = assertThrows(TooLargeException.class, () -> new RadiosityNodes(patcher, blocks));
         assertEquals("light shot by elements in 768 channels: expected at most 2,147,483,639 numbers, got 2,415,919,104",

@@ -21,7 +21,7 @@ class RadiosityNodesTest {
         Scene scene = new SceneBuilder().polygon(RoomScenes.grey("grey", 0, .5), Vec3.ZERO, new Vec3(3, 0, 0),
                 new Vec3(1, 2, 0)).scene("triangle");
         Faces faces = new Faces(scene);
-        Patcher patcher = new Patcher(faces, faces.area(0) / 1024, false);
+        Patcher patcher = new Patcher(faces, faces.area(0) / 1024, (f, small) -> null);
         RadiosityNodes nodes = new RadiosityNodes(patcher, Partitioner.blocks(patcher, 4));
         int n = nodes.nodes();
         double[] expected = new double[9 * n];
@@ -41,7 +41,7 @@ class RadiosityNodesTest {
                 .polygon(RoomScenes.grey("small", 0, .5), new Vec3(1, 1, 1), new Vec3(1, 1, 1.01),
                         new Vec3(1.01, 1, 1.01), new Vec3(1.003, 1, 1.001)).scene("two triangles over a floor");
         Faces faces = new Faces(scene);
-        Patcher patcher = new Patcher(faces, faces.area(), true);
+        Patcher patcher = new Patcher(faces, faces.area(), (f, small) -> small ? faces.middle(f) : null);
         int[] small = IntStream.range(0, faces.count()).filter(patcher::isPoint).toArray();
         assertEquals(2, small.length);
         assertNotEquals(patcher.slack(small[0]), patcher.slack(small[1]), "one is as exact as the other");

@@ -26,7 +26,7 @@ class MeshRefinementTest {
                 .polygon(RoomScenes.grey("bar", 0, .9), new Vec3(1, 1, 1), new Vec3(1, 1, 2), new Vec3(2, 1, 1))
                 .scene("a bar before a wall");
         Faces faces = new Faces(scene);
-        return new RadiosityNodes(new Patcher(faces, faces.area(), true),
+        return new RadiosityNodes(new Patcher(faces, faces.area(), (f, small) -> small ? faces.middle(f) : null),
                 List.of(new Block(0, new int[] {1}, new long[] {NodePath.FACE})));
     }
 
@@ -38,8 +38,31 @@ class MeshRefinementTest {
     /** Its corners are where other bars cover it: between them may be the sky. */
     @Test
     void faceWithDarkCorners_isDivided_whereItsAreaMatters() {
-        assertEquals(4, divided(bar(), .1, 1));
-        assertEquals(1, divided(bar(), .5, 1));
+        assertEquals(4, divided(dark(), .1, 1));
+        assertEquals(1, divided(dark(), .5, 1));
+    }
+
+    /** Its corners lie behind the frame of the picture. */
+    @Test
+    void faceWithBlackCorners_isDivided_whereItCanBeSeen() {
+        assertEquals(4, divided(bar(), .5, 1));
+    }
+
+    private static RadiosityNodes dark() {
+        RadiosityNodes bar = bar();
+        Arrays.fill(bar.light().irradiance(), .02);
+        return bar;
+    }
+
+    /** The light of a lamp beside both ends of a tube is not that along the tube, though the ends are equally lit. */
+    @Test
+    void faceWithBrightCorners_isDivided_whereItsFluxMatters() {
+        RadiosityNodes bar = bar();
+        Arrays.fill(bar.light().irradiance(), 20);
+        assertEquals(4, divided(bar, 3, 1));
+        RadiosityNodes lessBright = bar();
+        Arrays.fill(lessBright.light().irradiance(), 2);
+        assertEquals(1, divided(lessBright, 3, 1));
     }
 
     /** Its middle is where the next bar crosses it. */

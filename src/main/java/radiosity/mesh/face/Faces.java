@@ -2,6 +2,7 @@ package radiosity.mesh.face;
 
 import java.util.List;
 import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
 import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -44,6 +45,8 @@ public final class Faces {
     /** 1 per face: bit k is set where the edge opposite corner k is on the border of the part. */
     public final byte[] border;
     private final FaceMaterials materials;
+    /** 1 per face: area that no solid covers, in squared scene sizes. */
+    private double[] exposed;
 
     /** Faces with the light of all lamps in the same channels. */
     public Faces(Scene scene) {
@@ -71,6 +74,7 @@ public final class Faces {
         corner = list.corner;
         normal = list.normal;
         area = list.area;
+        exposed = area;
         point = list.point;
         part = new int[side.length];
         fan = new int[3 * side.length];
@@ -159,6 +163,19 @@ public final class Faces {
         return area[face];
     }
 
+    /** Area of a face that no solid covers, in squared scene sizes: what light arrives on, and leaves. */
+    public double exposedArea(int face) {
+        return exposed[face];
+    }
+
+    /** @param visible the share of each face that no solid covers, from 0 to 1 */
+    public void cover(IntToDoubleFunction visible) {
+        exposed = new double[area.length];
+        for (int f = 0; f < count; f++) {
+            exposed[f] = area[f] * visible.applyAsDouble(f);
+        }
+    }
+
     /** Area of all faces, in squared scene sizes. */
     public double area() {
         return list.wholeArea;
@@ -180,6 +197,15 @@ public final class Faces {
             off = Math.max(off, Math.abs(normal[3 * root + a] - normal[3 * face + a]));
         }
         return off < SAME_PLANE ? root : face;
+    }
+
+    /** The centroid of a face, x, y, z in the scene brought to size 1. */
+    public float[] middle(int face) {
+        float[] middle = new float[3];
+        for (int a = 0; a < 3; a++) {
+            middle[a] = (corner(face, 0, a) + corner(face, 1, a) + corner(face, 2, a)) / 3;
+        }
+        return middle;
     }
 
     /** Component a of corner k of a face, in the scene brought to size 1. */

@@ -1,0 +1,150 @@
+package radiosity.formfactor;
+
+import java.util.Arrays;
+import java.util.List;
+import radiosity.mesh.PatchTree;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.mesh.face.Subdivision;
+import radiosity.util.Hash;
+import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
+
+/**
+ * Finds by rays how much of the light that leaves surfaces arrives nowhere: it leaves the scene or falls on a back
+ * side.
+ *
+ * <p>Rays are distributed as diffuse light: uniform in the unit circle below the hemisphere (W. Nusselt, Graphische
+ * Bestimmung des Winkelverhältnisses bei der Wärmestrahlung, 1928).
+ */
+public final class EscapingLight {
+
+    /** Height above the surface at which a ray begins, and length of a ray, relative to the scene size. */
+    private static final float LIFT = 1e-5f;
+    private static final float FAR = 4;
+    /** Random points that are tried on a partly covered element. */
+    private static final int MOST_TRIES = 20;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final float[] front;
+    private final Solids solids;
+
+    public EscapingLight(Faces faces, RadiosityBounds bounds) {
+        this.faces = faces;
+        this.bounds = bounds;
+        front = faces.fronts();
+        solids = new Solids(bounds, front);
+    }
+
+    /**
+     * Whether the light that leaves a point in one direction arrives nowhere.
+     *
+     * @param place x, y, z in coordinates of the scene scaled to size 1
+     * @param p     with {@code q}: point in the unit circle below the hemisphere; p² + q² < 1
+     */
+    public boolean escapes(float[] place, int face, double p, double q) {
+        double[] n = {faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2)};
+        double[] frame = Solids.frame(n[0], n[1], n[2]);
+        double up = Math.sqrt(1 - p * p - q * q);
+        float[] x = new float[3];
+        float[] d = new float[3];
+        for (int a = 0; a < 3; a++) {
+            x[a] = (float) (place[a] + LIFT * n[a]);
+            d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n[a]);
+        }
+        int t = bounds.nearest(x[0], x[1], x[2], d[0], d[1], d[2], FAR, new float[3]);
+        return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
+    }
+
+    /**
+     * Estimates how much of the light that leaves some elements escapes: by rays in proportion to the flux of each
+     * element, from random points and in random directions that are the same for the same light.
+     *
+     * @param trees  elements and their radiosities, which may be negative
+     * @param perRay sum over channels of the |flux| for which one ray stands, W/m² times squared scene size; above 0
+     * @return per channel the signed flux that escapes, then per channel the variance of that estimate
+     */
+    public double[] flux(List<PatchTree> trees, double perRay) {
+        double[] sum = new double[2 * faces.channels()];
+        for (PatchTree tree : trees) {
+            float[] at = new float[9];
+            for (int i = 0; i < 9; i++) {
+                at[i] = faces.corner(tree.face(), i / 3, i % 3);
+            }
+            for (int level = 1; level <= NodePath.level(tree.path()); level++) {
+                Subdivision.descend(at, NodePath.step(tree.path(), level));
+            }
+            double area = faces.exposedArea(tree.face()) / (1L << 2 * NodePath.level(tree.path()));
+            add(tree, 0, at, area, Hash.mix(tree.face(), tree.path()), perRay, sum);
+        }
+        return sum;
+    }
+
+    private void add(PatchTree tree, int node, float[] at, double area, long key, double perRay, double[] sum) {
+        int first = tree.child()[node];
+        if (first < 0) {
+            add(Arrays.copyOfRange(tree.radiosity(), 3 * faces.channels() * node, 3 * faces.channels() * (node + 1)),
+                    tree.face(), at, area, key, perRay, sum);
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            float[] below = new float[9];
+            Subdivision.child(at, 0, k, below, 0);
+            add(tree, first + k, below, area / 4, Hash.mix(key, k), perRay, sum);
+        }
+    }
+
+    /** @param radiosity per corner one value per channel, W/m² */
+    private void add(double[] radiosity, int face, float[] at, double area, long key, double perRay, double[] sum) {
+        int channels = faces.channels();
+        double all = 0;
+        for (double corner : radiosity) {
+            all += Math.abs(corner) * area / 3;
+        }
+        double rays = all / perRay;
+        int whole = (int) (rays + Hash.unit(Hash.mix(key, 0)));
+        for (int i = 1; i <= whole; i++) {
+            double[] weight = point(face, at, Hash.mix(key, 4L * i));
+            float[] place = place(at, weight);
+            double radius = Math.sqrt(Hash.unit(Hash.mix(key, 4L * i + 2)));
+            double angle = 2 * Math.PI * Hash.unit(Hash.mix(key, 4L * i + 3));
+            if (escapes(place, face, radius * StrictMath.cos(angle), radius * StrictMath.sin(angle))) {
+                for (int c = 0; c < channels; c++) {
+                    double flux = area / rays * (weight[0] * radiosity[c] + weight[1] * radiosity[channels + c]
+                            + weight[2] * radiosity[2 * channels + c]);
+                    sum[c] += flux;
+                    sum[channels + c] += flux * flux;
+                }
+            }
+        }
+    }
+
+    /** Weights of the corners at a random point of a triangle, outside of solids where a part of the face is inside. */
+    private double[] point(int face, float[] at, long key) {
+        boolean isPartlyCovered = faces.exposedArea(face) < faces.area(face);
+        double[] weight;
+        int tries = 0;
+        do {
+            double u = Hash.unit(Hash.mix(key, 2L * tries));
+            double v = Hash.unit(Hash.mix(key, 2L * tries + 1));
+            boolean isBeyond = u + v > 1;
+            weight = new double[] {isBeyond ? u + v - 1 : 1 - u - v, isBeyond ? 1 - u : u, isBeyond ? 1 - v : v};
+            tries++;
+        } while (isPartlyCovered && tries < MOST_TRIES && isCovered(place(at, weight), face));
+        return weight;
+    }
+
+    private boolean isCovered(float[] place, int face) {
+        return solids.hold(place[0], place[1], place[2],
+                faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
+    }
+
+    private static float[] place(float[] at, double[] weight) {
+        float[] place = new float[3];
+        for (int a = 0; a < 3; a++) {
+            place[a] = (float) (weight[0] * at[a] + weight[1] * at[3 + a] + weight[2] * at[6 + a]);
+        }
+        return place;
+    }
+}
