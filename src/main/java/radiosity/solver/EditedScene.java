@@ -85,7 +85,7 @@ final class EditedScene {
      * @return why that light cannot be used; empty where it was taken over
      */
     Optional<String> begin(SolveCounters counters, Prediction planner, BooleanSupplier goOn) throws IOException {
-        SolveCounters old = new SolveCounters(before);
+        SolveCounters old = new SolveCounters(before, world.parallel);
         List<byte[]> blocks = new ArrayList<>();
         Optional<Prediction.Earlier> prediction;
         try (DataInputStream in = new DataInputStream(earlier.open())) {
@@ -113,7 +113,7 @@ final class EditedScene {
                     + " % of what is emitted" : "nothing emits light");
         }
         world.restore(changed);
-        counters.change(old, relight.shot(), lights);
+        counters.change(old, relight.shot(), world.totals(), lights);
         return Optional.empty();
     }
 }

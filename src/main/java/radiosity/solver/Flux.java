@@ -3,6 +3,8 @@ package radiosity.solver;
 import java.io.DataInput;
 import java.io.DataOutput;
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import radiosity.mesh.face.Faces;
@@ -12,9 +14,15 @@ import radiosity.settings.StopRule;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.EnergyLedger;
 import radiosity.util.ExactSum;
+import radiosity.util.ParallelFor;
 
 /** Flux that was emitted and shot so far; together with the partitions' answers, the energy ledger. */
 final class Flux {
+
+    /** Rays that find escaping light, times the square of the relative error that is asked for. */
+    private static final double RAYS = 100;
+    /** Standard errors of the escaped flux below which lost flux may be that error. */
+    private static final double CERTAIN = 2;
 
     private final Faces faces;
     /** Square scene units per unit of area of {@link Faces}. */
@@ -25,15 +33,25 @@ final class Flux {
     private final double[] underWay;
     /** One per channel: flux of emitting surfaces, and flux that arrives from lights without geometry, W. */
     private final double[] emitted;
+    /** Part of {@link #shot} that escapes, W, one per channel; then the variance of that estimate, W², one each. */
+    private final double[] escaped;
+    /** The same of {@link #underWay}. */
+    private final double[] escapedUnderWay;
+    /** Flux for which one ray stands that finds escaping light in the present round, W; 0 without such rays. */
+    private double perRay;
     private final InitialMesh mesh;
+    private final ParallelFor parallel;
 
-    Flux(InitialMesh mesh) {
+    Flux(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
+        this.parallel = parallel;
         faces = mesh.faces;
         squared = faces.size() * faces.size();
         shot = new double[faces.channels()];
         underWay = new double[faces.channels()];
         emitted = mesh.emitted.clone();
+        escaped = new double[2 * faces.channels()];
+        escapedUnderWay = new double[2 * faces.channels()];
     }
 
     /**
@@ -54,10 +72,39 @@ final class Flux {
         }
     }
 
-    void count(Shot patch) {
-        double[] flux = patch.flux(faces);
-        for (int c = 0; c < shot.length; c++) {
-            shot[c] += flux[c] * squared;
+    /**
+     * Begins a round of shots, whose escaping light is found by rays in proportion to their part of all flux. The
+     * number of rays makes the error of the escaping light, multiplied by interreflection, a small part of the error
+     * that is asked for.
+     */
+    void begin(List<Shot> round) {
+        double flux = round.stream().mapToDouble(patch -> DoubleStream.of(patch.flux(faces)).map(Math::abs).sum()).sum()
+                * squared;
+        double before = DoubleStream.of(shot).map(Math::abs).sum();
+        double rays = RAYS / (mesh.accuracy() * mesh.accuracy());
+        perRay = mesh.boundsReceived() && !mesh.conserves() ? Math.max(flux, before) / rays : 0;
+    }
+
+    /** Counts shots of the present round, or some of them. */
+    void count(List<Shot> some) {
+        count(some, shot, escaped);
+    }
+
+    private void count(List<Shot> some, double[] shot, double[] escaped) {
+        for (Shot patch : some) {
+            double[] flux = patch.flux(faces);
+            for (int c = 0; c < shot.length; c++) {
+                shot[c] += flux[c] * squared;
+            }
+        }
+        if (perRay > 0) {
+            double[][] escaping = new double[some.size()][];
+            parallel.run(some.size(), i -> escaping[i] = mesh.escapingFlux(some.get(i), perRay));
+            for (double[] one : escaping) {
+                for (int i = 0; i < escaped.length; i++) {
+                    escaped[i] += one[i];
+                }
+            }
         }
     }
 
@@ -65,9 +112,12 @@ final class Flux {
      * Takes over the flux that was shot in an earlier scene.
      *
      * @param surfaces flux that the elements have shot, one per channel, W
+     * @param totals   the radiosities that the elements have shot
      * @param lights   flux of sources without geometry that arrives, one per channel, W
      */
-    void change(double[] surfaces, double[] lights) {
+    void change(double[] surfaces, List<Shot> totals, double[] lights) {
+        begin(totals);
+        count(totals);
         for (int c = 0; c < shot.length; c++) {
             shot[c] = surfaces[c] + lights[c];
             emitted[c] = mesh.emitted[c] + lights[c];
@@ -83,20 +133,21 @@ final class Flux {
         return lights;
     }
 
-    /** Counts a shot that receivers will gather in a later round. */
-    void mark(Shot patch) {
-        double[] flux = patch.flux(faces);
-        for (int c = 0; c < shot.length; c++) {
-            underWay[c] += flux[c] * squared;
-        }
+    /** Counts shots of the present round that receivers will gather in a later round. */
+    void mark(List<Shot> some) {
+        count(some, underWay, escapedUnderWay);
     }
 
     /** Counts all marked shots as gathered. */
     void countMarked() {
         for (int c = 0; c < shot.length; c++) {
             shot[c] += underWay[c];
-            underWay[c] = 0;
         }
+        for (int i = 0; i < escaped.length; i++) {
+            escaped[i] += escapedUnderWay[i];
+        }
+        Arrays.fill(underWay, 0);
+        Arrays.fill(escapedUnderWay, 0);
     }
 
     /** Unshot flux over emitted flux that is nothing but rounding; the largest of all layers. */
@@ -142,19 +193,19 @@ final class Flux {
     }
 
     /**
-     * Flux that was shot and not received, over received flux, one per channel: the share of its irradiance that every
-     * vertex is given in addition, so that flux is conserved and no irradiance becomes negative. In a closed room the
-     * share has either sign. Where light may escape the share is at most 0: flux received beyond the flux that was shot
-     * is taken back, and nothing is added.
+     * Flux that was lost, over received flux, one per channel: the share of its irradiance that every vertex is given
+     * in addition, so that flux is conserved and no irradiance becomes negative. Lost is what was shot and neither
+     * received nor escaped; it has either sign. Of the part that may be the error of the escaped flux little counts:
+     * a white room multiplies any such error.
      */
     double[] missing(Answer answer) {
         double[] missing = new double[shot.length];
         for (int c = 0; c < missing.length; c++) {
             double received = answer.received[c].value();
-            missing[c] = received > 0 ? (shot[c] - received) / received : 0;
-            if (!mesh.conserves()) {
-                missing[c] = Math.min(0, missing[c]);
-            }
+            double lost = shot[c] - escaped[c] - received;
+            double doubtful = CERTAIN * CERTAIN * escaped[shot.length + c];
+            double counts = doubtful == 0 ? lost : lost * Math.max(0, 1 - doubtful / (lost * lost));
+            missing[c] = received > 0 ? counts / received : 0;
         }
         return missing;
     }
@@ -198,6 +249,11 @@ final class Flux {
             out.writeDouble(underWay[c]);
             out.writeDouble(emitted[c]);
         }
+        for (int i = 0; i < escaped.length; i++) {
+            out.writeDouble(escaped[i]);
+            out.writeDouble(escapedUnderWay[i]);
+        }
+        out.writeDouble(perRay);
     }
 
     void read(DataInput in) throws IOException {
@@ -206,5 +262,10 @@ final class Flux {
             underWay[c] = in.readDouble();
             emitted[c] = in.readDouble();
         }
+        for (int i = 0; i < escaped.length; i++) {
+            escaped[i] = in.readDouble();
+            escapedUnderWay[i] = in.readDouble();
+        }
+        perRay = in.readDouble();
     }
 }

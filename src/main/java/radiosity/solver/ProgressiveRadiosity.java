@@ -62,7 +62,7 @@ public final class ProgressiveRadiosity {
         this.stop = stop;
         sizer = new StepSizer(stepSeconds / world.stepsAhead());
         last = new LatestStatus(world, sizer);
-        counters = new SolveCounters(world.mesh);
+        counters = new SolveCounters(world.mesh, world.parallel);
     }
 
     /**
@@ -262,7 +262,7 @@ public final class ProgressiveRadiosity {
             sizer.rest();
         }
         Order next = queue.round();
-        queue.begin(next.changes() ? next.numbered(counters.nextRound(), missing(next.kind())) : next,
+        queue.begin(next.changes() ? next.numbered(counters.nextRound(next.shots()), missing(next.kind())) : next,
                 planner.looksAhead());
     }
 

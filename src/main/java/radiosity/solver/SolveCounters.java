@@ -3,10 +3,13 @@ package radiosity.solver;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.util.List;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
+import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.Progress;
+import radiosity.util.ParallelFor;
 
 /** Numbers of shots and rounds, the flux that was emitted and shot, and the answer that shown light belongs to. */
 final class SolveCounters {
@@ -22,9 +25,9 @@ final class SolveCounters {
     private Answer beforeRenewal;
     final Flux flux;
 
-    SolveCounters(InitialMesh mesh) {
+    SolveCounters(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
-        flux = new Flux(mesh);
+        flux = new Flux(mesh, parallel);
     }
 
     /** Counts the flux of lights without geometry, at the beginning of a calculation. */
@@ -38,16 +41,18 @@ final class SolveCounters {
      * Goes on counting after an earlier scene's calculation.
      *
      * @param surfaces flux that the elements have shot, one per channel, W
+     * @param totals   the radiosities that the elements have shot
      * @param lights   flux of sources without geometry that arrives, one per channel, W
      */
-    void change(SolveCounters earlier, double[] surfaces, double[] lights) {
+    void change(SolveCounters earlier, double[] surfaces, List<Shot> totals, double[] lights) {
         shots = earlier.shots;
         rounds = earlier.rounds;
-        flux.change(surfaces, lights);
+        flux.change(surfaces, totals, lights);
     }
 
-    /** The number of a round that begins now. */
-    int nextRound() {
+    /** Begins a round with some shots, and returns its number. */
+    int nextRound(List<Shot> shots) {
+        flux.begin(shots);
         return ++rounds;
     }
 
@@ -61,10 +66,10 @@ final class SolveCounters {
         switch (done.kind()) {
             case SHOOT -> {
                 shots += done.shots().size();
-                done.shots().forEach(flux::count);
+                flux.count(done.shots());
                 beforeRenewal = null;
             }
-            case RENEW -> done.shots().forEach(flux::mark);
+            case RENEW -> flux.mark(done.shots());
             case MEND -> beforeRenewal = before;
             case AVERAGE -> {
                 beforeRenewal = beforeDark;

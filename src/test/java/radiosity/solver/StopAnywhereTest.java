@@ -43,7 +43,7 @@ class StopAnywhereTest {
     @Test
     void stoppedWhereNothingIsSplitLater_goesOnToTheSameBits() throws IOException {
         RadiositySettings coarse = new RadiositySettings(SCENE.area() / 120, 1, Double.POSITIVE_INFINITY,
-                Schedule.PREDICT, 1, 10);
+                Schedule.PREDICT, 1, 1000);
         StopRule stop = new StopRule(Integer.MAX_VALUE, 0.05);
         Solution atOnce = SameBitsTest.solve(new LocalWorld(SCENE, coarse, 2), stop);
         Solution first = SameBitsTest.solve(new LocalWorld(SCENE, coarse, 2), shots(3));
