@@ -44,8 +44,8 @@ public final class OutputFiles {
     private final RendererOptions options;
     private final List<String> arguments;
     private final FileChecks checks = new FileChecks();
-    /** Camera of all pictures of a render; null before the first picture. */
-    private Camera camera;
+    /** Camera of all snapshots of a render; null before the first one. */
+    private Camera snapshotCamera;
 
     /** @param arguments the command line, which is stored in the scene file */
     public OutputFiles(RendererOptions options, List<String> arguments) {
@@ -141,7 +141,10 @@ public final class OutputFiles {
      * @param user receives a message where the picture is left out
      */
     void saveSnapshot(Solution solution, BooleanSupplier goOn, Consumer<String> user) throws IOException {
-        savePicture(solution, Path.of(options.output() + "-" + solution.shots() + ".jpg"),
+        if (snapshotCamera == null) {
+            snapshotCamera = options.picture.camera(solution);
+        }
+        savePicture(solution, snapshotCamera, Path.of(options.output() + "-" + solution.shots() + ".jpg"),
                 done -> goOn.getAsBoolean(), user);
     }
 
@@ -160,8 +163,9 @@ public final class OutputFiles {
             if (isLong && !options.picture.pictures.isEmpty()) {
                 user.begin();
             }
+            Camera camera = options.picture.pictures.isEmpty() ? null : options.picture.camera(solution);
             for (Path picture : options.picture.pictures) {
-                failures.tried(() -> savePicture(solution, picture, done -> {
+                failures.tried(() -> savePicture(solution, camera, picture, done -> {
                     user.part("drawing " + picture.getFileName(), done);
                     return !stop.made();
                 }, user::message));
@@ -193,11 +197,8 @@ public final class OutputFiles {
         System.out.println(SceneFormatException.escape(grid.summary()));
     }
 
-    private void savePicture(Solution solution, Path file, Snapshot.Drawing.Progress progress, Consumer<String> user)
-            throws IOException {
-        if (camera == null) {
-            camera = options.picture.camera(solution);
-        }
+    private void savePicture(Solution solution, Camera camera, Path file, Snapshot.Drawing.Progress progress,
+                             Consumer<String> user) throws IOException {
         try {
             write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
                     options.picture.toneMapping(solution),
