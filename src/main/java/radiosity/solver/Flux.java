@@ -212,18 +212,22 @@ final class Flux {
 
     /** The ledger with one value per channel. */
     EnergyLedger byChannel(Answer answer) {
+        double[] gone = mesh.boundsReceived() ? Arrays.copyOf(escaped, shot.length) : new double[0];
         return new EnergyLedger(emitted.clone(), shot.clone(), values(answer.received), values(answer.absorbed),
-                values(answer.unshot));
+                values(answer.unshot), gone);
     }
 
     /** The ledger with one value per colour, the sum over layers. */
     EnergyLedger ofAllLayers(Answer answer) {
         EnergyLedger all = byChannel(answer);
         return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),
-                ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()));
+                ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()), ofAllLayers(all.escaped()));
     }
 
     private double[] ofAllLayers(double[] flux) {
+        if (flux.length == 0) {
+            return flux;
+        }
         double[] sum = new double[faces.colours()];
         for (int c = 0; c < flux.length; c++) {
             sum[c % sum.length] += flux[c];

@@ -57,11 +57,11 @@ class NumbersTest {
 
     @Test
     void ledgerThatIsNone_isCaught() {
-        for (int i = 0; i < 5; i++) {
-            double[][] flux = new double[5][1];
+        for (int i = 0; i < 6; i++) {
+            double[][] flux = new double[6][1];
             flux[i][0] = Double.NaN;
             assertEquals("ledger: expected numbers, got NaN", assertThrows(NoNumberException.class,
-                    () -> new EnergyLedger(flux[0], flux[1], flux[2], flux[3], flux[4])).getMessage());
+                    () -> new EnergyLedger(flux[0], flux[1], flux[2], flux[3], flux[4], flux[5])).getMessage());
         }
     }
 

@@ -49,9 +49,9 @@ public final class Summary {
                 ProgressText.count(progress.shots(), "shot"),
                 ProgressText.count(progress.rounds(), "round"),
                 ProgressText.perCent(progress.unsent()), ProgressText.time(seconds));
-        out.printf(Locale.ROOT, "emitted %.6g %s = absorbed %.6g + not yet distributed %.6g + escaped or lost %.6g%n",
+        out.printf(Locale.ROOT, "emitted %.6g %s = absorbed %.6g + not yet distributed %.6g + %s%n",
                 units.flux(ledger.emitted()), units.flux(), units.flux(ledger.absorbed()),
-                units.flux(ledger.unshot()), deficit());
+                units.flux(ledger.unshot()), notReceived());
         if (progress.gathers()) {
             out.println("stopped while the mesh was being refined: new elements show, and these figures count, the"
                     + " light of before they were made");
@@ -123,6 +123,15 @@ public final class Summary {
         result.certificate().ifPresent(c -> json.put("certificate", c));
         inTime.ifPresent(line -> json.put("inTime", line));
         return json;
+    }
+
+    /** What was shot and not received: where rays have found what of it escaped, that and the rest. */
+    private String notReceived() {
+        if (!ledger.knowsEscaped()) {
+            return String.format(Locale.ROOT, "escaped or lost %.6g", deficit());
+        }
+        double escaped = units.flux(ledger.escaped());
+        return String.format(Locale.ROOT, "escaped %.6g + lost %.6g", escaped, deficit() - escaped);
     }
 
     private double deficit() {

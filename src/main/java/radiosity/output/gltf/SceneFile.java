@@ -242,7 +242,9 @@ public final class SceneFile implements Closeable {
         int channels = ledger.at("emitted").size();
         return new EnergyLedger(ledger.at("emitted").numbers(channels), ledger.at("shot").numbers(channels),
                 ledger.at("received").numbers(channels), ledger.at("absorbed").numbers(channels),
-                ledger.at("unshot").numbers(channels));
+                ledger.at("unshot").numbers(channels),
+                ledger.optional("escaped").isEmpty() || ledger.at("escaped").size() == 0 ? new double[0]
+                        : ledger.at("escaped").numbers(channels));
     }
 
     /** Whether the file has a state, from which a calculation can go on. */

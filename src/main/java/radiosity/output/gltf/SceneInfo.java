@@ -170,7 +170,11 @@ public final class SceneInfo {
                 + value(file.extras().get("unshotFlux")) + " W absolute, all channels together");
         double[] deficit = new double[ledger.shot().length];
         Arrays.setAll(deficit, ledger::deficit);
-        line("escaped or lost", watts(deficit));
+        if (ledger.knowsEscaped()) {
+            line("escaped", watts(ledger.escaped()) + ", found by rays");
+            Arrays.setAll(deficit, c -> ledger.deficit(c) - ledger.escaped()[c]);
+        }
+        line(ledger.knowsEscaped() ? "lost" : "escaped or lost", watts(deficit));
     }
 
     private static String watts(double[] flux) {

@@ -18,6 +18,8 @@ import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
+import radiosity.solution.EnergyLedger;
+import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 
 class SceneInfoTest {
@@ -59,6 +61,19 @@ class SceneInfoTest {
         assertHas(lines, "camera          at 2, 3, 9 towards 0, 0, -1, 45.0 degrees high, aspect 1.500");
         assertHas(lines, "commandLine     RadiosityRenderer x.lws x.scene\\u001b[2J");
         lines.forEach(line -> assertEquals(1, line.lines().count()));
+    }
+
+    @Test
+    void lostLight_isThatWhichHasNotEscaped() throws IOException {
+        Handmade room = Handmade.room(Vec3.ZERO, 1, p -> Rgb.grey(1));
+        Solution open = room.solution();
+        EnergyLedger all = open.ledger();
+        EnergyLedger known = new EnergyLedger(all.emitted(), all.shot(), all.received(), all.absorbed(), all.unshot(),
+                new double[] {.75, .5, 1.25});
+        List<String> lines = lines(new Solution(open.scene(), open.channels(), open.positions(), open.irradiance(),
+                open.corners(), open.faceOf(), 7, 5, .25, known, SavedState.NONE), Optional.empty());
+        assertHas(lines, "escaped         0.75, 0.5, 1.25 W, found by rays");
+        assertHas(lines, "lost            0.25, 0.5, -0.25 W");
     }
 
     @Test
