@@ -1,17 +1,24 @@
 package radiosity.torture;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** A PartitionServer on this machine. */
 final class Worker implements AutoCloseable {
 
     /** CPU seconds that no start takes. */
     private static final double PATIENCE = 60;
+
+    private static final int FIRST_PORT = 20_000;
+    private static final int PORTS = 10_000;
+    /** Campaigns at the same time begin at different ports. */
+    private static final AtomicInteger NEXT = new AtomicInteger((int) (ProcessHandle.current().pid() * 97 % PORTS));
 
     final int port;
     private final Subject subject;
@@ -31,10 +38,20 @@ final class Worker implements AutoCloseable {
         port = freePort();
     }
 
+    /**
+     * A port that nobody listens on, below those that systems give to outgoing connections: until the worker listens,
+     * and while it is restarted, no connection takes the port.
+     */
     static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
+        for (int tries = 0; tries < PORTS; tries++) {
+            int port = FIRST_PORT + Math.floorMod(NEXT.getAndIncrement(), PORTS);
+            try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+                return socket.getLocalPort();
+            } catch (BindException e) {
+                continue; // somebody listens there
+            }
         }
+        throw new IOException("expected a free port from " + FIRST_PORT + " on, got none of " + PORTS);
     }
 
     void start() throws IOException {
