@@ -277,7 +277,7 @@ class RenderTest {
         Path report = directory.resolve("report.json");
         succeeds(render("-q", option, "--report", report));
         JsonNode json = new ObjectMapper().readTree(report.toFile());
-        assertEquals(5, json.get("ledger").size());
+        assertEquals(6, json.get("ledger").size());
         for (JsonNode flux : json.get("ledger")) {
             flux.forEach(channel -> assertTrue(channel.isNumber() && Double.isFinite(channel.doubleValue()),
                     json.toString()));
