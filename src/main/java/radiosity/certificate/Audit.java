@@ -31,7 +31,7 @@ public final class Audit {
 
     /** Number of points per batch: one per this number of elements, within the least and the most. */
     private static final int ELEMENTS_PER_POINT = 20;
-    private static final int LEAST_POINTS = 480;
+    private static final int LEAST_POINTS = 960;
     private static final int MOST_POINTS = 6000;
     /**
      * Where each batch begins within the sampling step, as a fraction of the step. The second batch is added where the

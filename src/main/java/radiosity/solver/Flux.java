@@ -21,6 +21,8 @@ final class Flux {
 
     /** Rays that find escaping light, times the square of the relative error that is asked for. */
     private static final double RAYS = 100;
+    /** The least number of these rays. */
+    private static final double LEAST_RAYS = 100_000;
     /** Standard errors of the escaped flux below which lost flux may be that error. */
     private static final double CERTAIN = 2;
 
@@ -75,13 +77,13 @@ final class Flux {
     /**
      * Begins a round of shots, whose escaping light is found by rays in proportion to their part of all flux. The
      * number of rays makes the error of the escaping light, multiplied by interreflection, a small part of the error
-     * that is asked for.
+     * that is asked for; there are more where that is coarse, as a smaller error may be asked for later.
      */
     void begin(List<Shot> round) {
         double flux = round.stream().mapToDouble(patch -> DoubleStream.of(patch.flux(faces)).map(Math::abs).sum()).sum()
                 * squared;
         double before = DoubleStream.of(shot).map(Math::abs).sum();
-        double rays = RAYS / (mesh.accuracy() * mesh.accuracy());
+        double rays = Math.max(LEAST_RAYS, RAYS / (mesh.accuracy() * mesh.accuracy()));
         perRay = mesh.boundsReceived() && !mesh.conserves() ? Math.max(flux, before) / rays : 0;
     }
 
@@ -195,17 +197,21 @@ final class Flux {
     /**
      * Flux that was lost, over received flux, one per channel: the share of its irradiance that every vertex is given
      * in addition, so that flux is conserved and no irradiance becomes negative. Lost is what was shot and neither
-     * received nor escaped; it has either sign. Of the part that may be the error of the escaped flux little counts:
-     * a white room multiplies any such error.
+     * received nor escaped; it has either sign. Of the part that may be the error of the escaped flux little counts: a
+     * white room multiplies any such error. What was received beyond all that was shot is taken back in any case. At
+     * most as much again is given as was received: what a mesh does not see at all is no share of what it sees.
+     *
+     * @param isShotLater whether what is given is still to be shot; otherwise nothing is given where light may escape
      */
-    double[] missing(Answer answer) {
+    double[] missing(Answer answer, boolean isShotLater) {
         double[] missing = new double[shot.length];
         for (int c = 0; c < missing.length; c++) {
             double received = answer.received[c].value();
             double lost = shot[c] - escaped[c] - received;
             double doubtful = CERTAIN * CERTAIN * escaped[shot.length + c];
-            double counts = doubtful == 0 ? lost : lost * Math.max(0, 1 - doubtful / (lost * lost));
-            missing[c] = received > 0 ? counts / received : 0;
+            double certain = doubtful == 0 ? lost : lost * Math.max(0, 1 - doubtful / (lost * lost));
+            double most = mesh.conserves() || isShotLater ? received : 0;
+            missing[c] = received > 0 ? Math.min(Math.min(certain, most), shot[c] - received) / received : 0;
         }
         return missing;
     }

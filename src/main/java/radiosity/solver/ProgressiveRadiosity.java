@@ -293,7 +293,7 @@ public final class ProgressiveRadiosity {
     private double[] missing(Order.Kind kind) {
         boolean gives = world.mesh.boundsReceived() && (kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT);
         return gives && counters.shots() > 0
-                ? counters.flux.missing(last.afterRound()) : new double[0];
+                ? counters.flux.missing(last.afterRound(), kind == Order.Kind.SHOOT) : new double[0];
     }
 
     /**

@@ -36,7 +36,7 @@ class FluxTest {
                 new PatchTree(5, NodePath.FACE, new int[] {-1}, corners)), radiosity);
     }
 
-    private static double missing(double received) {
+    private static double missing(double received, boolean isShotLater) {
         InitialMesh mesh = openCube();
         Flux flux = new Flux(mesh, new ParallelFor(1));
         flux.begin(List.of(floor(3), floor(-1)));
@@ -44,21 +44,32 @@ class FluxTest {
         flux.count(List.of(floor(-1)));
         Answer answer = new Answer(mesh.faces, mesh.fluxScale());
         answer.received[0].add(received);
-        return flux.missing(answer)[0];
+        return flux.missing(answer, isShotLater)[0];
     }
 
     @Test
     void lostFlux_isGivenBack_lessWhatEscapes() {
-        assertEquals((2 * (1 - ESCAPES) - 1.2) / 1.2, missing(1.2), .01);
+        assertEquals((2 * (1 - ESCAPES) - 1.2) / 1.2, missing(1.2, true), .01);
     }
 
     @Test
     void fluxInExcess_isTakenBack() {
-        assertEquals((2 * (1 - ESCAPES) - 1.9) / 1.9, missing(1.9), .01);
+        assertEquals((2 * (1 - ESCAPES) - 1.9) / 1.9, missing(1.9, true), .01);
+    }
+
+    @Test
+    void fluxThatNobodyWouldShoot_isOnlyTakenBack() {
+        assertEquals(0, missing(1.2, false));
+        assertEquals((2 * (1 - ESCAPES) - 1.9) / 1.9, missing(1.9, false), .01);
+    }
+
+    @Test
+    void lightThatTheFirstMeshDoesNotSee_isNotGivenToWhatItSees() {
+        assertEquals(1, missing(.01, true));
     }
 
     @Test
     void differenceThatMayBeNoise_isLeft() {
-        assertEquals(0, missing(2 * (1 - ESCAPES)), 1e-3);
+        assertEquals(0, missing(2 * (1 - ESCAPES), true), 1e-3);
     }
 }
