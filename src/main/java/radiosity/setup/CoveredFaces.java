@@ -1,6 +1,7 @@
 package radiosity.setup;
 
 import radiosity.mesh.Patcher;
+import radiosity.mesh.cut.DiscontinuityMesher;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
 import radiosity.visibility.RadiosityBounds;
@@ -12,8 +13,6 @@ import radiosity.visibility.Solids;
  */
 final class CoveredFaces implements Patcher.PointRule {
 
-    /** Faces larger than this share of the area of all faces are cut where that is needed. */
-    private static final double LARGEST = 2e-4;
     /** Levels of subdivision at which the middles of a partly covered face are tested. */
     private static final int LEVELS = 3;
     /** Share of a face that is covered everywhere: no area is 0. */
@@ -38,8 +37,9 @@ final class CoveredFaces implements Patcher.PointRule {
         return isWhole(face) ? 1 : Math.max(LEAST, visibleShare(face, corners(face), 1));
     }
 
+    /** Whether a face is large enough to be cut, or a piece of such a face. */
     private boolean isWhole(int face) {
-        return faces.isPiece(face) || faces.area(face) > LARGEST * faces.area();
+        return faces.isPiece(face) || faces.area(face) > DiscontinuityMesher.LEAST_AREA * faces.area();
     }
 
     private float[] corners(int face) {

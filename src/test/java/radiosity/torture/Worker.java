@@ -48,7 +48,7 @@ final class Worker implements AutoCloseable {
             try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
                 return socket.getLocalPort();
             } catch (BindException e) {
-                continue; // somebody listens there
+                // somebody listens there: the next one
             }
         }
         throw new IOException("expected a free port from " + FIRST_PORT + " on, got none of " + PORTS);

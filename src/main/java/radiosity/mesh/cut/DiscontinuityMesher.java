@@ -24,7 +24,7 @@ import radiosity.util.LongIndex;
 public final class DiscontinuityMesher {
 
     /** A coplanar region is cut if one of its faces is larger than this share of the area of all faces. */
-    private static final double LEAST_AREA = 2e-4;
+    public static final double LEAST_AREA = 2e-4;
     /** Points nearer to each other than this are one point, in scene sizes. */
     private static final double SAME = 1e-7;
     /** Most pieces of all faces: more pieces would replace the mesh instead of preparing it. */
