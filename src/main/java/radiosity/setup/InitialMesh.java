@@ -14,6 +14,7 @@ import radiosity.mesh.cut.DiscontinuityMesher;
 import radiosity.mesh.cut.QuadSplitter;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.room.ClosedRooms;
+import radiosity.mesh.room.DarkCavities;
 import radiosity.protocol.Rounding;
 import radiosity.protocol.Shot;
 import radiosity.scene.Light;
@@ -91,8 +92,8 @@ public final class InitialMesh {
         QuadSplitter.Cut cut = QuadSplitter.cut(scene, quadrangleArea());
         this.scene = cut.scene();
         origins = cut.origin();
-        Faces whole = new Faces(this.scene, settings.layers());
-        faces = predicts() ? DiscontinuityMesher.cut(whole) : whole;
+        Faces sides = new Faces(this.scene, settings.layers());
+        faces = predicts() ? DiscontinuityMesher.cut(sides.without(DarkCavities.of(sides))) : sides;
         rooms = new ClosedRooms(faces, this::isBuried);
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();

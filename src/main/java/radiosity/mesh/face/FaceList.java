@@ -1,5 +1,6 @@
 package radiosity.mesh.face;
 
+import java.util.BitSet;
 import java.util.List;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
@@ -68,6 +69,18 @@ final class FaceList {
             }
             for (int[] p : pieces) {
                 list.add(this, f, true, p[0], p[1], p[2]);
+            }
+        }
+        return list;
+    }
+
+    /** The same faces but some. */
+    FaceList without(BitSet some) {
+        FaceList list = new FaceList(box, points, count);
+        list.dropped = dropped;
+        for (int f = 0; f < count; f++) {
+            if (!some.get(f)) {
+                list.add(this, f, piece[f], point[3 * f], point[3 * f + 1], point[3 * f + 2]);
             }
         }
         return list;

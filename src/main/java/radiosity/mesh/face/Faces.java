@@ -1,5 +1,6 @@
 package radiosity.mesh.face;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
@@ -88,6 +89,17 @@ public final class Faces {
         return new Faces(scene, box, kinds, list.withPieces(pieces), pieces.edges());
     }
 
+    /** The same scene without some faces. */
+    public Faces without(BitSet dropped) {
+        return dropped.isEmpty() ? this : new Faces(scene, box, kinds, list.without(dropped), new LongIndex(0));
+    }
+
+    /** Whether a face is one of the two sides of a two-sided triangle, both of which are faces. */
+    public boolean isOfTwo(int face) {
+        return face > 0 && triangle(face - 1) == triangle(face) && side[face - 1] != side[face]
+                || face + 1 < count && triangle(face + 1) == triangle(face) && side[face + 1] != side[face];
+    }
+
     /** A point of the scene, brought to size 1 around the origin. */
     public Vec3 unit(Vec3 p) {
         return box.unit(p);
@@ -140,8 +152,12 @@ public final class Faces {
     /** 3 per original triangle: normal of its visible side; 0 where both sides are visible. */
     public float[] fronts() {
         float[] fronts = new float[3 * scene.triangles()];
+        byte[] sides = new byte[scene.triangles()];
         for (int f = 0; f < count; f++) {
-            for (int a = 0; a < 3 && !scene.surface(triangle(f)).twoSided(); a++) {
+            sides[triangle(f)] |= (byte) (1 << (side[f] & 1));
+        }
+        for (int f = 0; f < count; f++) {
+            for (int a = 0; a < 3 && sides[triangle(f)] < 3; a++) {
                 fronts[3 * triangle(f) + a] = normal(f, a);
             }
         }

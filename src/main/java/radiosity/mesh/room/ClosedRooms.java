@@ -20,11 +20,8 @@ public final class ClosedRooms {
 
     /** Boxes that overlap by less than this are apart, in scene sizes. */
     private static final double TOUCH = 1e-6;
-    /** Distance in front of a face of the points that are tested for lying in a room, in scene sizes. */
-    private static final double BEFORE = 1e-5;
     /** Most pairs of a face of a solid and a face of a wall that are tested; a room with more pairs counts as open. */
     private static final long MOST_PAIRS = 5_000_000;
-    private static final int PLACES = 4;
 
     private final Faces faces;
     private final FaceShells shells;
@@ -160,23 +157,8 @@ public final class ClosedRooms {
                 box[6 * s + i % 3] = Math.min(box[6 * s + i % 3], x);
                 box[6 * s + 3 + i % 3] = Math.max(box[6 * s + 3 + i % 3], x);
             }
-            double[] c = corners(f, 0, 0, 0);
-            volume[s] += triple(c) / 6;
+            volume[s] += SolidAngle.volume(faces, f);
         }
-    }
-
-    /** Corners of a face relative to a point, 9 numbers. */
-    private double[] corners(int f, double x, double y, double z) {
-        double[] c = new double[9];
-        for (int i = 0; i < 9; i++) {
-            c[i] = faces.corner[9 * f + i] - (i % 3 == 0 ? x : i % 3 == 1 ? y : z);
-        }
-        return c;
-    }
-
-    private static double triple(double[] c) {
-        return c[0] * (c[4] * c[8] - c[5] * c[7]) + c[1] * (c[5] * c[6] - c[3] * c[8])
-                + c[2] * (c[3] * c[7] - c[4] * c[6]);
     }
 
     private boolean isWall(int s) {
@@ -218,7 +200,7 @@ public final class ClosedRooms {
         for (int i = 0; i < others.length && clear; i++) {
             int f = others[i];
             inside[f] = inside(f, walls);
-            clear = inside[f] % PLACES == 0 && (faces.part[f] == f || inside[faces.part[f]] == inside[f]);
+            clear = inside[f] % SolidAngle.PLACES == 0 && (faces.part[f] == f || inside[faces.part[f]] == inside[f]);
         }
         if (clear) {
             for (int f : walls) {
@@ -238,42 +220,9 @@ public final class ClosedRooms {
     private int inside(int face, int[] walls) {
         looks += walls.length;
         int found = 0;
-        for (int place = 0; place < PLACES; place++) {
-            double[] at = new double[3];
-            for (int a = 0; a < 3; a++) {
-                for (int k = 0; k < 3; k++) {
-                    double weight = place == 3 ? 1 / 3.0 : place == k ? 0.9 : 0.05;
-                    at[a] += weight * faces.corner(face, k, a);
-                }
-                at[a] += BEFORE * faces.normal(face, a);
-            }
-            found += isInside(at, walls) ? 1 : 0;
+        for (int place = 0; place < SolidAngle.PLACES; place++) {
+            found += SolidAngle.isInside(faces, SolidAngle.before(faces, face, place), walls) ? 1 : 0;
         }
         return found;
-    }
-
-    /**
-     * Whether a point is inside a shell seen from inside: whether the shell's solid angle, seen from there, is -4 pi
-     * and not 0. A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983.
-     */
-    private boolean isInside(double[] at, int[] walls) {
-        double angle = 0;
-        for (int f : walls) {
-            double[] c = corners(f, at[0], at[1], at[2]);
-            double p = length(c, 0);
-            double q = length(c, 3);
-            double r = length(c, 6);
-            double below = p * q * r + dot(c, 0, 3) * r + dot(c, 3, 6) * p + dot(c, 6, 0) * q;
-            angle += 2 * StrictMath.atan2(triple(c), below);
-        }
-        return angle < -2 * Math.PI;
-    }
-
-    private static double length(double[] c, int i) {
-        return Math.sqrt(dot(c, i, i));
-    }
-
-    private static double dot(double[] c, int i, int j) {
-        return c[i] * c[j] + c[i + 1] * c[j + 1] + c[i + 2] * c[j + 2];
     }
 }
