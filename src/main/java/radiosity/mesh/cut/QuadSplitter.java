@@ -10,8 +10,9 @@ import radiosity.util.LongIndex;
 import radiosity.util.PointNumbers;
 
 /**
- * Cuts long quadrangles across, because division in four keeps the shape of a triangle: the wall of a corridor would be
- * meshed as finely across as along, or as coarsely along as across. The cuts depend on scene and patch area alone.
+ * Cuts long quadrangles across, because division in four keeps the shape of a triangle: the wall of a corridor, or a
+ * skirting board, would be meshed as finely across as along, or as coarsely along as across. A piece is about as long
+ * as it is wide, or as a square patch where that is longer. The cuts depend on scene and patch area alone.
  *
  * <p>A quadrangle is two triangles of one surface in one plane with their longest edge in common.
  */
@@ -23,6 +24,8 @@ public final class QuadSplitter {
     private static final double SAME_PLANE = 1e-5;
 
     private final Scene scene;
+    /** Side of a square of the largest area of a patch, scene units: quadrangles that are no longer stay whole. */
+    private final double patchSide;
     private final int[] number;
     private final LongIndex places;
     /** 3 per point: x, y, z, scene units. */
@@ -34,8 +37,9 @@ public final class QuadSplitter {
     private int[] origin;
     private int triangles;
 
-    private QuadSplitter(Scene scene) {
+    private QuadSplitter(Scene scene, double patchArea) {
         this.scene = scene;
+        patchSide = Math.sqrt(patchArea);
         number = PointNumbers.of(scene.points());
         places = new LongIndex(16);
         points = scene.points().clone();
@@ -54,11 +58,11 @@ public final class QuadSplitter {
     /**
      * Cuts the long quadrangles of a scene; where no quadrangle is long, the scene stays the same.
      *
-     * @param patchArea largest area of a patch, square scene units: triangles that are no larger are left as they are
+     * @param patchArea largest area of a patch, square scene units
      */
     public static Cut cut(Scene scene, double patchArea) {
-        QuadSplitter splitter = new QuadSplitter(scene);
-        int[] partner = splitter.partners(patchArea);
+        QuadSplitter splitter = new QuadSplitter(scene, patchArea);
+        int[] partner = splitter.partners();
         if (Arrays.stream(partner).allMatch(t -> t < 0)) {
             return new Cut(scene, IntStream.range(0, partner.length).toArray());
         }
@@ -73,13 +77,13 @@ public final class QuadSplitter {
     }
 
     /** 1 per triangle: the triangle with which it makes a long quadrangle, or -1. */
-    private int[] partners(double patchArea) {
+    private int[] partners() {
         int[] partner = new int[scene.triangles()];
         Arrays.fill(partner, -1);
         LongIndex edges = new LongIndex(16);
         for (int t = 0; t < partner.length; t++) {
-            if (isPlain(t) && scene.area(t) > patchArea) {
-                int k = longest(t);
+            int k = longest(t);
+            if (isPlain(t) && edge(t, k) > patchSide) {
                 int p = number[corner(t, k)];
                 int q = number[corner(t, k + 1)];
                 long key = Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]);
@@ -104,10 +108,12 @@ public final class QuadSplitter {
 
     /** The corner k from which a triangle's longest edge goes to corner k + 1. */
     private int longest(int t) {
-        double[] length = IntStream.range(0, 3)
-                .mapToDouble(k -> scene.corner(t, (k + 1) % 3).minus(scene.corner(t, k)).length())
-                .toArray();
+        double[] length = {edge(t, 0), edge(t, 1), edge(t, 2)};
         return length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
+    }
+
+    private double edge(int t, int k) {
+        return scene.corner(t, (k + 1) % 3).minus(scene.corner(t, k)).length();
     }
 
     /** Whether two triangles lie in one plane and have their longest edge in common, in opposite directions. */
@@ -137,12 +143,12 @@ public final class QuadSplitter {
         return new Vec3(points[3 * p], points[3 * p + 1], points[3 * p + 2]);
     }
 
-    /** Number of pieces into which a quadrangle is cut, each about as wide as long; 1 where it is not long. */
+    /** Number of pieces into which a quadrangle is cut; 1 where it is not long. */
     private int pieces(int[] q) {
         double length = (side(q, 0) + side(q, 2)) / 2;
         Vec3 across = point(q[2]).minus(point(q[0])).cross(point(q[3]).minus(point(q[1])));
         double ratio = length * length / (across.length() / 2);
-        return ratio < LONG ? 1 : (int) Math.min(Math.round(ratio), 1 << 10);
+        return ratio < LONG ? 1 : (int) Math.min(Math.min(Math.round(ratio), Math.ceil(length / patchSide)), 1 << 10);
     }
 
     private void cut(int t, int u) {

@@ -60,9 +60,14 @@ class QuadSplitterTest {
     }
 
     @Test
-    void whatIsNotDividedAnyway_isLeftAsItIs() {
+    void whatIsNoLongerThanAPatch_isLeftAsItIs() {
         Scene small = rectangles(12, 1);
-        assertSame(small, QuadSplitter.cut(small, 6).scene());
+        assertSame(small, QuadSplitter.cut(small, 145).scene());
+    }
+
+    @Test
+    void narrowRectangle_isCutIntoPiecesAsLongAsAPatch() {
+        assertEquals(2 * 2 * 4, QuadSplitter.cut(rectangles(12, 0.1), 9).scene().triangles());
     }
 
     @Test
