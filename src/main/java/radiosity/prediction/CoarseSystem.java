@@ -10,10 +10,12 @@ import java.util.stream.Stream;
 import radiosity.mesh.Block;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
 import radiosity.mesh.room.ClosedRooms;
 import radiosity.protocol.Shot;
+import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
@@ -129,6 +131,41 @@ public final class CoarseSystem {
             }
         }
         return sum * faces.size() * faces.size();
+    }
+
+    /**
+     * Change of the radiosity that an irradiance causes where patches reflect it, relative to the mean radiosity, or to
+     * a part of a patch's own radiosity where that is {@linkplain Accuracy#BRIGHT bright}: a mean over the area.
+     *
+     * @param size mean of the absolute change
+     * @param bias mean of the change
+     */
+    public record Change(double size, double bias) { }
+
+    /**
+     * The change that an irradiance would make to one channel.
+     *
+     * @param h          irradiance, channels per vertex, W/m²; not modified
+     * @param radiosity  channels per node of the coarse mesh, used for patches, W/m²; not modified
+     * @param weights    1 / mean radiosity, m²/W
+     */
+    public Change change(double[] h, double[] radiosity, Weights weights, int c) {
+        double area = 0;
+        double size = 0;
+        double bias = 0;
+        for (int p = 0; p < nodes.patches(); p++) {
+            int patch = nodes.patch(p);
+            double weight = weights.at(nodes.face(patch), c);
+            double reflected = 0;
+            for (int k = 0; k < 3; k++) {
+                reflected += nodes.reflectance(patch, c) * corner(patch, k, h, c) / 3;
+            }
+            double brightness = radiosity[channels * patch + c] * weight / Accuracy.BRIGHT;
+            area += nodes.area(patch);
+            size += nodes.area(patch) * Math.abs(reflected) * weight / Math.max(1, brightness);
+            bias += nodes.area(patch) * reflected * weight;
+        }
+        return new Change(size / area, bias / area);
     }
 
     /**

@@ -66,9 +66,12 @@ final class Prediction implements Planner {
     private static final int MOST_CHANGES = 3;
     /** Unshot flux over emitted flux in an edited scene above which the coarse system is set up for a prediction. */
     private static final double PREDICTED = 0.1;
-    /** Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. */
+    /**
+     * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
+     * much may the radiosity change by the light that is predicted to follow, as a mean without signs.
+     */
     private static final double ENOUGH = 0.3;
-    /** |Sum of unshot flux| over emitted flux that may be left, per relative error asked for: this part is a bias. */
+    /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
     private static final double ENOUGH_ONE_SIDED = 0.05;
     /** Factor by which edits may let the error exceed the usual one before all vertices gather anew. */
     private static final double WORSE = 1.15;
@@ -110,8 +113,8 @@ final class Prediction implements Planner {
     private boolean refined;
     /**
      * Unshot flux over emitted flux before the last SHOOT; where that round leaves more, the next one is shot without
-     * prediction. After the last round of shooting: the unshot flux that is left, or 0 where that exceeds
-     * {@link #enough}.
+     * prediction. After the last round of shooting: the unshot flux that is left, at most {@link #enough}, or 0 where
+     * more shooting would be in vain.
      */
     private double left = Double.POSITIVE_INFINITY;
     /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */
@@ -174,13 +177,18 @@ final class Prediction implements Planner {
             return rows();
         }
         boolean isWorse = stage == Stage.SHOOT && unsent >= left;
-        boolean isEnough = isEnough(last, unsent);
-        if (refined && stage == Stage.SHOOT && (isEnough || isWorse && mispredicted == MOST_MISPREDICTED)) {
-            left = unsent <= enough() ? unsent : 0;
+        boolean isPredicted = coarse != null && !isWorse && mispredicted < MOST_MISPREDICTED;
+        double[] h = isPredicted ? predict(goOn) : null;
+        if (isPredicted && h == null) {
+            return null;
+        }
+        boolean isShot = refined && (stage == Stage.SHOOT || stage == Stage.SPLIT || stage == Stage.GATHER);
+        boolean isEnough = isShot && isEnough(last, unsent, h);
+        if (isEnough || isShot && isWorse && mispredicted == MOST_MISPREDICTED) {
+            left = isEnough ? Math.min(unsent, enough()) : 0;
             return isEnough && !loop.lacksRays() ? mend() : renew();
         }
-        boolean isPredicted = coarse != null && !isWorse && mispredicted < MOST_MISPREDICTED;
-        List<Shot> shots = isPredicted ? withPrediction(last, goOn) : withoutPrediction(last);
+        List<Shot> shots = isPredicted ? withPrediction(last, h) : withoutPrediction(last);
         if (shots.isEmpty()) {
             return null;
         }
@@ -217,9 +225,37 @@ final class Prediction implements Planner {
         return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error);
     }
 
-    private boolean isEnough(Answer last, double unsent) {
-        return unsent <= enough()
-                && oneSided.applyAsDouble(last) <= Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked());
+    /**
+     * Whether the unshot flux is a small part of the error: either the flux itself is, or, unless the user sets a limit
+     * of unshot flux, the irradiance that the flux is predicted to cause. After new vertices have gathered, most unshot
+     * flux is their noise, of both signs, which cancels where it arrives.
+     *
+     * @param h predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
+     */
+    private boolean isEnough(Answer last, double unsent, double[] h) throws IOException {
+        if (unsent <= enough()
+                && oneSided.applyAsDouble(last) <= Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked())) {
+            return true;
+        }
+        if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
+            return false;
+        }
+        double[] radiosity = coarse.unshot(world.totals());
+        Weights weights = new Weights(world.mesh.rooms, world.channels(), weight);
+        for (int c = 0; c < world.channels(); c++) {
+            CoarseSystem.Change change = coarse.change(h, radiosity, weights, c);
+            if (change.size() > ENOUGH * Math.max(loop.asked(), loop.found())
+                    || Math.abs(change.bias()) > ENOUGH_ONE_SIDED * loop.asked()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Irradiance that all unshot flux is predicted to cause; null where {@code goOn} ends the calculation. */
+    private double[] predict(BooleanSupplier goOn) throws IOException {
+        Order means = Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE);
+        return coarse.irradiance(coarse.unshot(world.joined(world.answer(means).candidates)), goOn);
     }
 
     /**
@@ -245,7 +281,7 @@ final class Prediction implements Planner {
             if (unsent > PREDICTED && coarse != null && !coarse.isMade()) {
                 return rows();
             }
-            List<Shot> shots = unsent > PREDICTED && coarse != null ? withPrediction(last, goOn) : largest();
+            List<Shot> shots = unsent > PREDICTED && coarse != null ? withPrediction(last, predict(goOn)) : largest();
             if (!shots.isEmpty()) {
                 return shoot(shots, unsent);
             }
@@ -367,15 +403,13 @@ final class Prediction implements Planner {
     }
 
     /**
-     * Shots of unshot radiosity and the radiosity that is predicted to follow. Partitions send their unshot radiosity
-     * while the coarse system is solved. Empty where {@code goOn} ends the calculation.
+     * Shots of unshot radiosity and the radiosity that is predicted to follow.
+     *
+     * @param h predicted irradiance, channels per vertex, W/m²; null where the calculation is to end: no shots then
      */
-    private List<Shot> withPrediction(Answer last, BooleanSupplier goOn) throws IOException {
-        World.Begun means = world.begin(Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE), World.NOBODY);
-        World.Begun all = world.begin(ALL, World.NOBODY);
-        double[] h = coarse.irradiance(coarse.unshot(world.joined(means.answer(World.NOBODY).candidates)), goOn);
-        List<Shot> candidates = candidates(all.answer(World.NOBODY));
-        if (h == null || candidates.isEmpty()) {
+    private List<Shot> withPrediction(Answer last, double[] h) throws IOException {
+        List<Shot> candidates = h == null ? List.of() : candidates(world.answer(ALL));
+        if (candidates.isEmpty()) {
             return List.of();
         }
         if (stage == Stage.NOTHING) {
