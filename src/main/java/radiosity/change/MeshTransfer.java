@@ -11,6 +11,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.partition.GhostVertices;
+import radiosity.partition.LampSpots;
 import radiosity.partition.MeshRefinement;
 import radiosity.protocol.Order;
 import radiosity.scene.Vec3;
@@ -65,7 +66,7 @@ final class MeshTransfer {
     MeshTransfer(SceneChange change, RadiosityNodes old, Order.Rules rules, InitialMesh earlierMesh, InitialMesh mesh) {
         this.old = old;
         refinement = new MeshRefinement(old, new Weights(earlierMesh.rooms, old.channels(), rules.weight()),
-                rules.meshError());
+                rules.meshError(), new LampSpots(old.faces(), earlierMesh.bounds()));
         before = old.faces();
         now = mesh.faces;
         channels = now.channels();

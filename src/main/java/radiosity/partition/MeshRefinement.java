@@ -9,7 +9,7 @@ import radiosity.util.ParallelFor;
 
 /**
  * Divides elements where the light at the middle of an edge is not the mean of the light at the edge's ends: linear
- * interpolation errs there.
+ * interpolation errs there. Elements with {@link LampSpots} between their corners are divided, too.
  *
  * <p>The middles of a parent's edges are vertices of its children. The difference between the irradiance at a middle
  * and the mean of the edge's ends is the error that the parent would have as an element; where that error is too large,
@@ -43,14 +43,17 @@ public final class MeshRefinement {
     private final Faces faces;
     private final Weights weights;
     private final double meshError;
+    private final LampSpots spots;
     private final double area;
 
     /**
      * @param weights   1 / mean radiosity, m²/W
      * @param meshError largest error times square root of the share of area that an element may have; an error on a
      *                  bright element is divided by the brightness of the element
+     * @param spots     of the scene's lamps
      */
-    public MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
+    public MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError, LampSpots spots) {
+        this.spots = spots;
         this.nodes = nodes;
         faces = nodes.faces();
         this.weights = weights;
@@ -180,8 +183,10 @@ public final class MeshRefinement {
     private boolean wants(int element, double error) {
         double share = nodes.area(element) / area;
         double brightness = brightness(element);
-        return share > LEAST_AREA && (error / brightness * Math.sqrt(share) > meshError
-                || brightness > 1 && error / importance(element) * share > FLUX * meshError);
+        double most = meshError * brightness / Math.sqrt(share);
+        return share > LEAST_AREA && (error > most
+                || brightness > 1 && error / importance(element) * share > FLUX * meshError
+                || spots.spoil(nodes, element, weights, most));
     }
 
     /** Error at the middle of the edge opposite corner k; {@link #ofVisible} where a vertex of the edge is buried. */
@@ -223,7 +228,7 @@ public final class MeshRefinement {
      */
     private boolean wantsTop(int top) {
         double error = ofTop(top);
-        return error > 0 && wants(top, error) || (error <= 0 || !nodes.isPoint(top)) && wantsUnseen(top);
+        return wants(top, error) || (error <= 0 || !nodes.isPoint(top)) && wantsUnseen(top);
     }
 
     /**

@@ -16,6 +16,7 @@ import radiosity.scene.SceneBuilder;
 import radiosity.scene.Vec3;
 import radiosity.testkit.RoomScenes;
 import radiosity.util.ParallelFor;
+import radiosity.visibility.RadiosityBounds;
 
 /** What is divided, by the light that is known of it. */
 class MeshRefinementTest {
@@ -31,7 +32,8 @@ class MeshRefinementTest {
     }
 
     private static int divided(RadiosityNodes bar, double meshError, int with) {
-        new MeshRefinement(bar, Weights.of(new double[] {1, 1, 1}), meshError).splitAll(with, new ParallelFor(1));
+        LampSpots none = new LampSpots(bar.faces(), new RadiosityBounds(bar.faces().occluders()));
+        new MeshRefinement(bar, Weights.of(new double[] {1, 1, 1}), meshError, none).splitAll(with, new ParallelFor(1));
         return bar.elements();
     }
 
