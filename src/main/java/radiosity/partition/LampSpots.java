@@ -25,6 +25,9 @@ public final class LampSpots {
     private static final double INSIDE = 0.03;
     /** Part of its length by which a ray to a lamp ends early: the lamp itself is no obstacle. */
     private static final double BEFORE = 1e-4;
+    /** Corners that receive less than this part of the light that a lamp would send there do not see the lamp. */
+    private static final double HIDDEN = 1.0 / 3;
+    private static final double[] MIDDLE = {1 / 3.0, 1 / 3.0, 1 / 3.0};
 
     private final Faces faces;
     private final RadiosityBounds bounds;
@@ -61,6 +64,20 @@ public final class LampSpots {
 
     /** The corners of an element, its normal and its node. */
     private record Element(RadiosityNodes nodes, int node, Vec3[] corner, Vec3 normal) {
+
+        /** Where the element receives the light that is used at corner k. */
+        Vec3 receiver(int k) {
+            return nodes.isPoint(node) ? at(MIDDLE) : corner[k];
+        }
+
+        /** Irradiance of the brightest corner, W/m². */
+        double brightest(int channel) {
+            double brightest = 0;
+            for (int k = 0; k < 3; k++) {
+                brightest = Math.max(brightest, nodes.light().irradiance(node, k, channel));
+            }
+            return brightest;
+        }
 
         Vec3 at(double[] weight) {
             return corner[0].times(weight[0]).plus(corner[1].times(weight[1])).plus(corner[2].times(weight[2]));
@@ -144,8 +161,8 @@ public final class LampSpots {
     }
 
     /**
-     * Whether a lamp lights some point of an element so much more than interpolation from the corners does, that the
-     * radiosity errs there by more than an error.
+     * Whether a lamp lights some point of an element so much more than interpolation between its corners would say,
+     * that the radiosity errs there by more than an error.
      *
      * @param error relative to the mean radiosity, at least 0
      */
@@ -154,7 +171,7 @@ public final class LampSpots {
             return false;
         }
         Element element = element(nodes, node);
-        Vec3 middle = element.at(new double[] {1 / 3.0, 1 / 3.0, 1 / 3.0});
+        Vec3 middle = element.at(MIDDLE);
         double radius = 0;
         for (Vec3 corner : element.corner) {
             radius = Math.max(radius, corner.minus(middle).length());
@@ -196,8 +213,9 @@ public final class LampSpots {
     }
 
     /**
-     * The light of a lamp at a corner is at most what the corner receives in all, and what the lamp sends there if
-     * nothing stands between.
+     * Compares the light of a lamp at a point with what interpolation would give there if nothing stood between; or
+     * with all light of the brightest corner, where something hides the lamp from all corners. On the edges of shadows
+     * some corner has light, and elements are divided by what their vertices receive.
      *
      * @param at weights of the corners at the point to look at; not modified
      */
@@ -207,15 +225,16 @@ public final class LampSpots {
         if (light(element, lamp, here, weights) <= error) {
             return false;
         }
+        double between = 0;
+        for (int k = 0; k < 3; k++) {
+            between += at[k] * lamp.factor(element.receiver(k), element.normal);
+        }
         int face = element.nodes.face(element.node);
         double largest = 0;
         for (int c = 0; c < lamp.exitance.length; c++) {
-            double missed = lamp.exitance[c] * here;
-            for (int k = 0; k < 3; k++) {
-                double received = element.nodes.light().irradiance(element.node, k, c);
-                double sent = lamp.exitance[c] * lamp.factor(element.corner[k], element.normal);
-                missed -= at[k] * (element.nodes.isPoint(element.node) ? received : Math.min(received, sent));
-            }
+            double sent = lamp.exitance[c] * between;
+            double brightest = element.brightest(c);
+            double missed = lamp.exitance[c] * here - (brightest < HIDDEN * sent ? brightest : sent);
             largest = Math.max(largest, missed * faces.importance(face, c) * weights.at(face, c));
         }
         return largest > error && sees(x, element.normal, lamp);
