@@ -39,7 +39,7 @@ public final class InitialMesh {
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Version of the saved state of calculations: a state with another version is refused. */
-    private static final int STATE = 5;
+    private static final int STATE = 6;
     /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
     /**
@@ -203,12 +203,9 @@ public final class InitialMesh {
         return predicts() && rooms.isPlain();
     }
 
-    /**
-     * With prediction: whether an upper limit of the flux that can be received is known. None is known where the sun or
-     * a sky shines into a scene from which light escapes: how much of their light arrives depends on the mesh.
-     */
-    public boolean boundsReceived() {
-        return conserves() || predicts() && scene.lights().stream().noneMatch(light -> light.kind().isOutside());
+    /** Whether the sun or a sky lights the scene: how much of their light arrives depends on the mesh. */
+    public boolean isLitFromOutside() {
+        return scene.lights().stream().anyMatch(light -> light.kind().isOutside());
     }
 
     public boolean predicts() {

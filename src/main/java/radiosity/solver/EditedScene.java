@@ -105,7 +105,7 @@ final class EditedScene {
         Order.Rules rules = prediction.get().rules();
         List<byte[]> changed = relight.blocks(blocks, prediction.get().isSettled(), rules, planner.weight());
         double[] lights = !change.isOfGeometry() && !change.isOfLights() ? old.flux.lights()
-                : world.mesh.boundsReceived() ? world.mesh.lightFlux() : relight.lights();
+                : world.mesh.isLitFromOutside() ? relight.lights() : world.mesh.lightFlux();
         double emitted = DoubleStream.of(world.mesh.emitted).sum() + DoubleStream.of(lights).sum();
         double unshot = relight.unshot();
         if (!(unshot <= MOST_UNSHOT * emitted)) {

@@ -35,6 +35,8 @@ final class Flux {
     private final double[] underWay;
     /** One per channel: flux of emitting surfaces, and flux that arrives from lights without geometry, W. */
     private final double[] emitted;
+    /** One per channel: the part of it that comes from the sun and skies, W. A finer mesh may receive more or less. */
+    private final double[] outside;
     /** Part of {@link #shot} that escapes, W, one per channel; then the variance of that estimate, W², one each. */
     private final double[] escaped;
     /** The same of {@link #underWay}. */
@@ -52,6 +54,7 @@ final class Flux {
         shot = new double[faces.channels()];
         underWay = new double[faces.channels()];
         emitted = mesh.emitted.clone();
+        outside = new double[faces.channels()];
         escaped = new double[2 * faces.channels()];
         escapedUnderWay = new double[2 * faces.channels()];
     }
@@ -59,7 +62,7 @@ final class Flux {
     /**
      * Counts the flux of lights without geometry, before the first shot of a patch. All flux received by then came from
      * those lights; but where the received flux is bounded by the flux that is shot, the first mesh is too coarse to
-     * integrate it, and points on all faces are used instead.
+     * integrate it, and points on all faces are used instead, for all lights but the sun and skies.
      *
      * @param first the partitions' first answer
      */
@@ -67,9 +70,11 @@ final class Flux {
         if (mesh.scene.lights().isEmpty()) {
             return;
         }
-        double[] exact = mesh.boundsReceived() ? mesh.lightFlux() : new double[0];
+        double[] exact = mesh.predicts() ? mesh.lightFlux() : new double[shot.length];
         for (int c = 0; c < shot.length; c++) {
-            shot[c] = exact.length > 0 ? exact[c] : first.received[c].value();
+            double rest = Math.max(0, first.received[c].value() - exact[c]);
+            outside[c] = mesh.isLitFromOutside() ? rest : 0;
+            shot[c] = exact[c] + (mesh.predicts() ? outside[c] : rest);
             emitted[c] = mesh.emitted[c] + shot[c];
         }
     }
@@ -84,7 +89,7 @@ final class Flux {
                 * squared;
         double before = DoubleStream.of(shot).map(Math::abs).sum();
         double rays = Math.max(LEAST_RAYS, RAYS / (mesh.accuracy() * mesh.accuracy()));
-        perRay = mesh.boundsReceived() && !mesh.conserves() ? Math.max(flux, before) / rays : 0;
+        perRay = mesh.predicts() && !mesh.conserves() ? Math.max(flux, before) / rays : 0;
     }
 
     /** Counts shots of the present round, or some of them. */
@@ -123,6 +128,7 @@ final class Flux {
         for (int c = 0; c < shot.length; c++) {
             shot[c] = surfaces[c] + lights[c];
             emitted[c] = mesh.emitted[c] + lights[c];
+            outside[c] = mesh.isLitFromOutside() ? lights[c] : 0;
         }
     }
 
@@ -198,8 +204,9 @@ final class Flux {
      * Flux that was lost, over received flux, one per channel: the share of its irradiance that every vertex is given
      * in addition, so that flux is conserved and no irradiance becomes negative. Lost is what was shot and neither
      * received nor escaped; it has either sign. Of the part that may be the error of the escaped flux little counts: a
-     * white room multiplies any such error. What was received beyond all that was shot is taken back in any case. At
-     * most as much again is given as was received: what a mesh does not see at all is no share of what it sees.
+     * white room multiplies any such error. What was received beyond all that was shot is taken back in any case. The
+     * flux of the sun and skies is doubtful as a whole, as what a mesh receives of it depends on the mesh. At most as
+     * much again is given as was received: what a mesh does not see at all is no share of what it sees.
      *
      * @param isShotLater whether what is given is still to be shot; otherwise nothing is given where light may escape
      */
@@ -208,17 +215,18 @@ final class Flux {
         for (int c = 0; c < missing.length; c++) {
             double received = answer.received[c].value();
             double lost = shot[c] - escaped[c] - received;
-            double doubtful = CERTAIN * CERTAIN * escaped[shot.length + c];
+            double doubtful = CERTAIN * CERTAIN * (escaped[shot.length + c] + outside[c] * outside[c]);
             double certain = doubtful == 0 ? lost : lost * Math.max(0, 1 - doubtful / (lost * lost));
+            double bound = shot[c] + CERTAIN * outside[c];
             double most = mesh.conserves() || isShotLater ? received : 0;
-            missing[c] = received > 0 ? Math.min(Math.min(certain, most), shot[c] - received) / received : 0;
+            missing[c] = received > 0 ? Math.min(Math.min(certain, most), bound - received) / received : 0;
         }
         return missing;
     }
 
     /** The ledger with one value per channel. */
     EnergyLedger byChannel(Answer answer) {
-        double[] gone = mesh.boundsReceived() ? Arrays.copyOf(escaped, shot.length) : new double[0];
+        double[] gone = mesh.predicts() ? Arrays.copyOf(escaped, shot.length) : new double[0];
         return new EnergyLedger(emitted.clone(), shot.clone(), values(answer.received), values(answer.absorbed),
                 values(answer.unshot), gone);
     }
@@ -258,6 +266,7 @@ final class Flux {
             out.writeDouble(shot[c]);
             out.writeDouble(underWay[c]);
             out.writeDouble(emitted[c]);
+            out.writeDouble(outside[c]);
         }
         for (int i = 0; i < escaped.length; i++) {
             out.writeDouble(escaped[i]);
@@ -271,6 +280,7 @@ final class Flux {
             shot[c] = in.readDouble();
             underWay[c] = in.readDouble();
             emitted[c] = in.readDouble();
+            outside[c] = in.readDouble();
         }
         for (int i = 0; i < escaped.length; i++) {
             escaped[i] = in.readDouble();

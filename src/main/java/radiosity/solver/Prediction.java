@@ -163,7 +163,7 @@ final class Prediction implements Planner {
             case GATHER -> refined ? distribute(last, unsent, goOn) : split(last);
             case RENEW -> regather();
             case REGATHER -> average();
-            case AVERAGE, MEND -> world.mesh.boundsReceived() ? balance() : refine(last);
+            case AVERAGE, MEND -> balance();
             case BALANCE -> refine(last);
         };
     }
@@ -271,10 +271,10 @@ final class Prediction implements Planner {
                 return gather();
             }
         }
-        if (stage == Stage.MEND && world.mesh.boundsReceived()) {
+        if (stage == Stage.MEND) {
             return balance();
         }
-        if (stage == Stage.MEND || stage == Stage.BALANCE) {
+        if (stage == Stage.BALANCE) {
             return endOfChange(unsent);
         }
         if (unsent > enough() && unsent < left) {

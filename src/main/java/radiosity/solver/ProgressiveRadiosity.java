@@ -291,7 +291,7 @@ public final class ProgressiveRadiosity {
 
     /** {@link Flux#missing} for orders that correct the received flux, one per channel; else empty. */
     private double[] missing(Order.Kind kind) {
-        boolean gives = world.mesh.boundsReceived() && (kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT);
+        boolean gives = world.mesh.predicts() && (kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT);
         return gives && counters.shots() > 0
                 ? counters.flux.missing(last.afterRound(), kind == Order.Kind.SHOOT) : new double[0];
     }

@@ -9,7 +9,9 @@ import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.NodePath;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Shot;
+import radiosity.scene.Light;
 import radiosity.scene.SceneBuilder;
+import radiosity.scene.Vec3;
 import radiosity.settings.RadiositySettings;
 import radiosity.setup.InitialMesh;
 import radiosity.testkit.Box;
@@ -22,11 +24,15 @@ class FluxTest {
     private static final double ESCAPES = 0.19982;
 
     private static InitialMesh openCube() {
+        return new InitialMesh(cube().scene("open cube"), RadiositySettings.defaults());
+    }
+
+    private static SceneBuilder cube() {
         SceneBuilder builder = new SceneBuilder();
         for (int side : new int[] {0, 1, 2, 4, 5}) {
             builder.polygon(RoomScenes.grey("wall", 1, .5), Box.UNIT.inside(side));
         }
-        return new InitialMesh(builder.scene("open cube"), RadiositySettings.defaults());
+        return builder;
     }
 
     private static Shot floor(double radiosity) {
@@ -66,6 +72,28 @@ class FluxTest {
     @Test
     void lightThatTheFirstMeshDoesNotSee_isNotGivenToWhatItSees() {
         assertEquals(1, missing(.01, true));
+    }
+
+    @Test
+    void fluxOfTheSky_isDoubtfulAsAWhole() {
+        assertEquals(0, underSky(1.9, 0.5), 1e-12);
+        double lost = 2.5 - 2 * ESCAPES - 4;
+        assertEquals(lost * (1 - 1 / (lost * lost)) / 4, underSky(4, 0.5), .01);
+        assertEquals(missing(1.9, true), underSky(1.9, 1e-6), 1e-3);
+    }
+
+    private static double underSky(double received, double ofTheSky) {
+        InitialMesh mesh = new InitialMesh(cube().light(Light.sky(Light.Kind.SKY_UNIFORM, 1, new Vec3(0, 1, 0),
+                new Vec3(0, 1, 0))).scene("open cube"), RadiositySettings.defaults());
+        Flux flux = new Flux(mesh, new ParallelFor(1));
+        Answer first = new Answer(mesh.faces, mesh.fluxScale());
+        first.received[0].add(ofTheSky);
+        flux.countLights(first);
+        flux.begin(List.of(floor(2)));
+        flux.count(List.of(floor(2)));
+        Answer answer = new Answer(mesh.faces, mesh.fluxScale());
+        answer.received[0].add(received);
+        return flux.missing(answer, true)[0];
     }
 
     @Test

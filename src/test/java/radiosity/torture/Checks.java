@@ -25,6 +25,11 @@ final class Checks {
             + "|A fatal error has been detected");
     /** The terminal's library unpacks itself into a temporary file, which a limit for files stops. */
     private static final Pattern LIBRARY = Pattern.compile("(?m)^WARNING: Unable to load JLine's native library.*$");
+    /** What Java itself may say where a signal ends it before it has begun. */
+    private static final Pattern BEGINNING = Pattern.compile("Error occurred during initialization of VM\\R"
+            + "java\\.lang\\.InternalError.*\\R(\\s+at .*\\R?)*");
+    /** Exit codes after a signal. */
+    private static final Set<Integer> SIGNALLED = Set.of(130, 143);
     private static final Pattern INTERNAL = Pattern.compile("(?m)^.*(expected no error, got|internal error).*$");
     private static final Pattern LEFT_OVER = Pattern.compile(".*(\\.part|\\.tmp|\\.journal).*");
 
@@ -50,7 +55,9 @@ final class Checks {
         } else if (!DOCUMENTED.contains(ended.exitCode())) {
             fail(what + ": exit code " + ended.exitCode() + ", which is not documented");
         }
-        Matcher trace = TRACE.matcher(LIBRARY.matcher(ended.printed()).replaceAll(""));
+        String printed = LIBRARY.matcher(ended.printed()).replaceAll("");
+        Matcher trace = TRACE.matcher(!SIGNALLED.contains(ended.exitCode()) ? printed
+                : BEGINNING.matcher(printed).replaceAll(""));
         Matcher internal = INTERNAL.matcher(ended.printed());
         if (internal.find()) {
             fail(what + ": internal error: " + internal.group());

@@ -18,7 +18,7 @@ import radiosity.solution.Progress;
 public final class Summary {
 
     /** Part of the emitted flux above which estimates of errors are mostly about flux that is still unshot. */
-    private static final double MUCH_UNSENT = 0.01;
+    private static final double MUCH_UNSENT = 0.05;
     /** Number of surfaces that are named where the error is larger than was asked for. */
     private static final int WORST = 3;
 
