@@ -40,7 +40,7 @@ public final class TimedCalculation {
 
     /** The current calculation. */
     private ProgressiveRadiosity current;
-    /** Number of shots at the last check after the limit. */
+    /** Number of shots at the last check. */
     private int shots;
     /** Whether the limit has cut off the first calculation. */
     private boolean isCutOff;
@@ -124,12 +124,13 @@ public final class TimedCalculation {
         return course.left() - RESERVE * limit.seconds();
     }
 
+    /** Cuts off right after a step that has shot, never after one that divides or gathers: {@code -it} ends there. */
     private boolean goesOn() {
+        int before = shots;
+        shots = current == null ? 0 : current.shots();
         if (stop.made() || left() > 0) {
             return !stop.made();
         }
-        int before = shots;
-        shots = current.shots();
         isCutOff = best == null && shots > before && current.progress().unsent() <= LIT;
         if (best == null && !isCutOff && !isLate) {
             isLate = true;
