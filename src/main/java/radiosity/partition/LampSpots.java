@@ -27,6 +27,7 @@ public final class LampSpots {
     private static final double BEFORE = 1e-4;
     /** Corners that receive less than this part of the light that a lamp would send there do not see the lamp. */
     private static final double HIDDEN = 1.0 / 3;
+    /** Weights of the corners at the middle of an element. */
     private static final double[] MIDDLE = {1 / 3.0, 1 / 3.0, 1 / 3.0};
 
     private final Faces faces;
@@ -88,7 +89,7 @@ public final class LampSpots {
     public LampSpots(Faces faces, RadiosityBounds bounds) {
         this.faces = faces;
         this.bounds = bounds;
-        int[] emitting = IntStream.range(0, faces.count()).filter(this::emits).toArray();
+        int[] emitting = IntStream.range(0, faces.count()).filter(faces::emits).toArray();
         int points = 1 + IntStream.of(emitting).flatMap(f -> IntStream.range(3 * f, 3 * f + 3))
                 .map(i -> faces.point[i]).max().orElse(-1);
         DisjointSets connected = new DisjointSets(points);
@@ -101,10 +102,6 @@ public final class LampSpots {
             groups.computeIfAbsent(connected.of(faces.point[3 * f]), set -> new ArrayList<>()).add(f);
         }
         groups.values().forEach(group -> lamps.add(lamp(group.stream().mapToInt(f -> f).toArray())));
-    }
-
-    private boolean emits(int face) {
-        return IntStream.range(0, faces.channels()).anyMatch(c -> faces.exitance(face, c) > 0);
     }
 
     private Lamp lamp(int[] group) {

@@ -145,9 +145,9 @@ public final class CoarseSystem {
     /**
      * The change that an irradiance would make to one channel.
      *
-     * @param h          irradiance, channels per vertex, W/m²; not modified
-     * @param radiosity  channels per node of the coarse mesh, used for patches, W/m²; not modified
-     * @param weights    1 / mean radiosity, m²/W
+     * @param h         irradiance, channels per vertex, W/m²; not modified
+     * @param radiosity channels per node of the coarse mesh, used for patches, W/m²; not modified
+     * @param weights   1 / mean radiosity, m²/W
      */
     public Change change(double[] h, double[] radiosity, Weights weights, int c) {
         double area = 0;

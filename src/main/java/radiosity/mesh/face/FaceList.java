@@ -74,7 +74,7 @@ final class FaceList {
         return list;
     }
 
-    /** The same faces but some. */
+    /** The same faces without some of them. */
     FaceList without(BitSet some) {
         FaceList list = new FaceList(box, points, count);
         list.dropped = dropped;

@@ -89,15 +89,9 @@ public final class Faces {
         return new Faces(scene, box, kinds, list.withPieces(pieces), pieces.edges());
     }
 
-    /** The same scene without some faces. */
+    /** Faces of the same scene without some of them; this object where there are none. */
     public Faces without(BitSet dropped) {
         return dropped.isEmpty() ? this : new Faces(scene, box, kinds, list.without(dropped), new LongIndex(0));
-    }
-
-    /** Whether a face is one of the two sides of a two-sided triangle, both of which are faces. */
-    public boolean isOfTwo(int face) {
-        return face > 0 && triangle(face - 1) == triangle(face) && side[face - 1] != side[face]
-                || face + 1 < count && triangle(face + 1) == triangle(face) && side[face + 1] != side[face];
     }
 
     /** A point of the scene, brought to size 1 around the origin. */
@@ -258,6 +252,16 @@ public final class Faces {
     /** Whether a face is a piece of a cut triangle: other triangles stand on or pass through only a piece's border. */
     public boolean isPiece(int face) {
         return list.piece[face];
+    }
+
+    /** Whether a face emits light in any channel. */
+    public boolean emits(int face) {
+        for (int c = 0; c < channels; c++) {
+            if (exitance(face, c) > 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Exitance E, mean over a face, W/m². */

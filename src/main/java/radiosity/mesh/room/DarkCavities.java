@@ -29,7 +29,7 @@ public final class DarkCavities {
         shells = new FaceShells(faces);
         members = new FaceGroups(shells.shell);
         for (int f = 0; f < faces.count(); f++) {
-            for (int place = 0; place < SolidAngle.PLACES && emits(f); place++) {
+            for (int place = 0; place < SolidAngle.PLACES && faces.emits(f); place++) {
                 places.add(SolidAngle.before(faces, f, place));
             }
         }
@@ -50,7 +50,7 @@ public final class DarkCavities {
     /** The faces that are inner sides of dark bodies, by number; none where no surface is two-sided. */
     public static BitSet of(Faces faces) {
         BitSet dark = new BitSet();
-        if (IntStream.range(0, faces.count()).noneMatch(faces::isOfTwo)) {
+        if (IntStream.range(0, faces.count()).noneMatch(f -> isTwoSided(faces, f))) {
             return dark;
         }
         DarkCavities all = new DarkCavities(faces);
@@ -62,13 +62,8 @@ public final class DarkCavities {
         return dark;
     }
 
-    private boolean emits(int face) {
-        for (int c = 0; c < faces.channels(); c++) {
-            if (faces.exitance(face, c) > 0) {
-                return true;
-            }
-        }
-        return false;
+    private static boolean isTwoSided(Faces faces, int face) {
+        return faces.scene().surface(faces.triangle(face)).twoSided();
     }
 
     private boolean isDark(int shell) {
@@ -82,7 +77,7 @@ public final class DarkCavities {
         Arrays.fill(low, Double.POSITIVE_INFINITY);
         Arrays.fill(high, Double.NEGATIVE_INFINITY);
         for (int f : walls) {
-            if (!faces.isOfTwo(f) || emits(f)) {
+            if (!isTwoSided(faces, f) || faces.emits(f)) {
                 return false;
             }
             volume += SolidAngle.volume(faces, f);

@@ -33,6 +33,12 @@ final class SolidAngle {
         return triple(corners(faces, face, 0, 0, 0)) / 6;
     }
 
+    /**
+     * Whether a point lies inside a shell.
+     *
+     * @param at    x, y, z in the scene brought to size 1; not modified
+     * @param walls the faces of a whole shell that is seen from inside; not modified
+     */
     static boolean isInside(Faces faces, double[] at, int[] walls) {
         double angle = 0;
         for (int f : walls) {
