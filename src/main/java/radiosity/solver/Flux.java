@@ -224,16 +224,25 @@ final class Flux {
         return missing;
     }
 
-    /** The ledger with one value per channel. */
+    /** The ledger of the calculation, with one value per channel. */
     EnergyLedger byChannel(Answer answer) {
         double[] gone = mesh.predicts() ? Arrays.copyOf(escaped, shot.length) : new double[0];
         return new EnergyLedger(emitted.clone(), shot.clone(), values(answer.received), values(answer.absorbed),
                 values(answer.unshot), gone);
     }
 
-    /** The ledger with one value per colour, the sum over layers. */
-    EnergyLedger ofAllLayers(Answer answer) {
+    /**
+     * The ledger of the light that is shown, with one value per colour, the sum over layers.
+     *
+     * @param share one per channel: share of the received flux that is shown, in [0, 1]
+     */
+    EnergyLedger ofAllLayers(Answer answer, double[] share) {
         EnergyLedger all = byChannel(answer);
+        for (int c = 0; c < share.length; c++) {
+            all.unshot()[c] -= (1 - share[c]) * (all.received()[c] - all.absorbed()[c]);
+            all.received()[c] *= share[c];
+            all.absorbed()[c] *= share[c];
+        }
         return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),
                 ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()), ofAllLayers(all.escaped()));
     }

@@ -24,6 +24,8 @@ final class Merger {
     /** channels per vertex: sum of irradiance over the vertex's copies, W/m². */
     private double[] irradiance;
     private final VertexBulge bulge;
+    /** One per channel: see {@link SolveCounters#shownShare}. */
+    private final double[] share;
     /** 1 per vertex: its key; the corners of an element that is a point have keys derived from the point's key. */
     private long[] vertexKey = new long[1024];
     /** 1 per vertex: number of its copies in blocks, without buried copies. */
@@ -33,11 +35,13 @@ final class Merger {
     private int elements;
 
     /**
-     * @param dark number of the round whose new vertices have not gathered yet; they take the irradiance of their
-     *             neighbours; 0 where there is no such round
+     * @param dark  number of the round whose new vertices have not gathered yet; they take the irradiance of their
+     *              neighbours; 0 where there is no such round
+     * @param share one per channel: share of the irradiance that is shown, in [0, 1]; not modified
      */
-    Merger(InitialMesh mesh, List<byte[]> states, int dark) {
+    Merger(InitialMesh mesh, List<byte[]> states, int dark, double[] share) {
         this.mesh = mesh;
+        this.share = share;
         this.dark = dark;
         channels = mesh.faces.channels();
         irradiance = new double[channels * 1024];
@@ -100,7 +104,8 @@ final class Merger {
         int vertices = index.size();
         for (int i = 0; i < channels * vertices; i++) {
             int v = i / channels;
-            irradiance[i] = bulge.shown(vertexKey[v], i % channels, irradiance[i] / Math.max(1, copies[v]));
+            int c = i % channels;
+            irradiance[i] = share[c] * bulge.shown(vertexKey[v], c, irradiance[i] / Math.max(1, copies[v]));
         }
         fillBuried();
         return new Solution(mesh.scene, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),

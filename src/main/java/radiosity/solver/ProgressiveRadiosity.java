@@ -322,7 +322,7 @@ public final class ProgressiveRadiosity {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return counters.flux.ofAllLayers(counters.shown(last.newest()));
+        return counters.ledger(last.newest());
     }
 
     /**
@@ -334,8 +334,9 @@ public final class ProgressiveRadiosity {
     public Solution solution() throws IOException {
         know();
         List<byte[]> blocks = world.blocks();
-        return new Merger(world.mesh, blocks, counters.dark()).solution(counters.shots(), counters.rounds(),
-                Flux.sum(counters.shown(last.newest()).unshotFlux), ledger(), state(blocks));
+        Answer now = last.newest();
+        return new Merger(world.mesh, blocks, counters.dark(), counters.shownShare(now)).solution(counters.shots(),
+                counters.rounds(), Flux.sum(counters.shown(now).unshotFlux), counters.ledger(now), state(blocks));
     }
 
     /**

@@ -8,6 +8,7 @@ import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
+import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
 import radiosity.util.ParallelFor;
 
@@ -105,6 +106,25 @@ final class SolveCounters {
      */
     Answer shown(Answer last) {
         return dark != 0 ? beforeDark : beforeRenewal != null ? last.withUnshotFlux(beforeRenewal) : last;
+    }
+
+    /**
+     * The share of the irradiance that is shown, one per channel, in [0, 1]. It is below 1 where a calculation was
+     * stopped after more flux was received than was shot, which the next round would take back; the calculation itself
+     * goes on from all irradiance.
+     */
+    double[] shownShare(Answer last) {
+        double[] share = new double[mesh.faces.channels()];
+        double[] missing = mesh.predicts() && shots > 0 ? flux.missing(shown(last), false) : new double[share.length];
+        for (int c = 0; c < share.length; c++) {
+            share[c] = Math.max(0, Math.min(1, 1 + missing[c]));
+        }
+        return share;
+    }
+
+    /** The ledger of the light that is shown. */
+    EnergyLedger ledger(Answer last) {
+        return flux.ofAllLayers(shown(last), shownShare(last));
     }
 
     Progress progress(Answer last, double error) {
