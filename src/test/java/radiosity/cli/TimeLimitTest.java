@@ -6,10 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -21,12 +25,24 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.RendererOptions;
 import radiosity.cli.options.TimeLimit;
 import radiosity.cli.options.Values;
+import radiosity.cli.render.ConsoleSession;
+import radiosity.cli.render.OutputFiles;
+import radiosity.cli.render.RenderJob;
+import radiosity.cli.render.RenderResult;
 import radiosity.cli.render.SavedCalculation;
+import radiosity.cli.render.TimedCalculation;
+import radiosity.cli.render.Warnings;
+import radiosity.cli.terminal.NoProgress;
 import radiosity.cli.terminal.ProgressText;
+import radiosity.cli.terminal.StopRequest;
 import radiosity.cli.terminal.TimeCourse;
+import radiosity.input.SceneReader;
+import radiosity.scene.Scene;
 import radiosity.solution.Progress;
 import radiosity.solution.SavedState;
 import radiosity.testkit.Program;
@@ -97,6 +113,43 @@ class TimeLimitTest {
         arguments.addAll(List.of(options.strip().split(" ")));
         arguments.addAll(List.of(program.file("foobar.lws"), program.file("foobar.scene")));
         return ProgramRun.of(arguments.toArray());
+    }
+
+    /** The limit ends at every look at the clock, so also at those after elements were divided. */
+    @Test
+    void cutOffAtAnyLook_isTheSameAsByTheOptionsThatArePrinted() throws IOException {
+        Program program = new Program(directory);
+        Map<Integer, SavedState> byShots = new HashMap<>();
+        for (int looks = 1; looks < 30; looks++) {
+            RenderResult timed = timed(program, looks);
+            int shots = timed.progress().shots();
+            if (timed.isCut() && !byShots.containsKey(shots)) {
+                ProgramRun again = run("--schedule predict --accuracy 50% -it " + shots, program);
+                assertEquals(ExitCode.DONE, again.exitCode(), again.err());
+                byShots.put(shots, SavedCalculation.read(program.file("foobar.scene")).state());
+            }
+            assertEquals(timed.isCut() ? byShots.get(shots) : timed.solution().state(), timed.solution().state(),
+                    "after " + looks + " looks");
+        }
+        assertTrue(!byShots.isEmpty(), "never cut off");
+    }
+
+    /** By a clock that is looked at a number of times until the limit ends. */
+    private static RenderResult timed(Program program, int looks) throws IOException {
+        List<String> arguments = List.of("-q", "-pa", "5000", "--time", "1s", program.file("foobar.lws").toString(),
+                program.file("foobar.scene").toString());
+        RendererOptions options = new RendererOptions();
+        new CommandLine(options).parseArgs(arguments.toArray(new String[0]));
+        StopRequest stop = new StopRequest();
+        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
+        ConsoleSession user = new ConsoleSession(nowhere, new NoProgress(nowhere), stop);
+        OutputFiles files = new OutputFiles(options, arguments);
+        Warnings warnings = new Warnings(line -> { }, false);
+        Scene scene = SceneReader.read(options.input(), options.scene.readOptions(), warnings::print);
+        int[] looked = {0};
+        TimeCourse course = new TimeCourse(1, () -> ++looked[0] < looks ? 0 : 2);
+        return new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
+                options.calculation.settings(scene, options.calculation.defaults()), options.calculation.time, course, user, stop, files).run();
     }
 
     @Test
