@@ -10,7 +10,9 @@ import java.util.List;
  * <p>Absorbed flux is the integral of (1 - reflectance) times irradiance, which is linear over every triangle. Escaped
  * flux is what leaves a surface and then meets nothing or the back of something: found by rays of this class, from
  * points distributed like radiosity and with directions distributed like the cosine. Both together are what was
- * emitted, less what is unshot.
+ * emitted, less what is unshot. A face that stands in a body or lies against one shows light on the whole of its
+ * triangles, where none arrives on the covered part: what would be absorbed there is found by points distributed like
+ * absorbed flux, from which all rays meet backs.
  */
 final class Energy {
 
@@ -18,8 +20,10 @@ final class Energy {
     static final double MOST = 1.002;
     /** No radiosity of a finished render is lower, relative to the mean. */
     static final double LOWEST = -1e-6;
-    private static final int MOST_TESTS = 30_000_000;
+    private static final int MOST_TESTS = 120_000_000;
     private static final int MOST_RAYS = 20_000;
+    /** So many rays from a covered point meet backs. */
+    private static final int COVERED = 12;
 
     /** W per channel. */
     final double[] emitted = new double[3];
@@ -27,8 +31,13 @@ final class Energy {
     final double[] escaped = new double[3];
     /** Standard deviation of what escaped, W per channel. */
     final double[] deviation = new double[3];
+    /** Flux counted in {@link #absorbed} on covered parts, W per channel; and its standard deviation. */
+    final double[] covered = new double[3];
+    final double[] coveredDeviation = new double[3];
     private final List<double[]> triangles = new ArrayList<>();
     private final List<double[]> light = new ArrayList<>();
+    /** Flux that is absorbed, W per channel of each triangle. */
+    private final List<double[]> taken = new ArrayList<>();
     /** Sum of |unshot flux| over elements and channels, W. */
     private final double unshot;
     private double size;
@@ -44,7 +53,8 @@ final class Energy {
                 add(mesh, i);
             }
         }
-        follow(new Dice(seed));
+        count(light, escaped, deviation, 1, new Dice(seed));
+        count(taken, covered, coveredDeviation, COVERED, new Dice(seed));
     }
 
     private void add(LightFile.Mesh mesh, int first) {
@@ -55,6 +65,7 @@ final class Energy {
         double area = length(normal(t)) / 2;
         this.area += area;
         double[] leaving = new double[3];
+        double[] staying = new double[3];
         boolean painted = mesh.attributes().containsKey("_REFLECTANCE");
         for (int c = 0; c < 3; c++) {
             for (int k = 0; k < 3; k++) {
@@ -65,38 +76,48 @@ final class Energy {
                 lowest = Math.min(lowest, radiosity);
                 double exitance = painted && mesh.exitance()[c] > 0 ? Math.max(0, radiosity - reflectance * arriving)
                         : mesh.exitance()[c];
-                absorbed[c] += area / 3 * (1 - reflectance) * arriving;
+                staying[c] += area / 3 * (1 - reflectance) * arriving;
                 emitted[c] += area / 3 * exitance;
                 leaving[c] += area / 3 * radiosity;
             }
             leaving[c] = Math.max(0, leaving[c]);
+            absorbed[c] += staying[c];
+            staying[c] = Math.max(0, staying[c]);
         }
         triangles.add(t);
         light.add(leaving);
+        taken.add(staying);
         for (double x : t) {
             size = Math.max(size, Math.abs(x));
         }
     }
 
-    private void follow(Dice dice) {
-        double[] upTo = new double[light.size() + 1];
-        for (int i = 0; i < light.size(); i++) {
-            upTo[i + 1] = upTo[i] + light.get(i)[0] + light.get(i)[1] + light.get(i)[2];
+    /**
+     * Sums the flux at points from which a number of rays all end where no light comes from.
+     *
+     * @param flux      distribution of the points: W per channel of each triangle
+     * @param found     modified: adds the flux of these points, W per channel
+     * @param deviation modified: set to the standard deviation of that, W per channel
+     */
+    private void count(List<double[]> flux, double[] found, double[] deviation, int rays, Dice dice) {
+        double[] upTo = new double[flux.size() + 1];
+        for (int i = 0; i < flux.size(); i++) {
+            upTo[i + 1] = upTo[i] + flux.get(i)[0] + flux.get(i)[1] + flux.get(i)[2];
         }
-        double total = upTo[light.size()];
-        int rays = Math.min(MOST_RAYS, MOST_TESTS / Math.max(1, triangles.size()));
+        double total = upTo[flux.size()];
+        int points = Math.min(MOST_RAYS, MOST_TESTS / Math.max(1, triangles.size()));
         double[] squares = new double[3];
-        for (int n = 0; n < rays && total > 0; n++) {
-            int from = Arrays.binarySearch(upTo, (n + dice.between(0, 1)) / rays * total);
-            from = Math.min(light.size() - 1, from < 0 ? -from - 2 : from);
-            if (!escapes(triangles.get(from), dice)) {
+        for (int n = 0; n < points && total > 0; n++) {
+            int from = Arrays.binarySearch(upTo, (n + dice.between(0, 1)) / points * total);
+            from = Math.min(flux.size() - 1, from < 0 ? -from - 2 : from);
+            if (!endsInTheDark(triangles.get(from), rays, dice)) {
                 continue;
             }
             double sum = upTo[from + 1] - upTo[from];
             for (int c = 0; c < 3; c++) {
-                double flux = sum > 0 ? light.get(from)[c] / sum * total / rays : 0;
-                escaped[c] += flux;
-                squares[c] += flux * flux;
+                double its = sum > 0 ? flux.get(from)[c] / sum * total / points : 0;
+                found[c] += its;
+                squares[c] += its * its;
             }
         }
         for (int c = 0; c < 3; c++) {
@@ -104,7 +125,8 @@ final class Energy {
         }
     }
 
-    private boolean escapes(double[] t, Dice dice) {
+    /** Whether rays from a point of a triangle all leave the scene or meet backs; of several rays, whether backs. */
+    private boolean endsInTheDark(double[] t, int rays, Dice dice) {
         double u = Math.sqrt(dice.between(0, 1));
         double v = dice.between(0, 1);
         double[] n = normal(t);
@@ -114,7 +136,15 @@ final class Energy {
             n[k] *= scale;
             origin[k] = (1 - u) * t[k] + u * (1 - v) * t[3 + k] + u * v * t[6 + k] + 1e-6 * size * n[k];
         }
-        double[] direction = direction(n, dice);
+        boolean dark = true;
+        for (int ray = 0; ray < rays && dark; ray++) {
+            dark = meetsNoFront(origin, direction(n, dice), rays == 1);
+        }
+        return dark;
+    }
+
+    /** Whether a ray meets the back of something first, or nothing, where that counts. */
+    private boolean meetsNoFront(double[] origin, double[] direction, boolean orNothing) {
         double front = Double.MAX_VALUE;
         double back = Double.MAX_VALUE;
         for (double[] other : triangles) {
@@ -125,7 +155,7 @@ final class Energy {
                 back = Math.min(back, -at);
             }
         }
-        return front == Double.MAX_VALUE || back < front - 1e-5 * size;
+        return front == Double.MAX_VALUE ? orNothing || back < front : back < front - 1e-5 * size;
     }
 
     /** About a normal, distributed like the cosine: a point of the sphere that touches the surface. */
@@ -179,13 +209,14 @@ final class Energy {
     }
 
     /**
-     * The largest share of a channel's emitted flux that was certainly absorbed or escaped: less three deviations of
-     * what escaped, and less what is unshot, as light that is predicted is shot before it is there.
+     * The largest share of a channel's emitted flux that was certainly absorbed or escaped: by three deviations of what
+     * escaped and of what is covered, and less what is unshot, as light that is predicted is shot before it is there.
      */
     double found() {
         double most = 0;
         for (int c = 0; c < 3; c++) {
-            double flux = absorbed[c] + Math.max(0, escaped[c] - 3 * deviation[c]) - unshot;
+            double flux = absorbed[c] - covered[c] - 3 * coveredDeviation[c]
+                    + Math.max(0, escaped[c] - 3 * deviation[c]) - unshot;
             most = Math.max(most, emitted[c] > 0 ? flux / emitted[c] : flux > 0 ? Double.POSITIVE_INFINITY : 0);
         }
         return most;
