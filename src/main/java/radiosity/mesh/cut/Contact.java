@@ -23,6 +23,11 @@ record Contact(Vec3 from, Vec3 to, Vec3 across) {
         return p.minus(from).dot(to.minus(from)) / length();
     }
 
+    /** Whether the segment may have a point in a sphere; false is certain. */
+    boolean reaches(Vec3 middle, double radius) {
+        return Math.abs(beside(middle)) <= radius && along(middle) >= -radius && along(middle) <= length() + radius;
+    }
+
     boolean holds(Vec3 p, double near) {
         double at = along(p);
         return Math.abs(beside(p)) <= near && at >= -near && at <= length() + near;

@@ -45,7 +45,7 @@ final class CutMesh {
             points.use(faces.point[3 * face + k]);
         }
         int[] corners = {faces.point[3 * face], faces.point[3 * face + 1], faces.point[3 * face + 2]};
-        add(new CutPolygon(face, corners, corners));
+        add(new CutPolygon(face, corners, corners, points));
     }
 
     private void add(CutPolygon p) {
@@ -102,9 +102,10 @@ final class CutMesh {
         }
         for (int k = 0; k < 3; k++) {
             int before = middle[(k + 2) % 3];
-            add(new CutPolygon(p.face, p.chain(before, middle[k]), new int[] {c[k], middle[k], before}));
+            add(new CutPolygon(p.face, p.chain(before, middle[k]), new int[] {c[k], middle[k], before},
+                    points));
         }
-        add(new CutPolygon(p.face, middle, middle));
+        add(new CutPolygon(p.face, middle, middle, points));
     }
 
     private int middle(CutPolygon p, int from, int to) {
@@ -146,7 +147,9 @@ final class CutMesh {
         for (int i = 0; i < 2; i++) {
             Vec3 end = i == 0 ? contact.from() : contact.to();
             for (CutPolygon p : polygons.get(face)) {
-                pin(p, contact, end);
+                if (p.middle.minus(end).length() <= p.radius + near) {
+                    pin(p, contact, end);
+                }
             }
         }
     }
@@ -182,8 +185,8 @@ final class CutMesh {
                 insert(p, u[i], v[i], end[i]);
             }
         }
-        add(new CutPolygon(p.face, p.chain(end[0], end[1]), null));
-        add(new CutPolygon(p.face, p.chain(end[1], end[0]), null));
+        add(new CutPolygon(p.face, p.chain(end[0], end[1]), null, points));
+        add(new CutPolygon(p.face, p.chain(end[1], end[0]), null, points));
     }
 
     /** The point at which a contact's line meets an edge; u must be below v, so that both sides get the same point. */
@@ -205,6 +208,9 @@ final class CutMesh {
      * the contact itself does not pass through the inside of the polygon.
      */
     private int[] crossing(CutPolygon p, Contact contact) {
+        if (!contact.reaches(p.middle, p.radius + near)) {
+            return null;
+        }
         int n = p.loop.length;
         double[] d = new double[n];
         double low = 0;

@@ -1,6 +1,8 @@
 package radiosity.mesh.cut;
 
 import java.util.Arrays;
+import radiosity.mesh.face.CutPoints;
+import radiosity.scene.Vec3;
 
 /** A convex piece of a face. Neighbouring polygons may have corners on its edges. */
 final class CutPolygon {
@@ -10,11 +12,16 @@ final class CutPolygon {
     int[] loop;
     /** The three corners where the polygon is still a triangle; else null. */
     final int[] corners;
+    /** Middle and radius of a sphere around the polygon, scene units. */
+    final Vec3 middle;
+    final double radius;
 
-    CutPolygon(int face, int[] loop, int[] corners) {
+    CutPolygon(int face, int[] loop, int[] corners, CutPoints points) {
         this.face = face;
         this.loop = loop;
         this.corners = corners;
+        middle = Arrays.stream(loop).mapToObj(points::at).reduce(Vec3.ZERO, Vec3::plus).times(1.0 / loop.length);
+        radius = Arrays.stream(loop).mapToDouble(p -> points.at(p).minus(middle).length()).max().orElseThrow();
     }
 
     int place(int point) {

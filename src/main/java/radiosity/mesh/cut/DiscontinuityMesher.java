@@ -107,6 +107,11 @@ public final class DiscontinuityMesher {
         }
         on.forEach((f, some) -> some.forEach(contact -> mesh.refine(f, contact)));
         on.forEach((f, some) -> some.forEach(contact -> mesh.cut(f, contact)));
+        int divided = part.stream().mapToInt(f -> mesh.polygons(f).size()).filter(n -> n > 1).sum();
+        if (count + divided > MOST) {
+            count += divided;
+            return;
+        }
         on.forEach((f, some) -> some.forEach(contact -> mesh.pin(f, contact)));
         for (int f : part) {
             for (CutPolygon polygon : mesh.polygons(f)) {
@@ -131,12 +136,14 @@ public final class DiscontinuityMesher {
 
     private void mark(CutPolygon polygon, List<Contact> contacts) {
         double near = Faces.NEAR * faces.size();
+        List<Contact> beside = contacts.stream()
+                .filter(contact -> contact.reaches(polygon.middle, polygon.radius + 2 * near)).toList();
         for (int i = 0; i < polygon.loop.length; i++) {
             int p = polygon.loop[i];
             int q = polygon.after(i);
             Vec3 a = points.at(p);
             Vec3 b = points.at(q);
-            if (contacts.stream().anyMatch(contact -> contact.holds(a, 2 * near) && contact.holds(b, 2 * near))) {
+            if (beside.stream().anyMatch(contact -> contact.holds(a, 2 * near) && contact.holds(b, 2 * near))) {
                 edges.findOrAdd(EdgePieces.key(p, q), edges.size());
             }
         }

@@ -15,8 +15,11 @@ final class FaceIntersections {
 
     /** A normal is along an axis of the scene if one of its components differs from 1 or -1 by less than this. */
     private static final double UPRIGHT = 1e-12;
-    /** Most contacts on one face; where there are more, the longest are kept. */
-    private static final int MOST = 256;
+    /**
+     * Most contacts on one face; where there are more, the longest are kept. Each is compared with each piece of the
+     * face, which takes seconds for so many.
+     */
+    private static final int MOST = 4096;
 
     private final Faces faces;
     private final CutPoints points;

@@ -5,12 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
@@ -50,11 +53,14 @@ class DiscontinuityMesherTest {
         assertEquals(new Faces(builder.scene("block")).area(), cut(builder).area(), 1e-12);
     }
 
-    /** Each piece of the floor has its middle either under the block or not, and no corner on the other side. */
-    @Test
-    void noPiece_liesHalfUnderABlock() {
+    /** Each piece of the floor has its middle either under a block or not, and no corner on the other side. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 14})
+    void noPiece_liesHalfUnderABlock(int rows) {
+        List<Prism> blocks = IntStream.range(0, rows * rows).mapToObj(i -> new Prism(.5, IntStream.range(0, 8)
+                .mapToDouble(k -> (BASE[k] + (k % 2 == 0 ? i % rows : i / rows)) / rows).toArray())).toList();
         SceneBuilder builder = floor();
-        new Prism(.5, BASE).addTo(builder, GREY);
+        blocks.forEach(block -> block.addTo(builder, GREY));
         Faces faces = cut(builder);
         assertTrue(IntStream.range(0, faces.count()).anyMatch(faces::isPiece));
         for (int f = 0; f < faces.count(); f++) {
@@ -62,19 +68,13 @@ class DiscontinuityMesherTest {
                     .times(1 / 3.);
             for (int k = 0; k < 3 && faces.normal(f, 1) == 1 && middle.y() == 0; k++) {
                 Vec3 nearCorner = faces.sceneCorner(f, k).times(.999).plus(middle.times(.001));
-                assertEquals(isUnder(middle), isUnder(nearCorner));
+                assertEquals(isUnder(blocks, middle), isUnder(blocks, nearCorner));
             }
         }
     }
 
-    private static boolean isUnder(Vec3 p) {
-        boolean inside = true;
-        for (int i = 0; i < 4; i++) {
-            Vec3 a = new Vec3(BASE[2 * i], 0, BASE[2 * i + 1]);
-            Vec3 b = new Vec3(BASE[(2 * i + 2) % 8], 0, BASE[(2 * i + 3) % 8]);
-            inside &= b.minus(a).cross(p.minus(a)).y() > 0;
-        }
-        return inside;
+    private static boolean isUnder(List<Prism> blocks, Vec3 p) {
+        return blocks.stream().anyMatch(block -> block.covers(p));
     }
 
     @Test
