@@ -21,6 +21,9 @@ import radiosity.util.LongIndex;
  * Of a hanging vertex of another part, of the same surface or not, only the position is used; the irradiance is
  * interpolated along the edge, so that no light crosses from one surface to another. Elements and vertices are
  * processed in the order of their ids.
+ *
+ * <p>The irradiance of a hanging vertex differs from the one between the ends of its edge. The flux that this adds to
+ * the split element is taken from all vertices of the element, so that no flux is gained or lost.
  */
 public final class TJunctions {
 
@@ -45,14 +48,23 @@ public final class TJunctions {
     private final double[] positions;
     /** The vertex of a part at a point; the key is made of the part and of {@link #same}. */
     private final LongIndex vertexAt;
-    /** The new vertices, each as x, y, z, then irradiance per channel, W/m². */
-    private final List<double[]> created = new ArrayList<>();
+    private final List<Created> created = new ArrayList<>();
     private final IntStream.Builder corners = IntStream.builder();
     private final IntStream.Builder faceOf = IntStream.builder();
+    /** Number of triangles in {@link #corners}. */
+    private int triangles;
     /** Tree over the points at which open edges end. */
     private final BoxTree tree;
     /** 1 per point of the tree: the vertex that represents the point. */
     private final int[] ends;
+
+    /**
+     * A new vertex between two others.
+     *
+     * @param share  position between the two, 0 at {@code from} and 1 at {@code to}
+     * @param values x, y, z, then irradiance per channel, W/m²
+     */
+    private record Created(int from, int to, double share, double[] values) { }
 
     private TJunctions(Solution solution) {
         this.solution = solution;
@@ -129,13 +141,87 @@ public final class TJunctions {
 
     private Solution closed() {
         int[] c = solution.corners();
+        int[] first = new int[solution.elements() + 1];
         for (int e = 0; e < solution.elements(); e++) {
             emit(e, new Polygon(c[3 * e], hanging(e, 0), c[3 * e + 1], hanging(e, 1), c[3 * e + 2], hanging(e, 2)));
+            first[e + 1] = triangles;
         }
-        return new Solution(solution.scene(), solution.channels(), solution.lamps(), withCreated(positions, 0, 3),
-                withCreated(solution.irradiance(), 3, solution.channels()), corners.build().toArray(),
-                faceOf.build().toArray(), solution.shots(), solution.rounds(), solution.unshotFlux(),
-                solution.ledger(), solution.state());
+        Solution closed = new Solution(solution.scene(), solution.channels(), solution.lamps(),
+                withCreated(positions, 0, 3), withCreated(solution.irradiance(), 3, solution.channels()),
+                corners.build().toArray(), faceOf.build().toArray(), solution.shots(), solution.rounds(),
+                solution.unshotFlux(), solution.ledger(), solution.state());
+        keepFlux(first, closed);
+        return closed;
+    }
+
+    /**
+     * Takes from the vertices of every split element the flux that its hanging vertices have added. New vertices stay
+     * between their neighbours.
+     *
+     * @param first  1 per element: its first triangle; then the number of triangles
+     * @param closed its irradiance is modified; what is 0 or more stays so
+     */
+    private void keepFlux(int[] first, Solution closed) {
+        int[] all = closed.corners();
+        double[] area = new double[triangles];
+        Arrays.setAll(area, t -> Elements.cross(closed, t).length() / 2);
+        double[] around = new double[closed.vertices()];
+        for (int i = 0; i < all.length; i++) {
+            around[all[i]] += area[i / 3];
+        }
+        for (int c = 0; c < closed.channels(); c++) {
+            double[] added = new double[around.length];
+            for (int e = 0; e < solution.elements(); e++) {
+                if (first[e + 1] - first[e] > 1) {
+                    addGain(e, c, first, closed, area, added);
+                }
+            }
+            takeBack(added, around, c, closed);
+        }
+    }
+
+    /**
+     * Deals the flux that a split element has gained to its vertices but the new ones, by the area of its triangles
+     * around each.
+     *
+     * @param area  1 per triangle; not modified
+     * @param added modified: three times the flux of one channel, 1 per vertex
+     */
+    private void addGain(int e, int channel, int[] first, Solution closed, double[] area, double[] added) {
+        double before = 0;
+        for (int k = 0; k < 3; k++) {
+            before += irradiance(solution.corners()[3 * e + k], channel) / 3;
+        }
+        double gain = 0;
+        double weights = 0;
+        for (int i = 3 * first[e]; i < 3 * first[e + 1]; i++) {
+            int v = closed.corners()[i];
+            gain += area[i / 3] * (closed.irradiance()[closed.channels() * v + channel] - before);
+            weights += v < solution.vertices() ? area[i / 3] : 0;
+        }
+        for (int i = 3 * first[e]; i < 3 * first[e + 1] && weights > 0; i++) {
+            int v = closed.corners()[i];
+            added[v] += v < solution.vertices() ? gain * area[i / 3] / weights : 0;
+        }
+    }
+
+    /**
+     * @param added  1 per vertex: three times the flux of one channel; not modified
+     * @param around 1 per vertex: area of the triangles around it; not modified
+     */
+    private void takeBack(double[] added, double[] around, int channel, Solution closed) {
+        double[] irradiance = closed.irradiance();
+        int n = closed.channels();
+        for (int v = 0; v < solution.vertices(); v++) {
+            double old = irradiance[n * v + channel];
+            irradiance[n * v + channel] -= added[v] == 0 ? 0 : Math.min(added[v] / around[v], Math.max(0, old));
+        }
+        for (int i = 0; i < created.size(); i++) {
+            Created between = created.get(i);
+            irradiance[n * (solution.vertices() + i) + channel] =
+                    (1 - between.share) * irradiance[n * between.from + channel]
+                    + between.share * irradiance[n * between.to + channel];
+        }
     }
 
     private double[] withCreated(double[] old, int from, int count) {
@@ -143,7 +229,7 @@ public final class TJunctions {
                 ArraySize.of("light at vertices in " + count + " channels", count, old.length / count
                         + created.size()));
         for (int i = 0; i < created.size(); i++) {
-            System.arraycopy(created.get(i), from, all, old.length + count * i, count);
+            System.arraycopy(created.get(i).values, from, all, old.length + count * i, count);
         }
         return all;
     }
@@ -241,13 +327,13 @@ public final class TJunctions {
         for (int c = 0; c < solution.channels(); c++) {
             vertex[3 + c] = (1 - share) * irradiance(from, c) + share * irradiance(to, c);
         }
-        created.add(vertex);
+        created.add(new Created(from, to, share, vertex));
         return solution.vertices() + created.size() - 1;
     }
 
     private double irradiance(int vertex, int channel) {
         return vertex < solution.vertices() ? solution.irradiance()[vertex * solution.channels() + channel]
-                : created.get(vertex - solution.vertices())[3 + channel];
+                : created.get(vertex - solution.vertices()).values[3 + channel];
     }
 
     /** An element with corners a, b, c and the hanging vertices on each edge, in the direction of the edge. */
@@ -262,6 +348,7 @@ public final class TJunctions {
     private void emit(int element, Polygon p) {
         int most = Math.max(p.ab.length, Math.max(p.bc.length, p.ca.length));
         if (most == 0) {
+            triangles++;
             corners.add(p.a).add(p.b).add(p.c);
             faceOf.add(solution.faceOf()[element]);
         } else if (p.ab.length < most) {
