@@ -39,6 +39,8 @@ public class CieTest {
         check(test, Solve.byDefault(), 0.02);
     }
 
+    /** For ten minutes on two cores. */
+    @Tag("thorough")
     @ParameterizedTest
     @MethodSource("cases")
     void everyPoint_isWithinAFifthOfAPerCentWhereThatIsAsked(CieCase test) {
