@@ -206,6 +206,8 @@ public final class TJunctions {
     }
 
     /**
+     * Lowers the vertices by the flux that was added to the triangles around them, and puts new vertices between.
+     *
      * @param added  1 per vertex: three times the flux of one channel; not modified
      * @param around 1 per vertex: area of the triangles around it; not modified
      */
