@@ -2,7 +2,6 @@ package radiosity.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -14,7 +13,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -22,9 +20,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import radiosity.testkit.NeedsProgram;
 
 /** The .cmd twins beside a jar, run by Windows' or Wine's cmd.exe with a java that only says how it was called. */
 @Tag("slow")
+@NeedsProgram({"wine", "cmd.exe"})
 @Timeout(600)
 class WindowsTwinsTest {
 
@@ -45,7 +45,6 @@ class WindowsTwinsTest {
 
     @BeforeAll
     static void layOut() throws IOException {
-        assumeTrue(WINDOWS || hasWine(), "needs cmd.exe or Wine, got neither");
         Files.createDirectories(WINE.getParent());
         host = Files.createDirectories(directory.resolve("a host"));
         for (String name : List.of("RadiosityRenderer.cmd", "PartitionServer.cmd", "ViewSceneFile.cmd", "start.cmd",
@@ -55,11 +54,6 @@ class WindowsTwinsTest {
         Files.writeString(host.resolve("radiosity.jar"), "");
         Path bin = Files.createDirectories(directory.resolve("a jdk").resolve("bin"));
         Files.writeString(bin.resolve("java.cmd"), "@echo off\r\necho java %*\r\nexit /b 3\r\n");
-    }
-
-    private static boolean hasWine() {
-        return Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator))
-                .anyMatch(folder -> Files.isExecutable(Path.of(folder, "wine")));
     }
 
     private static String windows(Path path) {

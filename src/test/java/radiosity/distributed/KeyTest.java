@@ -3,7 +3,6 @@ package radiosity.distributed;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -19,10 +18,12 @@ import radiosity.rmi.HostKey;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.Schedule;
 import radiosity.testkit.ColouredRoom;
+import radiosity.testkit.NeedsProgram;
 import radiosity.worker.PartitionPort;
 
 /** One key file on both sides, or one clear line. */
 @Tag("slow")
+@NeedsProgram("sh")
 class KeyTest {
 
     @TempDir
@@ -34,7 +35,6 @@ class KeyTest {
 
     @BeforeAll
     static void makeKeys() throws Exception {
-        assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "scripts/make-key needs a shell");
         key = make("a.key");
         otherKey = make("b.key");
     }

@@ -18,9 +18,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.testkit.NeedsProgram;
 
 /** The control panel of the window on a Cornell box with a second, blue light. */
 @Tag("slow")
+@NeedsProgram("Xvfb")
 class LampsTest {
 
     private static final int LEFT = SIZE / 10;

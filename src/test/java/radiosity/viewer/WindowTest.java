@@ -20,9 +20,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.testkit.NeedsProgram;
 
 /** The window on the Cornell box, used by key and mouse on a display in memory. */
 @Tag("slow")
+@NeedsProgram("Xvfb")
 class WindowTest {
 
     /** Half the window shows the left wall at this height, and so on; pixels. */
