@@ -534,6 +534,7 @@ final class Prediction implements Planner {
         out.writeInt(elements);
         out.writeBoolean(refined);
         out.writeDouble(left);
+        out.writeDouble(wanted);
         out.writeByte(mispredicted);
         for (double w : weight) {
             out.writeDouble(w);
@@ -549,11 +550,12 @@ final class Prediction implements Planner {
         elements = in.readInt();
         refined = in.readBoolean();
         left = in.readDouble();
+        double before = in.readDouble();
         mispredicted = in.readByte();
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
-        if (stage == Stage.DONE && changes == 0 && left > enough()) {
+        if (stage == Stage.DONE && changes == 0 && wanted < before && left > enough()) {
             stage = Stage.SHOOT; // the resumed calculation has a lower limit of unshot flux
             left = Double.POSITIVE_INFINITY;
         }
@@ -572,6 +574,7 @@ final class Prediction implements Planner {
         splits = in.readInt();
         elements = in.readInt();
         refined = in.readBoolean();
+        in.readDouble();
         in.readDouble();
         in.readByte();
         double[] old = new double[Weights.count(earlier.rooms, world.channels())];

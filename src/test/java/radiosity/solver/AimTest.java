@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.util.OptionalDouble;
@@ -12,6 +13,7 @@ import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
+import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
 import radiosity.testkit.RoomScenes;
 
@@ -70,6 +72,29 @@ class AimTest {
             radiosity.run(progress -> true);
             double after = radiosity.progress().unsent();
             assertTrue(before > 1e-4 && after <= 2e-4, "unsent " + before + ", then " + after);
+        }
+    }
+
+    /** The unshot flux that is left may exceed what the last estimate, which is lower than those before, would allow. */
+    @Test
+    void resumedAfterTheEnd_isLeftAsItIs() throws IOException {
+        SavedState before = null;
+        for (double error : new double[] {.2, .05, .02, .01}) {
+            SavedState end = run(before, error, progress -> true);
+            assertEquals(end, run(end, error, progress -> fail("goes on at " + error)));
+            before = end;
+        }
+    }
+
+    private static SavedState run(SavedState before, double error, RoundListener listener) throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
+            if (before != null) {
+                radiosity.resume(before);
+            }
+            radiosity.aim(error);
+            radiosity.run(listener);
+            return radiosity.state();
         }
     }
 
