@@ -8,6 +8,7 @@ import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.LightSources;
+import radiosity.formfactor.PointSequence;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.Block;
@@ -33,6 +34,8 @@ public final class Audit {
     private static final int ELEMENTS_PER_POINT = 20;
     private static final int LEAST_POINTS = 960;
     private static final int MOST_POINTS = 6000;
+    /** Number of rounds after which the same points would be chosen again. */
+    private static final int ROUNDS = 100_000;
     /**
      * Where each batch begins within the sampling step, as a fraction of the step. The second batch is added where the
      * relative standard error of the mean square error is above {@link #ENOUGH}, see {@link #certificate}.
@@ -75,15 +78,22 @@ public final class Audit {
     private final int wanted;
     private final List<AuditPoint> points = new ArrayList<>();
     private int batches;
+    private final int round;
+    /** Number of points that earlier audits may have used. */
+    private final int used;
 
     /**
      * @param states   encoded state of each block, by block id
      * @param ledger   flux at the time of the states
      * @param elements number of elements in the scene
      * @param asked    relative error of radiosity that is asked for
+     * @param round    number of rounds so far: after other rounds, other points are chosen, so that points by which
+     *                 the mesh was divided do not tell how well it is divided
      */
     public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, double asked,
-                 ParallelFor parallel) {
+                 int round, ParallelFor parallel) {
+        this.round = round;
+        used = round % ROUNDS * START.length * MOST_POINTS;
         this.mesh = mesh;
         this.states = states;
         this.ledger = ledger;
@@ -127,15 +137,29 @@ public final class Audit {
      * @param unshotFlux flux not shot yet, all channels, W
      */
     public Certificate certificate(double unshotFlux) throws IOException {
-        List<AuditPoint> first = places.pick(wanted, START[0], 0);
+        List<AuditPoint> first = places.pick(wanted, start(0), used);
         UniformRadiosity ambient = ambient(first);
         look(first, ambient);
         AuditResult result = result();
         while (!isBegun && batches < START.length && !isClear(result)) {
-            look(places.pick(wanted, START[batches], points.size()), ambient);
+            look(places.pick(wanted, start(batches), used + points.size()), ambient);
             result = result();
         }
         return result.certificate(unshotFlux, reciprocity());
+    }
+
+    /**
+     * The elements on which a point of the {@link #certificate} errs by more than interpolation on one element may.
+     *
+     * @param meshError largest error times square root of the share of area that an element may have, above 0
+     */
+    public Marked marked(double meshError) {
+        return result().marked(meshError);
+    }
+
+    /** Where a batch begins within the sampling step: elsewhere after each round. */
+    private double start(int batch) {
+        return (START[batch] + PointSequence.u(round)) % 1;
     }
 
     private boolean isClear(AuditResult result) {

@@ -12,6 +12,9 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.VertexBulge;
 import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.mesh.face.Subdivision;
+import radiosity.protocol.Mark;
 import radiosity.util.Hash;
 
 /** A point at which a solution is audited: the solution's light there, and the light gathered anew. */
@@ -21,6 +24,10 @@ final class AuditPoint {
     private static final int TIMES = 2;
 
     final int face;
+    /** Path of the element that contains the point, see {@link NodePath}. */
+    final long path;
+    /** Area of that element, in units of the squared scene size. */
+    final double elementArea;
     /** Area that the point represents, in units of the squared scene size. */
     final double area;
     /** Whether light is gathered at a corner of the element, too, and form factors are added up. */
@@ -77,6 +84,8 @@ final class AuditPoint {
         this.number = number;
         faces = nodes.faces();
         face = nodes.face(node);
+        path = nodes.path(node);
+        elementArea = nodes.area(node);
         int root = node;
         while (nodes.parent(root) >= 0) {
             root = nodes.parent(root);
@@ -199,6 +208,19 @@ final class AuditPoint {
     /** Noise that the rays of the audit leave in {@link #errorAtVertex}, W/m², as {@link #noise}. */
     double noiseAtVertex(int colour) {
         return vertexIsBuried ? 0 : sum(colour, c -> reflectance[c] * noise(anewAtVertex, c));
+    }
+
+    /**
+     * The node to be divided so that the element around the point becomes smaller by some divisions, at least 1; fewer
+     * where the mesh cannot be as deep.
+     */
+    Mark mark(int divisions) {
+        double[] at = weight.clone();
+        long node = path;
+        for (int i = 1; i < divisions && NodePath.level(node) + 1 < NodePath.MAX_LEVEL; i++) {
+            node = NodePath.child(node, Subdivision.enter(at));
+        }
+        return new Mark(face, node);
     }
 
     /** Irradiance that the solution reflects, less the irradiance gathered anew, W/m². */

@@ -4,11 +4,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
+import radiosity.protocol.Mark;
 import radiosity.scene.Surface;
 import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
@@ -27,6 +30,8 @@ final class AuditResult {
     private final EnergyLedger ledger;
     /** 1 per colour. */
     private final AuditBias[] bias;
+    /** 1 per colour: mean radiosity at the points that reflect, W/m². */
+    private final double[] means;
     /** Errors of all points that reflect. */
     private final Errors errors;
 
@@ -40,7 +45,10 @@ final class AuditResult {
         this.ledger = ledger;
         bias = new AuditBias[faces.colours()];
         Arrays.setAll(bias, c -> new AuditBias(mesh, all, batches, ledger, c));
-        errors = errors(reflecting());
+        List<AuditPoint> reflecting = reflecting();
+        means = new double[faces.colours()];
+        Arrays.setAll(means, c -> mean(reflecting, p -> p.radiosity(c)));
+        errors = errors(reflecting);
     }
 
     /** Expected error, relative to the mean radiosity. */
@@ -226,20 +234,64 @@ final class AuditResult {
     /** Standard error of the mean square error, relative to the mean square error; 0 where no point errs. */
     double uncertainty() {
         List<AuditPoint> some = reflecting();
-        double[] error = new double[some.size()];
-        for (int c = 0; c < faces.colours(); c++) {
-            int colour = c;
-            double mean = mean(some, p -> p.radiosity(colour));
-            for (int i = 0; i < error.length && mean > 0; i++) {
-                error[i] += square(some.get(i).error(c) / unit(some.get(i).radiosity(c), mean));
-            }
-        }
+        double[] error = squares(some);
         Trimmed left = Trimmed.of(some, error);
         double deviation = 0;
         for (int i = 0; i < error.length; i++) {
             deviation += square(left.area[i] * error[i] - left.area[i] / left.whole * left.sum);
         }
         return left.sum > 0 ? Math.sqrt(deviation) / left.sum : 0;
+    }
+
+    /** @param meshError largest error times square root of the share of area that an element may have, above 0 */
+    Marked marked(double meshError) {
+        List<AuditPoint> some = reflecting();
+        Set<Mark> marks = new LinkedHashSet<>();
+        double[] square = squares(some);
+        Trimmed left = Trimmed.of(some, square);
+        double sum = 0;
+        for (int i = 0; i < square.length; i++) {
+            double ratio = certain(some.get(i)) * Math.sqrt(some.get(i).elementArea / faces.area()) / meshError;
+            if (ratio > 1) {
+                marks.add(some.get(i).mark(divisions(ratio)));
+                sum += left.area[i] * square[i];
+            }
+        }
+        return new Marked(List.copyOf(marks), left.sum > 0 ? sum / left.sum : 0);
+    }
+
+    /** How often an element is divided until an error times the root of its area has fallen by a factor above 1. */
+    private static int divisions(double factor) {
+        int divisions = 1;
+        for (double fallen = 2; fallen < factor; fallen *= 2) {
+            divisions++;
+        }
+        return divisions;
+    }
+
+    /** Error of a point but for the noise of its rays, relative to the mean radiosity; the largest over the colours. */
+    private double certain(AuditPoint point) {
+        double largest = 0;
+        for (int c = 0; c < faces.colours(); c++) {
+            double mean = means[c];
+            if (mean > 0) {
+                largest = Math.max(largest, (Math.abs(point.error(c)) - Math.abs(point.noise(c)))
+                        / unit(point.radiosity(c), mean));
+            }
+        }
+        return largest;
+    }
+
+    /** Square error of each point, relative to the mean radiosity, summed over the colours that have light. */
+    private double[] squares(List<AuditPoint> some) {
+        double[] square = new double[some.size()];
+        for (int c = 0; c < faces.colours(); c++) {
+            for (int i = 0; i < square.length && means[c] > 0; i++) {
+                AuditPoint point = some.get(i);
+                square[i] += square(point.error(c) / unit(point.radiosity(c), means[c]));
+            }
+        }
+        return square;
     }
 
     private static double square(double x) {

@@ -11,7 +11,6 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.partition.GhostVertices;
-import radiosity.partition.LampSpots;
 import radiosity.partition.MeshRefinement;
 import radiosity.protocol.Order;
 import radiosity.scene.Vec3;
@@ -66,7 +65,7 @@ final class MeshTransfer {
     MeshTransfer(SceneChange change, RadiosityNodes old, Order.Rules rules, InitialMesh earlierMesh, InitialMesh mesh) {
         this.old = old;
         refinement = new MeshRefinement(old, new Weights(earlierMesh.rooms, old.channels(), rules.weight()),
-                rules.meshError(), new LampSpots(old.faces(), earlierMesh.bounds()));
+                rules.meshError());
         before = old.faces();
         now = mesh.faces;
         channels = now.channels();

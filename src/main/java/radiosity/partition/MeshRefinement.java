@@ -1,15 +1,18 @@
 package radiosity.partition;
 
+import java.util.List;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.protocol.Mark;
 import radiosity.settings.Accuracy;
 import radiosity.util.ParallelFor;
 
 /**
  * Divides elements where the light at the middle of an edge is not the mean of the light at the edge's ends: linear
- * interpolation errs there. Elements with {@link LampSpots} between their corners are divided, too.
+ * interpolation errs there. Elements on which independent points have found an error are divided, too.
  *
  * <p>The middles of a parent's edges are vertices of its children. The difference between the irradiance at a middle
  * and the mean of the edge's ends is the error that the parent would have as an element; where that error is too large,
@@ -43,17 +46,14 @@ public final class MeshRefinement {
     private final Faces faces;
     private final Weights weights;
     private final double meshError;
-    private final LampSpots spots;
     private final double area;
 
     /**
      * @param weights   1 / mean radiosity, m²/W
      * @param meshError largest error times square root of the share of area that an element may have; an error on a
      *                  bright element is divided by the brightness of the element
-     * @param spots     of the scene's lamps
      */
-    public MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError, LampSpots spots) {
-        this.spots = spots;
+    public MeshRefinement(RadiosityNodes nodes, Weights weights, double meshError) {
         this.nodes = nodes;
         faces = nodes.faces();
         this.weights = weights;
@@ -66,15 +66,16 @@ public final class MeshRefinement {
      * divided; the children of an element divided here are decided afterwards, and may be divided in the same call.
      *
      * @param round number of the round: new vertices are shared among splits of the same number
+     * @param marks nodes to divide whatever their vertices have received
      */
-    void splitAll(int round, ParallelFor parallel) {
+    void splitAll(int round, List<Mark> marks, ParallelFor parallel) {
         byte[] wanted = new byte[nodes.nodes()];
         parallel.run(wanted.length, RUN, (from, to) -> {
             for (int node = from; node < to; node++) {
                 wanted[node] = nodes.isElement(node) ? UNKNOWN : wanted(node);
             }
         });
-        nodes.beginSplits(count(wanted));
+        nodes.beginSplits(count(wanted) + marks.size());
         for (int node = 0; node < wanted.length; node++) {
             if (!nodes.isElement(node)) {
                 splitChildren(node, wanted[node] == UNKNOWN ? wanted(node) : wanted[node], round);
@@ -84,6 +85,28 @@ public final class MeshRefinement {
             if (nodes.isElement(top) && wantsTop(top)) {
                 nodes.split(top, round);
             }
+        }
+        marks.forEach(mark -> divide(mark, round));
+    }
+
+    /** Divides a marked node if it is in a block of this partition: first the element of which it is a part. */
+    private void divide(Mark mark, int round) {
+        int depth = NodePath.level(mark.path());
+        int level = depth;
+        int node = nodes.find(mark.face(), mark.path());
+        while (node < 0 && level > 0) {
+            level--;
+            node = nodes.find(mark.face(), mark.path() >> 2 * (depth - level));
+        }
+        while (node >= 0 && level <= depth) {
+            if (nodes.isElement(node)) {
+                if (nodes.area(node) / area <= LEAST_AREA) {
+                    return;
+                }
+                nodes.split(node, round);
+            }
+            level++;
+            node = level <= depth ? nodes.child(node) + NodePath.step(mark.path(), level) : -1;
         }
     }
 
@@ -185,8 +208,7 @@ public final class MeshRefinement {
         double brightness = brightness(element);
         double most = meshError * brightness / Math.sqrt(share);
         return share > LEAST_AREA && (error > most
-                || brightness > 1 && error / importance(element) * share > FLUX * meshError
-                || spots.spoil(nodes, element, weights, most));
+                || brightness > 1 && error / importance(element) * share > FLUX * meshError);
     }
 
     /** Error at the middle of the edge opposite corner k; {@link #ofVisible} where a vertex of the edge is buried. */

@@ -35,8 +35,6 @@ public final class PartitionImpl implements Partition {
     private final ParallelFor parallel;
     private final Gatherer receivers;
     private final LightSources lights;
-    /** Made when elements are divided first; null before. */
-    private LampSpots spots;
     private final AdaptiveMeshing meshing;
     private final RadiosityNodes nodes;
     private final BlockCosts costs;
@@ -168,21 +166,14 @@ public final class PartitionImpl implements Partition {
         return least < 0;
     }
 
-    /** Divides elements where interpolation errs; new vertices have only the light of sources without geometry. */
+    /** Divides elements where interpolation errs, and marked ones; new vertices have light of bare sources only. */
     private void split(Order order) {
         int known = nodes.vertices();
-        new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError(), spots())
-                .splitAll(order.number(), parallel);
+        new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError())
+                .splitAll(order.number(), order.rules().marks(), parallel);
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
         light(from(known));
-    }
-
-    private LampSpots spots() {
-        if (spots == null) {
-            spots = new LampSpots(faces, mesh.bounds());
-        }
-        return spots;
     }
 
     private void renew(Order order) {

@@ -38,13 +38,14 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
      * @param sparing   whether a shooter that carries little gets a ray at some vertices only, see
      *                  {@link radiosity.formfactor.RayCaster#sparing}; the rays are then not those of any other round
      * @param anew      weight in (0, 1] of the newly gathered light in its average with older light
+     * @param marks     nodes that are divided even where their vertices show no error
      */
     public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack,
-                        boolean sparing, double anew) {
+                        boolean sparing, double anew, List<Mark> marks) {
 
         /** Rules under which every vertex casts a ray to every shooter. */
         public Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
-            this(tolerance, weight, meshError, ambient, givenBack, false, 1);
+            this(tolerance, weight, meshError, ambient, givenBack, false, 1, List.of());
         }
 
         private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
@@ -56,9 +57,14 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
             return new Rules(Double.POSITIVE_INFINITY, weight, 0, NONE, NONE);
         }
 
+        /** These rules with other {@link #marks}. */
+        Rules dividing(List<Mark> nodes) {
+            return new Rules(tolerance, weight, meshError, ambient, givenBack, sparing, anew, nodes);
+        }
+
         /** These rules with another {@link #givenBack}. */
         Rules givingBack(double[] part) {
-            return new Rules(tolerance, weight, meshError, ambient, part, sparing, anew);
+            return new Rules(tolerance, weight, meshError, ambient, part, sparing, anew, marks);
         }
     }
 
@@ -143,6 +149,11 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
     /** An order without shots, for up to {@code most} candidates or for the answer that its kind defines. */
     public static Order asking(Kind kind, int most) {
         return plain(kind, Question.candidates(most));
+    }
+
+    /** This order with {@link Rules#marks}. */
+    public Order dividing(List<Mark> marks) {
+        return new Order(kind, number, begun, more, shots, rules.dividing(marks), question);
     }
 
     /** This order as round number {@code round}, with another {@link Rules#givenBack}. */
@@ -241,6 +252,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         Wire.writeDoubles(out, rules.givenBack);
         out.writeBoolean(rules.sparing);
         out.writeDouble(rules.anew);
+        Wire.writeMarks(out, rules.marks);
         out.writeBoolean(begun);
         out.writeInt(isAnswered() ? most() : givesGhosts() ? GHOST_VALUES : NOTHING);
         out.writeDouble(question instanceof Question.Candidates asked ? asked.flux : 0);
@@ -256,7 +268,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         boolean more = in.readBoolean();
         List<Shot> shots = kind.gathersTotals() ? Wire.trees(in) : Wire.shots(in);
         Rules rules = new Rules(in.readDouble(), Wire.readDoubles(in), in.readDouble(), Wire.readDoubles(in),
-                Wire.readDoubles(in), in.readBoolean(), in.readDouble());
+                Wire.readDoubles(in), in.readBoolean(), in.readDouble(), Wire.readMarks(in));
         return new Order(kind, number, in.readBoolean(), more, shots, rules, question(in));
     }
 

@@ -108,6 +108,25 @@ public final class Wire {
         return values;
     }
 
+    /** Writes the number of marks, then the marks. */
+    static void writeMarks(DataOutputStream out, List<Mark> marks) throws IOException {
+        out.writeInt(marks.size());
+        for (Mark mark : marks) {
+            out.writeInt(mark.face());
+            out.writeLong(mark.path());
+        }
+    }
+
+    /** Reads a number of marks, then the marks, as {@link #writeMarks} wrote them. */
+    static List<Mark> readMarks(DataInputStream in) throws IOException {
+        int count = count(in, Integer.BYTES + Long.BYTES);
+        List<Mark> marks = new ArrayList<>(count);
+        for (int i = 0; i < count; i++) {
+            marks.add(new Mark(in.readInt(), in.readLong()));
+        }
+        return marks;
+    }
+
     /** Decodes a message that consists of byte arrays with the number of bytes in front of each. */
     public static List<byte[]> list(byte[] message) throws IOException {
         List<byte[]> all = new ArrayList<>();

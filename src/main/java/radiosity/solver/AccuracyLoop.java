@@ -120,8 +120,12 @@ final class AccuracyLoop {
      * <p>At shadow edges the mean square error of a mesh is proportional to {@link #meshError}; elsewhere the mean
      * square error falls faster: where light is smooth, N elements have an error of 1 / N, and each adds 1 / N^3 to its
      * square.
+     *
+     * @param marked   part of the mean square error that falls away as marked elements are divided, from 0 to 1; not
+     *                 relied on where the error has not fallen since the last estimate
+     * @param elements number of elements in the scene
      */
-    Refine refine(Certificate certificate, int elements) {
+    Refine refine(Certificate certificate, double marked, int elements) {
         double found = certificate.expected();
         double certain = Math.sqrt(Math.max(0, square(found) - square(certificate.uncertainty())));
         double now = elements / tolerance;
@@ -141,7 +145,8 @@ final class AccuracyLoop {
         double mesh = Math.max(0, square(certain) - rays);
         double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
         if (mesh > wanted - forRays) {
-            meshError *= Math.max(STEP, (wanted - forRays) / mesh);
+            double left = isBetter ? mesh * (1 - marked) : mesh;
+            meshError *= Math.min(1, Math.max(STEP, (wanted - forRays) / left));
             return Refine.MESH;
         }
         tolerance *= StrictMath.pow(Math.max(STEP, forRays / rays), Accuracy.POWER / 2);

@@ -17,6 +17,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.prediction.AmbientLevel;
 import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Answer;
+import radiosity.protocol.Mark;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.settings.FormFactors;
@@ -35,8 +36,9 @@ import radiosity.solution.Certificate;
  *
  * <p>The calculation as stages, see {@link #next}: SHOOT until little is unshot; SPLIT the mesh and let new vertices
  * GATHER all light shot so far, until no element is to be divided; SHOOT what the finer mesh changed; MEND vertices
- * with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Audit} estimates
- * the error, and {@link AccuracyLoop} decides between a finer mesh (SPLIT again), more rays (RENEW, REGATHER and
+ * with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Estimator} finds
+ * the error and marks elements that err too much between their vertices, and {@link AccuracyLoop} decides between a
+ * finer mesh (SPLIT again), more rays (RENEW, REGATHER and
  * AVERAGE: all vertices gather a second, independent sample) and the end (DONE).
  */
 final class Prediction implements Planner {
@@ -78,19 +80,6 @@ final class Prediction implements Planner {
     /** Part of the unshot flux that a round in an edited scene may leave to later rounds. */
     private static final double LEFT = 0.05;
 
-    /**
-     * How the calculation of an earlier scene ended.
-     *
-     * @param rules     tolerances and weights of the last round
-     * @param isSettled whether the unshot radiosity of the elements is nothing but the noise of rays
-     */
-    record Earlier(Order.Rules rules, boolean isSettled) { }
-
-    /** Estimates the error of the present solution; empty where there is no light. */
-    interface Audit {
-        Optional<Certificate> certificate() throws IOException;
-    }
-
     private final World world;
     /** Unshot flux over emitted flux at which the calculation may end. */
     private final double wanted;
@@ -101,7 +90,7 @@ final class Prediction implements Planner {
     /** Null where the scene has more than {@link #MOST_PREDICTED} patches. */
     private final CoarseSystem coarse;
     private final AccuracyLoop loop;
-    private final Audit audit;
+    private final Estimator estimator;
     /** See {@link Weights}: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
     private final double[] weight;
     private Stage stage = Stage.NOTHING;
@@ -123,8 +112,8 @@ final class Prediction implements Planner {
     private int changes;
 
     /** @param wanted unshot flux over emitted flux at which the calculation may end */
-    Prediction(World world, double wanted, ToDoubleFunction<Answer> oneSided, Audit audit) {
-        this.audit = audit;
+    Prediction(World world, double wanted, ToDoubleFunction<Answer> oneSided, Estimator estimator) {
+        this.estimator = estimator;
         this.oneSided = oneSided;
         this.wanted = wanted;
         this.world = world;
@@ -160,7 +149,7 @@ final class Prediction implements Planner {
                 refined = last.elements == elements || splits == MOST_SPLITS;
                 yield last.elements > elements ? gather() : distribute(last, unsent, goOn);
             }
-            case GATHER -> refined ? distribute(last, unsent, goOn) : split(last);
+            case GATHER -> refined ? distribute(last, unsent, goOn) : split(last, List.of());
             case RENEW -> regather();
             case REGATHER -> average();
             case AVERAGE, MEND -> balance();
@@ -171,7 +160,7 @@ final class Prediction implements Planner {
     /** Shoots until little flux is unshot; then divides the mesh, or prepares the estimate where that is done. */
     private Order distribute(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         if (!refined && stage == Stage.SHOOT && unsent <= SETTLED) {
-            return split(last);
+            return split(last, List.of());
         }
         if (coarse != null && !coarse.isMade()) {
             return rows();
@@ -198,15 +187,15 @@ final class Prediction implements Planner {
 
     /** Estimates the error and refines mesh or rays; null where the error is the one asked for, or cannot fall. */
     private Order refine(Answer last) throws IOException {
-        Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
-        AccuracyLoop.Refine refine = certificate.isEmpty() ? AccuracyLoop.Refine.NOTHING
-                : loop.refine(certificate.get(), last.elements);
+        Optional<Estimator.Estimate> estimate = estimate();
+        AccuracyLoop.Refine refine = estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
+                last.elements)).orElse(AccuracyLoop.Refine.NOTHING);
         return switch (refine) {
             case MESH -> {
                 left = Double.POSITIVE_INFINITY;
                 splits = 0;
                 mispredicted = 0;
-                yield split(last);
+                yield split(last, estimate.get().marked().marks());
             }
             case RAYS -> renew();
             case NOTHING -> {
@@ -286,7 +275,12 @@ final class Prediction implements Planner {
                 return shoot(shots, unsent);
             }
         }
-        return refined ? mend() : split(last);
+        return refined ? mend() : split(last, List.of());
+    }
+
+    /** Estimates the error; empty where there is no light, or the user lets much flux be unshot. */
+    private Optional<Estimator.Estimate> estimate() throws IOException {
+        return wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : estimator.estimate(loop.meshError());
     }
 
     /**
@@ -294,7 +288,7 @@ final class Prediction implements Planner {
      * vertices gather anew. The noise that one edit adds is small, but the noise of many edits adds up.
      */
     private Order endOfChange(double unsent) throws IOException {
-        Optional<Certificate> certificate = wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : audit.certificate();
+        Optional<Certificate> certificate = estimate().map(Estimator.Estimate::certificate);
         if (certificate.isPresent() && certificate.get().expected() > WORSE * usual(certificate.get())) {
             changes = 0;
             left = unsent <= enough() ? unsent : 0;
@@ -354,11 +348,12 @@ final class Prediction implements Planner {
         return order(Order.Kind.REGATHER, totals, AmbientLevel.lowest(world.mesh, totals));
     }
 
-    private Order split(Answer last) {
+    /** @param marks nodes to divide whatever their vertices have received */
+    private Order split(Answer last, List<Mark> marks) {
         stage = Stage.SPLIT;
         splits++;
         elements = last.elements;
-        return order(Order.Kind.SPLIT, List.of(), new double[0]);
+        return order(Order.Kind.SPLIT, List.of(), new double[0]).dividing(marks);
     }
 
     private Order average() {
@@ -497,7 +492,7 @@ final class Prediction implements Planner {
                 && (changes > 0 || isOfAll && wanted >= StopRule.DEFAULT_UNSENT);
         return new Order(kind, shots,
                 new Order.Rules(isAnew ? loop.toleranceAnew() : loop.tolerance(), weight, loop.meshError(), even,
-                        new double[0], sparing, loop.weightAnew()),
+                        new double[0], sparing, loop.weightAnew(), List.of()),
                 Order.Question.candidates(0));
     }
 
@@ -567,7 +562,7 @@ final class Prediction implements Planner {
      * @param earlier initial mesh of the earlier scene
      * @return how the earlier calculation ended; empty where that was stopped before its end
      */
-    Optional<Earlier> readChanged(DataInput in, InitialMesh earlier) throws IOException {
+    Optional<EarlierEnd> readChanged(DataInput in, InitialMesh earlier) throws IOException {
         boolean isDone = Stage.values()[in.readByte()] == Stage.DONE;
         int before = in.readByte();
         loop.read(in);
@@ -591,7 +586,7 @@ final class Prediction implements Planner {
         splits = 0;
         refined = false;
         changes = Math.min(MOST_CHANGES, before + 1);
-        return !isDone ? Optional.empty() : Optional.of(new Earlier(new Order.Rules(loop.tolerance(), old,
+        return !isDone ? Optional.empty() : Optional.of(new EarlierEnd(new Order.Rules(loop.tolerance(), old,
                 loop.meshError(), new double[0], new double[0]), before == 0));
     }
 

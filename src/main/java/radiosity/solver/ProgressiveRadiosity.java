@@ -184,8 +184,7 @@ public final class ProgressiveRadiosity {
 
     private Planner planner() {
         return switch (world.settings().schedule()) {
-            case PREDICT -> new Prediction(world, stop.unsent(), counters.flux::oneSided,
-                    () -> certificate(world.parallel));
+            case PREDICT -> new Prediction(world, stop.unsent(), counters.flux::oneSided, this::estimate);
             case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new CyclicSchedule(world.channels(), false);
             case GATHERING -> new CyclicSchedule(world.channels(), true);
@@ -351,20 +350,29 @@ public final class ProgressiveRadiosity {
     }
 
     private Optional<Certificate> certificate(ParallelFor parallel) throws IOException {
+        boolean isKnown = certifiedRound == counters.rounds() && certifiedShots == counters.shots();
+        return isKnown || estimate(parallel).isPresent() ? certificate : Optional.empty();
+    }
+
+    private Optional<Estimator.Estimate> estimate(double meshError) throws IOException {
+        return estimate(world.parallel).flatMap(audit ->
+                certificate.map(found -> new Estimator.Estimate(found, audit.marked(meshError))));
+    }
+
+    /** Sets {@link #certificate} to that of the present solution; empty, and not set, where that is incomplete. */
+    private Optional<Audit> estimate(ParallelFor parallel) throws IOException {
         if (counters.dark() != 0 || counters.shots() == 0) {
             return Optional.empty();
         }
         know();
-        if (certifiedRound != counters.rounds() || certifiedShots != counters.shots()) {
-            Answer now = last.newest();
-            Audit audit = new Audit(world.mesh, world.blocks(), counters.flux.byChannel(now), now.elements,
-                    planner.aim().orElse(world.mesh.accuracy()), parallel);
-            certificate = Optional.of(audit.certificate(Flux.sum(counters.shown(now).unshotFlux)))
-                    .filter(found -> found.points() > 0);
-            certifiedRound = counters.rounds();
-            certifiedShots = counters.shots();
-        }
-        return certificate;
+        Answer now = last.newest();
+        Audit audit = new Audit(world.mesh, world.blocks(), counters.flux.byChannel(now), now.elements,
+                planner.aim().orElse(world.mesh.accuracy()), counters.rounds(), parallel);
+        certificate = Optional.of(audit.certificate(Flux.sum(counters.shown(now).unshotFlux)))
+                .filter(found -> found.points() > 0);
+        certifiedRound = counters.rounds();
+        certifiedShots = counters.shots();
+        return Optional.of(audit);
     }
 
     /**

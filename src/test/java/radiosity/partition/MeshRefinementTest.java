@@ -11,12 +11,12 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
+import radiosity.protocol.Mark;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Vec3;
 import radiosity.testkit.RoomScenes;
 import radiosity.util.ParallelFor;
-import radiosity.visibility.RadiosityBounds;
 
 /** What is divided, by the light that is known of it. */
 class MeshRefinementTest {
@@ -31,9 +31,9 @@ class MeshRefinementTest {
                 List.of(new Block(0, new int[] {1}, new long[] {NodePath.FACE})));
     }
 
-    private static int divided(RadiosityNodes bar, double meshError, int with) {
-        LampSpots none = new LampSpots(bar.faces(), new RadiosityBounds(bar.faces().occluders()));
-        new MeshRefinement(bar, Weights.of(new double[] {1, 1, 1}), meshError, none).splitAll(with, new ParallelFor(1));
+    private static int divided(RadiosityNodes bar, double meshError, int with, Mark... marks) {
+        new MeshRefinement(bar, Weights.of(new double[] {1, 1, 1}), meshError)
+                .splitAll(with, List.of(marks), new ParallelFor(1));
         return bar.elements();
     }
 
@@ -48,6 +48,18 @@ class MeshRefinementTest {
     @Test
     void faceWithBlackCorners_isDivided_whereItCanBeSeen() {
         assertEquals(4, divided(bar(), .5, 1));
+    }
+
+    /** No vertex of the evenly lit bar shows an error: it is divided around the mark, and nowhere else. */
+    @Test
+    void marks_areDividedWithAllAboveThem() {
+        RadiosityNodes bar = bar();
+        Arrays.fill(bar.light().irradiance(), .5);
+        long part = NodePath.child(NodePath.child(NodePath.FACE, 3), 1);
+        Mark elsewhere = new Mark(0, part);
+        assertEquals(10, divided(bar, 3, 1, new Mark(1, part), elsewhere));
+        assertEquals(10, divided(bar, 3, 2, new Mark(1, part), new Mark(1, NodePath.FACE)), "divided before");
+        assertEquals(13, divided(bar, 3, 3, new Mark(1, NodePath.child(part, 0))));
     }
 
     private static RadiosityNodes dark() {

@@ -28,16 +28,16 @@ class AccuracyLoopTest {
 
     @Test
     void exactEnough_ends() {
-        assertEquals(Refine.NOTHING, loop().refine(certificate(.019, .01, .01), 1000));
+        assertEquals(Refine.NOTHING, loop().refine(certificate(.019, .01, .01), 0, 1000));
     }
 
     /** A finer mesh tells nothing of openings that the points have not found. */
     @Test
     void uncertaintyOfTheEstimate_isNotAnsweredByRefining() {
         Certificate unsure = new Certificate(400, 0.0, 1, 1, 0, .05, .01, .01, .02, .047, List.of());
-        assertEquals(Refine.NOTHING, loop().refine(unsure, 1000));
+        assertEquals(Refine.NOTHING, loop().refine(unsure, 0, 1000));
         Certificate sure = new Certificate(400, 0.0, 1, 1, 0, .05, .01, .04, .02, .02, List.of());
-        assertEquals(Refine.MESH, loop().refine(sure, 1000));
+        assertEquals(Refine.MESH, loop().refine(sure, 0, 1000));
     }
 
     @Test
@@ -45,9 +45,20 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .039), 1000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .039), 0, 1000));
         assertEquals(tolerance, loop.tolerance());
         assertTrue(loop.meshError() < .5 * meshError, meshError + " became " + loop.meshError());
+    }
+
+    /** What falls away as marked elements are divided needs no finer mesh elsewhere. */
+    @Test
+    void mesh_isKeptAsItIsWhereTheErrorIsOnMarkedElements() {
+        AccuracyLoop loop = loop();
+        double meshError = loop.meshError();
+        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .039), .95, 1000));
+        assertEquals(meshError, loop.meshError());
+        assertEquals(Refine.MESH, loop.refine(certificate(.041, .01, .04), .95, 1010));
+        assertTrue(loop.meshError() < meshError, "the error has not fallen");
     }
 
     @Test
@@ -55,7 +66,7 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertEquals(Refine.RAYS, loop.refine(certificate(.04, .06, .01), 1000));
+        assertEquals(Refine.RAYS, loop.refine(certificate(.04, .06, .01), 0, 1000));
         assertTrue(loop.tolerance() < .7 * tolerance, tolerance + " became " + loop.tolerance());
         assertEquals(meshError, loop.meshError());
     }
@@ -68,7 +79,7 @@ class AccuracyLoopTest {
         assertFalse(loop.lacksRays());
         assertEquals(before, loop.toleranceAnew(), 1e-12 * before, "as exact as before halves the variance");
         assertEquals(.5, loop.weightAnew(), 1e-12);
-        loop.refine(certificate(.03, .03, .005), 1000);
+        loop.refine(certificate(.03, .03, .005), 0, 1000);
         assertTrue(loop.lacksRays());
         double old = variance(before);
         double anew = variance(loop.toleranceAnew());
@@ -86,20 +97,20 @@ class AccuracyLoopTest {
     @Test
     void moreElementsWithoutProgress_end() {
         AccuracyLoop loop = loop();
-        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .038), 1000));
-        assertEquals(Refine.MESH, loop.refine(certificate(.039, .01, .037), 2000));
-        assertEquals(Refine.NOTHING, loop.refine(certificate(.038, .01, .036), 4000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.04, .01, .038), 0, 1000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.039, .01, .037), 0, 2000));
+        assertEquals(Refine.NOTHING, loop.refine(certificate(.038, .01, .036), 0, 4000));
     }
 
     /** One look may have met the worst element of all. */
     @Test
     void oneWorseLook_isNotTheEnd() {
         AccuracyLoop loop = loop();
-        assertEquals(Refine.MESH, loop.refine(certificate(.2, .01, .2), 1000));
-        assertEquals(Refine.MESH, loop.refine(certificate(1, .01, 1), 2000));
-        assertEquals(Refine.MESH, loop.refine(certificate(.1, .01, .1), 4000), "better than the first, for the work");
-        assertEquals(Refine.MESH, loop.refine(certificate(1, .01, 1), 8000));
-        assertEquals(Refine.NOTHING, loop.refine(certificate(1, .01, 1), 16_000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.2, .01, .2), 0, 1000));
+        assertEquals(Refine.MESH, loop.refine(certificate(1, .01, 1), 0, 2000));
+        assertEquals(Refine.MESH, loop.refine(certificate(.1, .01, .1), 0, 4000), "better than the first, for the work");
+        assertEquals(Refine.MESH, loop.refine(certificate(1, .01, 1), 0, 8000));
+        assertEquals(Refine.NOTHING, loop.refine(certificate(1, .01, 1), 0, 16_000));
     }
 
     /** Nothing was fine enough to be divided: then more has to be, until that is not the cause of the error. */
@@ -108,7 +119,7 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double meshError = loop.meshError();
         int turns = 0;
-        while (loop.refine(certificate(.04, .01, .038), 1000) == Refine.MESH) {
+        while (loop.refine(certificate(.04, .01, .038), 0, 1000) == Refine.MESH) {
             turns++;
         }
         assertTrue(turns > 3 && turns < 20, turns + " turns");
@@ -119,9 +130,9 @@ class AccuracyLoopTest {
     void smallerAim_goesOnFromWhatThereIs() {
         AccuracyLoop loop = loop();
         Certificate reached = certificate(.019, .005, .018);
-        assertEquals(Refine.NOTHING, loop.refine(reached, 1000));
+        assertEquals(Refine.NOTHING, loop.refine(reached, 0, 1000));
         loop.aim(.01);
-        assertEquals(Refine.MESH, loop.refine(reached, 1000));
+        assertEquals(Refine.MESH, loop.refine(reached, 0, 1000));
         assertEquals(.01, loop.asked());
     }
 }

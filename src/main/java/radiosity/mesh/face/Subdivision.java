@@ -35,6 +35,20 @@ public final class Subdivision {
     }
 
     /**
+     * Finds which of the four children of a triangle contains a point.
+     *
+     * @param weights 3: barycentric weights of the triangle's corners at the point; modified: those of the child's
+     * @return the child's number
+     */
+    public static int enter(double[] weights) {
+        int child = weights[0] >= 0.5 ? 0 : weights[1] >= 0.5 ? 1 : weights[2] >= 0.5 ? 2 : 3;
+        for (int k = 0; k < 3; k++) {
+            weights[k] = child == 3 ? 1 - 2 * weights[k] : 2 * weights[k] - (k == child ? 1 : 0);
+        }
+        return child;
+    }
+
+    /**
      * Interpolates values at the corners of a triangle at the corners of one of its children.
      *
      * @param values n values per corner; not modified
