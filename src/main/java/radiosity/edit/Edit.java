@@ -113,7 +113,7 @@ public sealed interface Edit {
             }
             List<Surface> surfaces = new ArrayList<>(scene.surfaces());
             surfaces.set(surface, new Surface(of.name(), of.exitance(), reflectance, of.twoSided(), of.textures(),
-                    of.maps(), of.specular()));
+                    of.maps(), of.specular(), of.smoothing()));
             return scene.with(surfaces, scene.lights());
         }
 

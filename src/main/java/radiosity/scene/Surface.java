@@ -14,9 +14,11 @@ import java.util.function.Function;
  * @param textures    images that vary exitance and reflectance, all by the triangle's one set of texture coordinates
  * @param maps        the pixels that were read from the textures' images; empty maps where none were read
  * @param specular    mirroring and transmission; empty for a purely diffuse surface
+ * @param smoothing   largest angle between adjacent facets across which light is shown smoothly, radians in [0, pi];
+ *                    0 for facets that are seen as such. The calculation does not depend on it.
  */
 public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures,
-        Maps maps, Optional<Specular> specular) {
+        Maps maps, Optional<Specular> specular, double smoothing) {
 
     /** Largest reflectance; readers clip larger ones to it and warn, as light would never fade at 1. */
     public static final double MAX_REFLECTANCE = 0.9999;
@@ -51,8 +53,18 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
         this(name, exitance, reflectance, twoSided, textures, maps, Optional.empty());
     }
 
+    /** A surface whose facets are seen as such. */
+    public Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSided, List<ImageMap> textures, Maps maps,
+                   Optional<Specular> specular) {
+        this(name, exitance, reflectance, twoSided, textures, maps, specular, 0);
+    }
+
     public Surface {
         textures = List.copyOf(textures);
+        if (!(smoothing >= 0 && smoothing <= Math.PI)) {
+            throw new IllegalArgumentException("surface " + name + ": expected a smoothing angle from 0 to pi, got "
+                    + smoothing);
+        }
         for (int c = 0; c < 3; c++) {
             double e = exitance.channel(c);
             double rho = reflectance.channel(c);
@@ -70,17 +82,29 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
     /** This surface with maps; exitance and reflectance become the means of their maps, where there are maps. */
     public Surface with(Maps read) {
         return new Surface(name, read.exitance().map(Raster::mean).orElse(exitance),
-                read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read, specular);
+                read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read, specular,
+                smoothing);
     }
 
     /** This surface with another exitance and without maps. */
     public Surface with(Rgb otherExitance) {
-        return new Surface(name, otherExitance, reflectance, twoSided, textures, Maps.NONE, specular);
+        return new Surface(name, otherExitance, reflectance, twoSided, textures, Maps.NONE, specular,
+                smoothing);
     }
 
     /** This surface with other mirroring and transmission. */
     public Surface with(Optional<Specular> other) {
-        return new Surface(name, exitance, reflectance, twoSided, textures, maps, other);
+        return new Surface(name, exitance, reflectance, twoSided, textures, maps, other, smoothing);
+    }
+
+    /**
+     * This surface with another smoothing angle.
+     *
+     * @param angle radians; 0 and below and NaN make facets that are seen as such, pi and above join all facets
+     */
+    public Surface smoothed(double angle) {
+        return new Surface(name, exitance, reflectance, twoSided, textures, maps, specular,
+                angle > 0 ? Math.min(angle, Math.PI) : 0);
     }
 
     /** Each quantity by the function of its map, or the surface's own value where there is no map. */

@@ -37,7 +37,7 @@ final class SceneShapes {
     private final BranchGroup group = new BranchGroup();
     /** 1 per mesh. */
     private final List<IndexedTriangleArray> triangles = new ArrayList<>();
-    /** 1 per mesh: radiosity, 3 per vertex, W/m². */
+    /** 1 per mesh: radiosity as it is shown, 3 per vertex, W/m². */
     private final List<FloatBuffer> radiosity = new ArrayList<>();
 
     /**
@@ -62,7 +62,7 @@ final class SceneShapes {
         group.setCapability(BranchGroup.ALLOW_DETACH);
         BoundingSphere bounds = bounds(scene);
         for (Mesh mesh : scene.meshes()) {
-            radiosity.add(buffer(mesh.radiosity()));
+            radiosity.add(buffer(mesh.shown()));
             triangles.add(triangles(mesh, radiosity.get(radiosity.size() - 1)));
             boolean isSelected = selection != null && mesh.node() >= 0 && selection.nodes()[mesh.node()];
             (isSelected ? moved : group).addChild(shape(triangles.get(triangles.size() - 1), appearance, bounds));
@@ -111,7 +111,7 @@ final class SceneShapes {
     void light(LitScene scene) {
         for (int m = 0; m < triangles.size(); m++) {
             FloatBuffer to = radiosity.get(m);
-            float[] from = scene.meshes().get(m).radiosity();
+            float[] from = scene.meshes().get(m).shown();
             triangles.get(m).updateData(geometry -> to.rewind().put(from).rewind());
         }
     }

@@ -120,7 +120,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
     private static Surface unlit(Surface surface) {
         Rgb exitance = surface.emits() ? Rgb.grey(1) : Rgb.BLACK;
         return new Surface(surface.name(), exitance, surface.reflectance(), surface.twoSided(), surface.textures(),
-                new Surface.Maps(Optional.empty(), surface.maps().reflectance()));
+                new Surface.Maps(Optional.empty(), surface.maps().reflectance())).smoothed(surface.smoothing());
     }
 
     /** A solution whose elements are the sides of triangles, with vertices of their own and the shade as irradiance. */

@@ -30,6 +30,8 @@ final class SceneDocument {
      */
 
     static final String UNLIT = "KHR_materials_unlit";
+    /** Largest number of vertices whose indices are exact in floats. */
+    private static final int MOST_JOINED = 1 << 24;
 
     private final ObjectMapper mapper = new ObjectMapper().enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS);
     private final ObjectNode root = mapper.createObjectNode();
@@ -120,6 +122,10 @@ final class SceneDocument {
         if (mesh.reflectance().length > 0) {
             attributes.put("_REFLECTANCE", vec3(mesh.reflectance()));
         }
+        if (!mesh.smoothing().isFlat() && mesh.vertices() <= MOST_JOINED) {
+            attributes.put("_SMOOTH", lists.accessor(view(mesh.smoothing().pairs()), GltfLists.VERTICES,
+                    GltfLists.FLOAT, mesh.vertices(), "VEC2"));
+        }
         for (int layer = 0; layer < mesh.layers().size(); layer++) {
             attributes.put("_IRRADIANCE_" + layer, vec3(mesh.layers().get(layer)));
         }
@@ -177,6 +183,9 @@ final class SceneDocument {
         GltfLists.put(extras.putArray("reflectance"), surface.reflectance());
         GltfLists.put(extras.putArray("exitance"), surface.exitance());
         extras.put("twoSided", surface.twoSided()).put("back", back);
+        if (surface.smoothing() > 0) {
+            extras.put("smoothing", surface.smoothing());
+        }
         surface.specular().ifPresent(specular -> {
             ObjectNode node = extras.putObject("specular");
             GltfLists.put(node.putArray("reflectance"), specular.reflectance());
@@ -199,7 +208,7 @@ final class SceneDocument {
      */
     private int colours(Mesh mesh, ToneMapping toneMapping) {
         short[] colours = new short[4 * mesh.vertices()];
-        float[] b = mesh.radiosity();
+        float[] b = mesh.shown();
         for (int i = 0; i < mesh.vertices(); i++) {
             Rgb colour = toneMapping.map(new Rgb(b[3 * i], b[3 * i + 1], b[3 * i + 2]));
             for (int c = 0; c < 3; c++) {

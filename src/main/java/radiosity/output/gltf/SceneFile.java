@@ -17,6 +17,7 @@ import radiosity.output.image.ToneMapping;
 import radiosity.output.lightmap.TextureBake;
 import radiosity.output.mesh.MergedMeshes;
 import radiosity.output.mesh.Mesh;
+import radiosity.output.mesh.SmoothShading;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
@@ -105,7 +106,8 @@ public final class SceneFile implements Closeable {
         Map<String, Object> content = content(closed, extras);
         if (samples.isPresent()) {
             document.beginTextures(origin);
-            new TextureBake(closed, origin, samples.getAsDouble()).bake(side -> document.texture(side, toneMapping));
+            new TextureBake(SmoothShading.shown(closed), origin, samples.getAsDouble())
+                    .bake(side -> document.texture(side, toneMapping));
             content.put("textures", Map.of("samples", samples.getAsDouble(), "curve", toneMapping.operator().name(),
                     "exposure", toneMapping.exposure()));
         }

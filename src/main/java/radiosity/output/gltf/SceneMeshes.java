@@ -165,7 +165,7 @@ final class SceneMeshes {
         return new Mesh(surface(extras), object, extras.at("back").node().booleanValue(), positions,
                 floats(attributes.at("NORMAL"), n), floats(attributes.at("_IRRADIANCE"), n),
                 floats(attributes.at("_RADIOSITY"), n), reflectance(attributes, n), layers(attributes, n),
-                corners(primitive.at("indices"), n));
+                corners(primitive.at("indices"), n)).smoothed();
     }
 
     private float[] reflectance(JsonCursor attributes, int vertices) throws IOException {
@@ -185,7 +185,7 @@ final class SceneMeshes {
         try {
             return new Surface(extras.at("surface").text(), extras.at("exitance").rgb(),
                     extras.at("reflectance").rgb(), extras.at("twoSided").node().booleanValue())
-                            .with(specular(extras));
+                            .with(specular(extras)).smoothed(extras.number("smoothing", 0));
         } catch (IllegalArgumentException e) {
             throw extras.wrong("a surface");
         }

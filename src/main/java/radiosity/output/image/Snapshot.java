@@ -8,6 +8,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import radiosity.output.mesh.Elements;
+import radiosity.output.mesh.SmoothShading;
 import radiosity.output.mesh.TJunctions;
 import radiosity.output.raytrace.EyeRays;
 import radiosity.scene.Camera;
@@ -73,11 +74,12 @@ public final class Snapshot {
         }
     }
 
-    private Snapshot(Solution open, Vec3 eye, int gathered) {
-        solution = TJunctions.close(open);
+    /** @param closed with T-junctions closed; its irradiance is interpolated on elements */
+    private Snapshot(Solution closed, Vec3 eye, int gathered) {
+        solution = closed;
         this.gathered = gathered;
         int perRay = (gathered + SAMPLES * SAMPLES - 1) / (SAMPLES * SAMPLES);
-        rays = gathered > 0 || EyeRays.shines(open) ? new EyeRays(solution, perRay) : null;
+        rays = gathered > 0 || EyeRays.shines(solution) ? new EyeRays(solution, perRay) : null;
         this.eye = eye;
         Aabb box = Aabb.of(solution.positions());
         centre = box.centre();
@@ -141,7 +143,8 @@ public final class Snapshot {
         long rows = height(camera, width);
         float[] rgb = new float[ArraySize.of("picture of " + width + "x" + rows + " pixels", 3, width, rows)];
         int height = (int) rows;
-        Snapshot snapshot = new Snapshot(solution, camera.position(), drawing.gathered);
+        Snapshot snapshot = new Snapshot(SmoothShading.shown(TJunctions.close(solution)), camera.position(),
+                drawing.gathered);
         AtomicLong done = new AtomicLong();
         IntStream.range(0, height).parallel().forEach(row -> {
             for (int column = 0; column < width; column++) {
@@ -174,7 +177,7 @@ public final class Snapshot {
         int height = (int) height(camera, width);
         int size = ArraySize.of("picture of " + width + "x" + height + " pixels", width, height);
         Values values = new Values(width, height, new float[size], new int[size]);
-        Snapshot snapshot = new Snapshot(solution, camera.position(), 0);
+        Snapshot snapshot = new Snapshot(TJunctions.close(solution), camera.position(), 0);
         Units units = solution.scene().units();
         IntStream.range(0, height).parallel().forEach(row -> {
             float[] hit = new float[3];

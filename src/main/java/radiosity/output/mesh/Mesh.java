@@ -29,12 +29,43 @@ import radiosity.solution.Solution;
  *                    everywhere
  * @param layers      irradiance from each lamp, one array of 3 per vertex for each lamp, W/m²; empty without layers
  * @param corners     vertices, 3 per element, counter-clockwise seen from the visible side
+ * @param smoothing   the vertices that are shown with one irradiance
  */
 public record Mesh(Surface surface, int node, boolean back, float[] positions, float[] normals,
-                   float[] irradiance, float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
+                   float[] irradiance, float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners,
+                   SmoothShading smoothing) {
 
     public Mesh {
         layers = List.copyOf(layers);
+    }
+
+    /** A mesh whose facets are not joined, whatever its surface. */
+    public Mesh(Surface surface, int node, boolean back, float[] positions, float[] normals, float[] irradiance,
+                float[] radiosity, float[] reflectance, List<float[]> layers, int[] corners) {
+        this(surface, node, back, positions, normals, irradiance, radiosity, reflectance, layers, corners,
+                SmoothShading.NONE);
+    }
+
+    /** This mesh with its facets joined by the smoothing angle of its surface. */
+    public Mesh smoothed() {
+        return new Mesh(surface, node, back, positions, normals, irradiance, radiosity, reflectance, layers, corners,
+                SmoothShading.of(this));
+    }
+
+    /**
+     * Radiosity as it is shown, 3 per vertex, W/m²: with the mean irradiance of joined vertices; the same array as
+     * {@code radiosity} where none are joined. Not to be modified.
+     */
+    public float[] shown() {
+        if (smoothing.isFlat()) {
+            return radiosity;
+        }
+        double[] means = smoothing.means(irradiance);
+        float[] shown = new float[radiosity.length];
+        for (int i = 0; i < shown.length; i++) {
+            shown[i] = (float) (radiosity[i] + reflectance(i) * (means[i] - irradiance[i]));
+        }
+        return shown;
     }
 
     public int vertices() {
@@ -85,7 +116,8 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
             h[i] = (float) sum;
             b[i] = (float) (exitance(i) * dimmed(lit, i % 3) + reflectance(i) * sum);
         }
-        return new Mesh(lit, node, back, positions, normals, h, b, reflectance, layers, corners);
+        return new Mesh(lit, node, back, positions, normals, h, b, reflectance, layers, corners,
+                smoothing);
     }
 
     private double reflectance(int i) {
@@ -145,7 +177,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
     }
 
     /** Groups elements by node (-1 for none); the order of the given elements stays within each group. */
-    private static SortedMap<Integer, int[]> byNode(Solution solution, int[] elements) {
+    static SortedMap<Integer, int[]> byNode(Solution solution, int[] elements) {
         SortedMap<Integer, int[]> parts = new TreeMap<>();
         Hierarchy hierarchy = solution.scene().hierarchy().written();
         int[] nodes = Arrays.stream(elements).map(e -> hierarchy.of(solution.faceOf()[e] >> 1)).toArray();
@@ -205,7 +237,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
             mesh.put(i, solution, vertices[i], origin, Elements.normal(solution, firstElement[i]), looks[i]);
             local[vertices[i]] = -1;
         }
-        return mesh;
+        return mesh.smoothed();
     }
 
     private static List<float[]> layers(int count, int length) {

@@ -32,7 +32,7 @@ export class Lamps {
 /** What a mesh was rendered with: mixtures are made of that, not of each other. */
 function remember(mesh, lamps) {
     const {attributes} = mesh.geometry, {surface, reflectance, exitance} = mesh.material.userData;
-    const own = attributes._reflectance?.array;
+    const own = attributes._reflectance?.array, smooth = attributes._smooth;
     mesh.userData.light = {
         surface, reflectance, exitance,
         radiosity: attributes._radiosity.array.slice(),
@@ -41,7 +41,9 @@ function remember(mesh, lamps) {
         own: lamps.findIndex(lamp => lamp.surface && lamp.name === surface),
         rho: i => own ? own[i] : reflectance[i % 3],
     };
-    // only the vertices' radiosity is drawn
+    mesh.geometry.setAttribute('shown', smooth ? attributes._radiosity.clone() : attributes._radiosity);
+    show(mesh);
+    // only what is shown of the vertices' radiosity is drawn
     lamps.forEach((_, lamp) => mesh.geometry.deleteAttribute(`_irradiance_${lamp}`));
 }
 
@@ -56,7 +58,20 @@ function mix(mesh, factors) {
         h.array[i] = sum;
         to.array[i] = light.rho(i) * sum + Math.max(0, emitted) * (light.own < 0 ? 1 : factors[light.own][i % 3]);
     }
-    to.needsUpdate = true;
+    show(mesh);
+}
+
+/** Joined vertices show their mean irradiance, as in radiosity.output.mesh.SmoothShading. */
+function show(mesh) {
+    const {shown, _smooth: smooth, _radiosity: b, _irradiance: h} = mesh.geometry.attributes;
+    if (smooth) {
+        const means = new Float64Array(h.array.length), joined = i => 3 * smooth.getX(Math.floor(i / 3)) + i % 3;
+        h.array.forEach((value, i) => { means[joined(i)] += smooth.getY(Math.floor(i / 3)) * value; });
+        b.array.forEach((value, i) => {
+            shown.array[i] = value + mesh.userData.light.rho(i) * (means[joined(i)] - h.array[i]);
+        });
+    }
+    shown.needsUpdate = true;
 }
 
 /** Of a colour as #rrggbb: linear, the largest of the three 1. */

@@ -12,14 +12,14 @@ const VERTEX = `
 #ifdef TEXTURES
 varying vec2 place;
 #else
-attribute vec3 _radiosity;
+attribute vec3 shown;
 varying vec3 radiosity;
 #endif
 void main() {
 #ifdef TEXTURES
     place = uv;
 #else
-    radiosity = _radiosity;
+    radiosity = shown;
 #endif
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;

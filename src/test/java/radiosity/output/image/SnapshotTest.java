@@ -70,6 +70,27 @@ class SnapshotTest {
     }
 
     @Test
+    void smoothSurface_isShownWithoutStepsBetweenFacets() {
+        assertEquals(4, largestStep(0), .01);
+        assertTrue(largestStep(.5) < 1, "the step between two facets is spread over their widths");
+    }
+
+    /** Between neighbouring pixels of a picture of two facets whose irradiances differ by 8. */
+    private static double largestStep(double smoothing) {
+        Handmade made = new Handmade();
+        int surface = made.surface(new Surface("s", Rgb.BLACK, Rgb.grey(.5), false).smoothed(smoothing));
+        made.grid(surface, Vec3.ZERO, new Vec3(.5, 0, .01), Y, 1, 1, p -> Rgb.grey(1));
+        made.grid(surface, new Vec3(.5, 0, .01), new Vec3(.5, 0, -.01), Y, 1, 1, p -> Rgb.grey(9));
+        Picture picture = take(made.solution(), camera(1));
+        double most = 0;
+        for (int x = 1; x < WIDTH; x++) {
+            int i = 3 * (WIDTH * WIDTH / 2 + x);
+            most = Math.max(most, Math.abs(picture.rgb()[i] - picture.rgb()[i - 3]));
+        }
+        return most;
+    }
+
+    @Test
     void everyPixel_showsTheRadiosityBehindIt() {
         assertShowsSquare(take(square(Rgb.BLACK), camera(1)), 1e-5);
     }
