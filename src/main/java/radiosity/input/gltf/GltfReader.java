@@ -135,7 +135,7 @@ public final class GltfReader {
         }
         List<Light> lights = views.lights().stream().filter(light -> options.lights() != ReadOptions.Lights.IGNORE
                 || options.luminaires().containsKey(light.name())).toList();
-        return draft.scene(materials.surfaces(), lights, views.camera()).with(new Units(1, isPhotometric()));
+        return draft.scene(meshes.surfaces(), lights, views.camera()).with(new Units(1, isPhotometric()));
     }
 
     /** Whether light is in photometric units: where the options say so or the file has lights that may be used. */

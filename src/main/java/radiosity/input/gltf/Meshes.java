@@ -8,12 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import radiosity.gltf.JsonCursor;
+import radiosity.input.assembly.SmoothEdges;
 import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
+import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
 /** The meshes of a glTF file as triangles; a mesh without skin and node weights is read once for all its nodes. */
@@ -25,11 +27,15 @@ final class Meshes {
     /** Heap bytes that one triangle takes while it is read. */
     private static final int TRIANGLE_BYTES = 140;
 
+    /** Distance between unit normals up to which they are equal: half a degree. */
+    private static final double EQUAL_NORMALS = 0.01;
+
     private final JsonCursor root;
     private final Accessors accessors;
     private final Materials materials;
     private final ReadOptions options;
     private final Diagnostics notes;
+    private final SmoothEdges edges = new SmoothEdges();
     private long total;
     private final Map<Integer, List<Part>> known = new HashMap<>();
 
@@ -206,10 +212,30 @@ final class Meshes {
             }
             local[i] = number;
         }
+        Optional<JsonCursor> normals = attributes.optional("NORMAL");
+        float[] n = normals.isEmpty() ? new float[0]
+                : sameLength(normals.get(), accessors.floats(normals.get(), "VEC3"), given.length);
+        int[] surfaces = new int[corners.length / 3];
+        Arrays.fill(surfaces, surface);
+        edges.add(given, corners, surfaces, (i, j) -> n.length > 0 && areEqual(n, corners[i], corners[j]));
         float[] where = coordinates(attributes, surface, corners, given.length / 3);
         return new Part(new TriangleMesh(points.toArray(), local, new int[corners.length / 3], where,
                 colours(attributes, surface, where.length > 0 && materials.hasImage(surface), corners,
                         given.length / 3)), surface, primitive, corners);
+    }
+
+    private static boolean areEqual(float[] normals, int v, int w) {
+        double square = 0;
+        for (int k = 0; k < 3; k++) {
+            double d = normals[3 * v + k] - normals[3 * w + k];
+            square += d * d;
+        }
+        return square <= EQUAL_NORMALS * EQUAL_NORMALS;
+    }
+
+    /** The surfaces of the materials used so far, with smoothing angles by the normals of the meshes read so far. */
+    List<Surface> surfaces() {
+        return edges.apply(materials.surfaces());
     }
 
     private float[] coordinates(JsonCursor attributes, int surface, int[] corners, int vertices) throws IOException {

@@ -100,6 +100,6 @@ final class SurfaceTable {
             notes.note("", "transparent surfaces let no light through; pictures show what is behind them", name);
         }
         return new Surface(name, exitance, reflectance.atMost(Surface.MAX_REFLECTANCE), values.twoSided,
-                SurfaceImages.maps(values, options)).with(values.toSpecular());
+                SurfaceImages.maps(values, options)).with(values.toSpecular()).smoothed(values.smoothing);
     }
 }

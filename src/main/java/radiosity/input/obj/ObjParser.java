@@ -25,6 +25,7 @@ final class ObjParser {
 
     final DoubleList points = new DoubleList();
     final FloatList textures = new FloatList();
+    final FloatList normals = new FloatList();
     /** In the order of the file. */
     final List<Group> groups = new ArrayList<>();
     /** Names of materials, by the polygons' tags. */
@@ -44,6 +45,7 @@ final class ObjParser {
     /** Polygons of the current object and group; null before the first polygon. */
     private Group present;
     private int material = -1;
+    private int smooth;
 
     /** @param name name of the object for polygons before any object and group */
     ObjParser(byte[] file, String name, SceneDraft draft, Diagnostics notes) {
@@ -59,6 +61,8 @@ final class ObjParser {
             switch (keyword) {
                 case "v" -> vertex();
                 case "vt" -> texture();
+                case "vn" -> normal();
+                case "s" -> smooth = (int) TextLines.number(lines.word(), 0);
                 case "f", "fo" -> face();
                 case "o" -> begin(lines.rest(), "");
                 case "g" -> begin(object, lines.rest());
@@ -89,6 +93,12 @@ final class ObjParser {
     private void texture() {
         textures.add((float) lines.number("missing"));
         textures.add((float) lines.number("0"));
+    }
+
+    private void normal() {
+        for (int k = 0; k < 3; k++) {
+            normals.add((float) lines.number("missing"));
+        }
     }
 
     private void begin(String newObject, String newGroup) {
@@ -127,8 +137,11 @@ final class ObjParser {
             int at = texture.isEmpty() ? MISSING : index(texture, textureVertices);
             present.polygons().corner(point);
             present.textures().add(at == MISSING ? -1 : at);
+            int normal = next < 0 ? MISSING : index(word.substring(next + 1), normals.size() / 3);
+            present.normals().add(normal == MISSING ? -1 : normal);
         }
         present.polygons().close(material);
+        present.smooth().add(smooth);
         present.lines().add(lines.number());
     }
 

@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import radiosity.input.assembly.Placing;
 import radiosity.input.assembly.SceneDraft;
+import radiosity.input.assembly.SmoothEdges;
 import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
@@ -41,6 +43,7 @@ public final class ObjReader {
     /** Index of the surface in {@code surfaces}, by the index of the material. */
     private final Map<Integer, Integer> surfaceOf = new HashMap<>();
     private final List<TextureImage> imageOf = new ArrayList<>();
+    private final SmoothEdges edges = new SmoothEdges();
     private boolean textured;
     private double[] origin;
     private FloatList points;
@@ -85,7 +88,7 @@ public final class ObjReader {
         for (Group group : reader.file.groups) {
             reader.add(group, work);
         }
-        return reader.draft.scene(reader.surfaces, List.of(), Optional.empty());
+        return reader.draft.scene(reader.edges.apply(reader.surfaces), List.of(), Optional.empty());
     }
 
     /** Converts the vertices to floats, relative to the scene's centre where the scene is far from the origin. */
@@ -142,6 +145,10 @@ public final class ObjReader {
         private final FloatList coordinates = new FloatList();
         private final Map<Integer, Integer> numbers = new HashMap<>();
         private final IntList scenes = new IntList();
+        /** Per corner: its number among the corners of the group's polygons. */
+        private final IntList given = new IntList();
+        /** Per triangle. */
+        private final IntList polygons = new IntList();
 
         void add(Group group, int polygon, int[] three) {
             int surface = surface(group.polygons().tag(polygon));
@@ -152,8 +159,10 @@ public final class ObjReader {
                 scenes.add(surface);
             }
             surfacesOf.add(number);
+            polygons.add(polygon);
             for (int corner : three) {
                 corners.add(point(group.polygons().point(corner)));
+                given.add(corner);
             }
             if (textured) {
                 addCoordinates(group, surface, three);
@@ -189,12 +198,25 @@ public final class ObjReader {
             }
         }
 
+        /** Whether two corners have the same normal or, without normals, are of polygons of one smoothing group. */
+        private boolean areAlike(Group group, int i, int j) {
+            int n = group.normals().get(given.get(i));
+            int m = group.normals().get(given.get(j));
+            if (n < 0 || m < 0 || 3 * Math.max(n, m) >= file.normals.size()) {
+                int smooth = group.smooth().get(polygons.get(i / 3));
+                return smooth != 0 && smooth == group.smooth().get(polygons.get(j / 3));
+            }
+            return IntStream.range(0, 3).allMatch(k -> file.normals.get(3 * n + k) == file.normals.get(3 * m + k));
+        }
+
         void finish(Group group) throws SceneFormatException {
             // Triangles added before the first surface with images have no coordinates yet: they get NaN.
             float[] uv = new float[coordinates.size() == 0 ? 0 : 2 * corners.size()];
             Arrays.fill(uv, Float.NaN);
             System.arraycopy(coordinates.toArray(), 0, uv, uv.length - coordinates.size(), coordinates.size());
             if (surfacesOf.size() > 0) {
+                edges.add(used.toArray(), corners.toArray(), Arrays.stream(surfacesOf.toArray()).map(scenes::get)
+                        .toArray(), (i, j) -> areAlike(group, i, j));
                 draft.add(new TriangleMesh(used.toArray(), corners.toArray(), surfacesOf.toArray(), uv, new float[0]),
                         new Placing(Affine.IDENTITY, false, origin), scenes.toArray(), group.node(), group.place());
             }

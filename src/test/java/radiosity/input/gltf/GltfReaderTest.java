@@ -45,6 +45,45 @@ class GltfReaderTest {
         return read(Files.writeString(folder.resolve("a.gltf"), text));
     }
 
+    /** A bent strip of three squares, by 30 degrees and then by 90; normals are one number per square end. */
+    private String strip(String more, int... normals) {
+        double[] turns = {0, Math.toRadians(30), Math.toRadians(120)};
+        float[] points = new float[54];
+        float[] n = new float[54];
+        double x = 0;
+        double y = 0;
+        for (int f = 0; f < 3; f++) {
+            double toX = x + Math.cos(turns[f]);
+            double toY = y + Math.sin(turns[f]);
+            double[][] corners = {{x, y, 0, 0}, {x, y, 1, 0}, {toX, toY, 1, 1}, {x, y, 0, 0}, {toX, toY, 1, 1},
+                {toX, toY, 0, 1}};
+            for (int k = 0; k < 6; k++) {
+                int i = 3 * (6 * f + k);
+                for (int a = 0; a < 3; a++) {
+                    points[i + a] = (float) corners[k][a];
+                }
+                double turn = normals.length == 0 ? 0 : Math.toRadians(normals[2 * f + (int) corners[k][3]]);
+                n[i] = (float) -Math.sin(turn);
+                n[i + 1] = (float) Math.cos(turn);
+            }
+            x = toX;
+            y = toY;
+        }
+        return model.one("'POSITION':" + model.floats("VEC3", points)
+                + (normals.length == 0 ? "" : ",'NORMAL':" + model.floats("VEC3", n)), ",'material':0", more,
+                "{'name':'s'}");
+    }
+
+    @Test
+    void normals_giveTheSmoothingAngle() throws IOException {
+        assertEquals(0, read(strip("")).surface(0).smoothing(), "no normals are flat ones");
+        assertEquals(0, read(strip("", 0, 0, 30, 30, 120, 120)).surface(0).smoothing(), 1e-12, "those of the facets");
+        assertEquals(Math.toRadians(30), read(strip("", 0, 15, 15, 30, 120, 120)).surface(0).smoothing(), .02);
+        assertEquals(Math.toRadians(90), read(strip("", 0, 15, 15, 75, 75, 120)).surface(0).smoothing(), .02);
+        double angle = read(strip("", 0, 0, 30, 75, 75, 120)).surface(0).smoothing();
+        assertEquals(0, angle, "no angle joins the second edge alone, and as much is wrong without any");
+    }
+
     private Scene read(Path file) throws IOException {
         return GltfReader.read(file, ReadOptions.defaults(), told::add);
     }

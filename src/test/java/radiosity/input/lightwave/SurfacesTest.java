@@ -81,6 +81,24 @@ class SurfacesTest {
     }
 
     @Test
+    void smoothingAngle_isReadInEveryFormat() throws IOException {
+        byte[] sman = sub("SMAN", f4(.75));
+        assertEquals(.75, read(Objects.lwo2(Objects.lwo2Surface("white", "", sman))).smoothing());
+        assertEquals(0, read(Objects.lwo2(Objects.lwo2Surface("white", "", sub("SMAN", f4(-1))))).smoothing());
+        assertEquals(0, read(Objects.lwo2(Objects.lwo2Surface("white", "", sub("SMAN", f4(Double.NaN))))).smoothing());
+        assertEquals(Math.PI, read(Objects.lwo2(Objects.lwo2Surface("white", "", sub("SMAN", f4(7))))).smoothing());
+        assertEquals(0, read(Objects.lwo2(Objects.lwo2Surface("white", ""))).smoothing());
+        assertEquals(.75, read(form("LWO3", chunk("TAGS", s0("white")), Objects.squareOf("FACE"),
+                form("SURF", chunk("    ", s0("white"), s0("")), chunk("SMAN", f4(.75))))).smoothing());
+        assertEquals(.75, read(old(sub("FLAG", u2(4)), sman)).smoothing());
+        assertEquals(.75, read(old(sman, sub("FLAG", u2(4)))).smoothing());
+        assertEquals(0, read(old(sub("FLAG", u2(1)), sman)).smoothing(), "the flag is not set");
+        assertEquals(Math.toRadians(89.5), read(old(sub("FLAG", u2(4)))).smoothing(), 1e-12, "LightWave's usual angle");
+        assertEquals(.75, read(old(sman)).smoothing(), "no flags");
+        assertEquals(0, read(old()).smoothing());
+    }
+
+    @Test
     void twoSided_isReadInBothFormats() throws IOException {
         assertEquals(false, read(old(sub("FLAG", u2(4)))).twoSided());
         assertEquals(true, read(old(sub("FLAG", u2(0x104)))).twoSided());

@@ -53,6 +53,26 @@ class ObjReaderTest {
         return ObjReader.read(Files.writeString(folder.resolve("room.obj"), text), options, told::add);
     }
 
+    /** Two squares at a right angle and a third one bent by 45 degrees from the second. */
+    private static String strip(String first, String second, String third) {
+        return "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 1 1 1\nv 1 1 0\nv 0 2 1\nv 0 2 0\nvn 1 0 0\nvn 0 1 0\n" + first
+                + second + third;
+    }
+
+    @Test
+    void smoothingGroupsAndNormals_giveTheSmoothingAngle() throws IOException {
+        assertEquals(0, read(strip("f 1 2 3 4\n", "f 4 3 5 6\n", "f 6 5 7 8\n")).surface(0).smoothing());
+        assertEquals(Math.toRadians(90), read(strip("s 1\nf 1 2 3 4\n", "f 4 3 5 6\n", "f 6 5 7 8\n")).surface(0)
+                .smoothing(), .02);
+        assertEquals(Math.toRadians(45), read(strip("s 1\nf 1 2 3 4\n", "s 2\nf 4 3 5 6\n", "f 6 5 7 8\n")).surface(0)
+                .smoothing(), .02);
+        assertEquals(0, read(strip("s off\nf 1 2 3 4\n", "f 4 3 5 6\n", "s 0\nf 6 5 7 8\n")).surface(0).smoothing());
+        assertEquals(Math.toRadians(45), read(strip("s 1\nf 1//2 2//2 3//2 4//2\n", "f 4//1 3//1 5//1 6//1\n",
+                "f 6//-2 5//-2 7//2 8//2\n")).surface(0).smoothing(), .02, "normals come before groups");
+        assertEquals(0, read(strip("f 1//9 2//9 3//x 4//\n", "f 4//0 3//-7 5//1 6//1\n", "f 6 5 7 8\n")).surface(0)
+                .smoothing(), "normals that do not exist");
+    }
+
     private Scene read(String text) throws IOException {
         return read(text, ReadOptions.defaults());
     }

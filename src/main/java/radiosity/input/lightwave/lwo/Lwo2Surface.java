@@ -39,6 +39,7 @@ final class Lwo2Surface {
             case "REFL" -> surface.reflection = (double) data.f4();
             case "GLOS" -> surface.glossiness = (double) data.f4();
             case "RIND" -> surface.refraction = (double) data.f4();
+            case "SMAN" -> surface.smoothing = (double) data.f4();
             case "SIDE" -> surface.twoSided = data.u2() == BOTH_SIDES;
             default -> {
                 return;
@@ -47,7 +48,7 @@ final class Lwo2Surface {
         if (data.ranOut()) {
             notes.note(place, "a value is cut short");
         }
-        if (!id.equals("SIDE") && data.hasVx() && data.vx() != 0) {
+        if (!id.equals("SIDE") && !id.equals("SMAN") && data.hasVx() && data.vx() != 0) {
             notes.note(place, "a surface value that changes in time is taken as its base value", surface.name);
         }
     }

@@ -7,11 +7,16 @@ import radiosity.scene.Rgb;
 /** Reads the SURF chunk of LWOB and LWLO objects. */
 final class LwobSurface {
 
+    private static final int SMOOTH = 0x4;
     private static final int TWO_SIDED = 0x100;
+    /** LightWave's smoothing angle where the file gives none, radians: right angles stay sharp. */
+    private static final double USUAL_SMOOTHING = StrictMath.toRadians(89.5);
 
     private final Diagnostics notes;
     private SurfaceValues surface;
     private TextureBlock texture;
+    /** Null where the file has no flags. */
+    private Boolean smooth;
     private double floatDiffuse = Double.NaN;
     private double floatLuminosity = Double.NaN;
     private double floatSpecular = Double.NaN;
@@ -38,7 +43,8 @@ final class LwobSurface {
     private void value(String id, ByteReader data) {
         switch (id) {
             case "COLR" -> surface.colour = new Rgb(data.u1() / 255.0, data.u1() / 255.0, data.u1() / 255.0);
-            case "FLAG" -> surface.twoSided = (data.u2() & TWO_SIDED) != 0;
+            case "FLAG" -> flags(data.u2());
+            case "SMAN" -> surface.smoothing = (double) data.f4();
             case "DIFF" -> surface.diffuse = share(data);
             case "LUMI" -> surface.luminosity = share(data);
             case "SPEC" -> surface.specular = share(data);
@@ -55,6 +61,11 @@ final class LwobSurface {
         }
     }
 
+    private void flags(int flags) {
+        surface.twoSided = (flags & TWO_SIDED) != 0;
+        smooth = (flags & SMOOTH) != 0;
+    }
+
     /** A share stored as an integer in units of 1/256; some programs wrote 4 bytes instead of 2. */
     private static double share(ByteReader data) {
         return (data.left() == 4 ? (int) data.u4() : data.i2()) / 256.0;
@@ -65,8 +76,12 @@ final class LwobSurface {
         return (StrictMath.log(Math.max(4, exponent)) / StrictMath.log(2) - 2) / 10;
     }
 
-    /** Floating-point values take precedence over integer values of the same property. */
+    /** Floating-point values take precedence over integer values; the smoothing angle counts if its flag is set. */
     private void finish() {
+        if (smooth != null) {
+            surface.smoothing = !smooth ? Double.valueOf(0)
+                    : surface.smoothing == null ? Double.valueOf(USUAL_SMOOTHING) : surface.smoothing;
+        }
         surface.diffuse = either(floatDiffuse, surface.diffuse);
         surface.luminosity = either(floatLuminosity, surface.luminosity);
         surface.specular = either(floatSpecular, surface.specular);

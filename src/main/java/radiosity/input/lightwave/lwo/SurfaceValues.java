@@ -34,6 +34,8 @@ public final class SurfaceValues {
     /** Colour of the emitted light; null where the surface's own colour is used. */
     public Rgb luminousColour;
     public Boolean twoSided;
+    /** Largest angle between facets that are shown smoothly, radians; 0 and below for none. */
+    public Double smoothing;
     public final List<TextureBlock> textures = new ArrayList<>(0);
 
     SurfaceValues(String name, String source) {
@@ -67,6 +69,7 @@ public final class SurfaceValues {
         refraction = refraction == null ? from.refraction : refraction;
         luminousColour = luminousColour == null ? from.luminousColour : luminousColour;
         twoSided = twoSided == null ? from.twoSided : twoSided;
+        smoothing = smoothing == null ? from.smoothing : smoothing;
         if (textures.isEmpty()) {
             textures.addAll(from.textures);
         }
@@ -84,6 +87,7 @@ public final class SurfaceValues {
         rest.glossiness = USUAL_GLOSSINESS;
         rest.refraction = 1.0;
         rest.twoSided = false;
+        rest.smoothing = 0.0;
         inherit(rest);
     }
 
