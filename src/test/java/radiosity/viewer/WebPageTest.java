@@ -1,10 +1,13 @@
 package radiosity.viewer;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.net.InetAddress;
 import java.net.Socket;
@@ -20,7 +23,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.cli.RadiosityRenderer;
+import radiosity.output.gltf.LitScene;
 import radiosity.output.image.ToneMapping;
+import radiosity.output.mesh.Mesh;
+import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.viewer.web.WebPage;
 
@@ -97,6 +104,53 @@ class WebPageTest {
             browser.tap("Minus", "-");
             browser.tap("Minus", "-");
             assertTrue(Rendered.brightness(browser.screenshot()) < 0.9 * Rendered.brightness(start), "darker");
+            assertEquals(List.of(), browser.errors);
+        }
+    }
+
+    /** An arc of facets that OBJ says to be smooth, below a lamp; both are lamps. */
+    private static Path arc() throws Exception {
+        StringBuilder obj = new StringBuilder("mtllib arc.mtl\n");
+        for (int i = 0; i <= 8; i++) {
+            double turn = Math.PI * i / 8;
+            for (int z = 0; z < 2; z++) {
+                obj.append("v " + Math.cos(turn) + " " + Math.sin(turn) + " " + z + "\n");
+            }
+        }
+        obj.append("v 2 3 0\nv 2 3 1\nv 3 2 1\nv 3 2 0\nusemtl lamp\nf 22 21 20 19\nusemtl arc\ns 1\n");
+        for (int i = 0; i < 8; i++) {
+            obj.append("f " + (2 * i + 3) + " " + (2 * i + 4) + " " + (2 * i + 2) + " " + (2 * i + 1) + "\n");
+        }
+        Files.writeString(folder.resolve("arc.mtl"), "newmtl lamp\nKe 9 8 7\nnewmtl arc\nKd .5 .6 .7\nKe .1 .1 .1\n");
+        Path scene = folder.resolve("arc.scene");
+        assertEquals(0, RadiosityRenderer.run("-q", "--layers", "--accuracy", "20%",
+                Files.writeString(folder.resolve("arc.obj"), obj).toString(), scene.toString()));
+        return scene;
+    }
+
+    private static void assertShown(Browser browser, Mesh mesh) throws Exception {
+        JsonNode shown = browser.value("JSON.stringify(Array.from(walk.meshes.find(mesh => mesh.userData.light.surface"
+                + " === 'arc').geometry.attributes.shown.array))");
+        float[] numbers = new ObjectMapper().readValue(shown.asText(), float[].class);
+        assertArrayEquals(mesh.shown(), numbers, 1e-5f);
+        double most = 0;
+        for (int i = 0; i < numbers.length; i++) {
+            most = Math.max(most, Math.abs(numbers[i] - mesh.radiosity()[i]));
+        }
+        assertTrue(most > 1e-3, "smoothed by " + most);
+    }
+
+    @Test
+    void browser_showsSmoothSurfacesAsTheWindowDoes() throws Exception {
+        Path file = arc();
+        LitScene scene = LitScene.read(file);
+        int arc = scene.meshes().get(0).surface().name().equals("arc") ? 0 : 1;
+        try (WebPage page = new WebPage(file, ToneMapping.Operator.REINHARD, 0, 0);
+                Browser browser = new Browser(Files.createDirectory(folder.resolve("third")), Rendered.SIZE)) {
+            browser.open(page.address());
+            assertShown(browser, scene.meshes().get(arc));
+            browser.set("lamp0", "50");
+            assertShown(browser, scene.mixed(List.of(Rgb.grey(.5), Rgb.grey(1))).meshes().get(arc));
             assertEquals(List.of(), browser.errors);
         }
     }
