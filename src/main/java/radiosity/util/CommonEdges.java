@@ -25,8 +25,7 @@ public final class CommonEdges {
     /**
      * Visits the pairs of triangles with a common edge, in the order of the triangles.
      *
-     * @param at 3 per triangle: the number of the point at each corner, or -1 at the corners of a triangle that is left
-     *           out; not modified
+     * @param at 3 per triangle: the number of the point at each corner; not modified
      */
     public static void visit(int[] at, Pair pair) {
         LongIndex latest = new LongIndex(at.length);
@@ -35,7 +34,7 @@ public final class CommonEdges {
         Arrays.fill(earlier, -1);
         for (int i = 0; i < at.length; i++) {
             int k = next(i);
-            if (at[i] < 0 || at[i] == at[k]) {
+            if (at[i] == at[k]) {
                 continue;
             }
             long key = (long) Math.min(at[i], at[k]) << 32 | Math.max(at[i], at[k]);

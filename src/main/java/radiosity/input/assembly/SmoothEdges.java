@@ -18,6 +18,8 @@ import radiosity.util.PointNumbers;
 public final class SmoothEdges {
 
     private static final int DEGREES = 180;
+    /** Degrees up to which triangles are one plane facet, whose inner edges say nothing. */
+    private static final double PLANE = 0.1;
 
     /** Length of the edges of each surface by the angle between their triangles, in degrees rounded up. */
     private final List<double[]> smooth = new ArrayList<>();
@@ -42,11 +44,12 @@ public final class SmoothEdges {
         int[] numbers = PointNumbers.of(exact);
         CommonEdges.visit(Arrays.stream(corners).map(p -> numbers[p]).toArray(), (i, j, k, l) -> {
             if (surfaces[i / 3] == surfaces[j / 3]) {
-                double cosine = normal(exact, corners, i / 3).dot(normal(exact, corners, j / 3));
-                int degrees = (int) Math.ceil(StrictMath.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine)))));
-                double length = point(exact, corners[k]).minus(point(exact, corners[i])).length();
-                boolean isSmooth = normals.areAlike(i, j) && normals.areAlike(k, l);
-                lengths(isSmooth ? smooth : sharp, surfaces[i / 3])[degrees] += length;
+                double degrees = degrees(cross(exact, corners, i / 3), cross(exact, corners, j / 3));
+                if (degrees > PLANE) {
+                    boolean isSmooth = normals.areAlike(i, j) && normals.areAlike(k, l);
+                    lengths(isSmooth ? smooth : sharp, surfaces[i / 3])[(int) Math.ceil(degrees)] +=
+                            point(exact, corners[k]).minus(point(exact, corners[i])).length();
+                }
             }
         });
     }
@@ -62,11 +65,16 @@ public final class SmoothEdges {
         return new Vec3(points[3 * p], points[3 * p + 1], points[3 * p + 2]);
     }
 
-    private static Vec3 normal(double[] points, int[] corners, int triangle) {
+    /** The angle between two normals of any length; 0 if one of them is zero. */
+    private static double degrees(Vec3 m, Vec3 n) {
+        double cosine = m.dot(n) / (m.length() * n.length());
+        return cosine < 1 ? StrictMath.toDegrees(StrictMath.acos(Math.max(-1, cosine))) : 0;
+    }
+
+    private static Vec3 cross(double[] points, int[] corners, int triangle) {
         Vec3 a = point(points, corners[3 * triangle]);
-        Vec3 cross = point(points, corners[3 * triangle + 1]).minus(a)
+        return point(points, corners[3 * triangle + 1]).minus(a)
                 .cross(point(points, corners[3 * triangle + 2]).minus(a));
-        return cross.length() > 0 ? cross.unit() : Vec3.ZERO;
     }
 
     /** The surfaces, in the order of their indices, with their smoothing angles. */
