@@ -145,9 +145,9 @@ class WebPageTest {
         Path file = arc();
         LitScene scene = LitScene.read(file);
         int arc = scene.meshes().get(0).surface().name().equals("arc") ? 0 : 1;
-        try (WebPage page = new WebPage(file, ToneMapping.Operator.REINHARD, 0, 0);
-                Browser browser = new Browser(Files.createDirectory(folder.resolve("third")), Rendered.SIZE)) {
-            browser.open(page.address());
+        try (WebPage smooth = new WebPage(file, ToneMapping.Operator.REINHARD, 0, 0);
+                Browser browser = new Browser(Files.createDirectory(folder.resolve("smooth")), Rendered.SIZE)) {
+            browser.open(smooth.address());
             assertShown(browser, scene.meshes().get(arc));
             browser.set("lamp0", "50");
             assertShown(browser, scene.mixed(List.of(Rgb.grey(.5), Rgb.grey(1))).meshes().get(arc));
