@@ -47,9 +47,49 @@ public record Units(double metres, boolean isPhotometric) {
         return isPhotometric ? "lx" : "W/m2";
     }
 
+    /** Word for arriving light. */
+    public String irradianceWord() {
+        return isPhotometric ? "illuminance" : "irradiance";
+    }
+
     /** Name of the unit of leaving light. */
     public String exitance() {
         return isPhotometric ? "lm/m2" : "W/m2";
+    }
+
+    /** Name of the unit of {@link #luminance(Rgb)}. */
+    public String luminance() {
+        return isPhotometric ? "cd/m2" : "W/m2";
+    }
+
+    /**
+     * How bright a surface looks that leaves this radiosity, in the unit of {@link #luminance()}: the luminance of a
+     * diffuse surface, radiosity / pi, where light is photometric, else the weighted radiosity itself.
+     *
+     * @param radiosity channels in the unit of {@link #exitance}
+     */
+    public double luminance(Rgb radiosity) {
+        return isPhotometric ? weighted(radiosity) / Math.PI : weighted(radiosity);
+    }
+
+    /** The unit of {@link #luminance(Rgb)} as a scale names it. */
+    public String luminanceScale() {
+        return isPhotometric ? luminance() : luminance() + " (Y)";
+    }
+
+    /** Factor from weighted radiosity to the unit of {@link #luminance()}. */
+    public double luminancePerRadiosity() {
+        return isPhotometric ? 1 / Math.PI : 1;
+    }
+
+    /** The sum of three channels with {@link #WEIGHTS}, whether light is photometric or not. */
+    public static double weighted(Rgb light) {
+        return light.r() * WEIGHTS.r() + light.g() * WEIGHTS.g() + light.b() * WEIGHTS.b();
+    }
+
+    /** The name of a unit with raised digits, for pictures and windows: W/m² for W/m2. */
+    public static String raised(String unit) {
+        return unit.replace('2', '\u00b2');
     }
 
     /** Name of the unit of flux, which is exitance times area times {@link #fluxScale}. */
@@ -64,8 +104,15 @@ public record Units(double metres, boolean isPhotometric) {
 
     /** One number for three channels: the luminous quantity, or the mean of radiometric channels. */
     public double total(Rgb light) {
-        return isPhotometric ? light.r() * WEIGHTS.r() + light.g() * WEIGHTS.g() + light.b() * WEIGHTS.b()
-                : (light.r() + light.g() + light.b()) / 3;
+        return isPhotometric ? weighted(light) : (light.r() + light.g() + light.b()) / 3;
+    }
+
+    /** Describes the units to the user. */
+    @Override
+    public String toString() {
+        return (isLengthKnown() ? "a scene unit is " + metres + " m" : "length of a scene unit not known") + ", light "
+                + (isPhotometric ? "photometric: " : "radiometric: ") + flux() + ", " + irradiance()
+                + (isPhotometric ? ", cd/m2" : "");
     }
 
     /** Flux in the unit of flux, from 1 or 3 channels of exitance times square scene units: luminous, or summed. */

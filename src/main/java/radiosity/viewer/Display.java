@@ -319,7 +319,7 @@ public final class Display {
         double far = REACH * (extent.size() + camera.position().minus(extent.centre()).length());
         Optional<Probe> probe = obstacles.join().flatMap(known -> known.hit(camera.position(), direction, far))
                 .map(hit -> Probe.of(hit, lighting.scene().meshes().get(hit.mesh()), camera.position()
-                        .plus(direction.times(hit.distance()))));
+                        .plus(direction.times(hit.distance())), lighting.scene().units()));
         status(probe.map(Probe::lines).orElse(List.of()));
         mark = probe.map(hit -> new Overlay.Label(Overlay.mark(), x - Overlay.MARK / 2, y - Overlay.MARK / 2));
         overlay();
@@ -351,7 +351,7 @@ public final class Display {
         }
         mark.ifPresent(labels::add);
         if (lighting.falseColour()) {
-            BufferedImage scale = Overlay.scale(lighting.toneMapping());
+            BufferedImage scale = Overlay.scale(lighting.toneMapping(), lighting.scene().units());
             labels.add(new Overlay.Label(scale, width - scale.getWidth() - EDGE, EDGE));
         }
         if (help) {

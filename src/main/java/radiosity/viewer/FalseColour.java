@@ -1,6 +1,7 @@
 package radiosity.viewer;
 
 import radiosity.output.image.ToneMapping;
+import radiosity.scene.Units;
 
 /** Logarithmic colour scale of luminance: the colour map of light.frag in Java, for the scale beside the picture. */
 final class FalseColour {
@@ -15,9 +16,9 @@ final class FalseColour {
 
     private FalseColour() { }
 
-    /** Luminance shown as red, W/m²; inversely proportional to the exposure. */
-    static double top(ToneMapping toneMapping) {
-        return ToneMapping.Operator.WHITE / toneMapping.exposure();
+    /** Luminance shown as red, W/m² or cd/m²; inversely proportional to the exposure. */
+    static double top(ToneMapping toneMapping, Units units) {
+        return ToneMapping.Operator.WHITE / toneMapping.exposure() * units.luminancePerRadiosity();
     }
 
     /**

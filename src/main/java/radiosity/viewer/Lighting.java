@@ -8,6 +8,7 @@ import radiosity.output.gltf.LitScene;
 import radiosity.output.image.ToneMapping;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
+import radiosity.scene.Units;
 
 /** The light in which a scene is shown: factors of the lamps, exposure and tone mapping; on the event thread. */
 final class Lighting {
@@ -21,7 +22,7 @@ final class Lighting {
     /** 1 per lamp: factor of the lamp's light, per channel. */
     private List<Rgb> factors = List.of();
     private ToneMapping toneMapping;
-    /** Exposure that suits the scene with its present lamps, 1 / (W/m²). */
+    /** Exposure that suits the scene with its present lamps, 1 / (W/m²) or 1 / (lm/m²). */
     private double automaticExposure;
     /** Whether the exposure changes with the scene. */
     private boolean automatic;
@@ -152,7 +153,8 @@ final class Lighting {
 
     /** Describes exposure and curve to the user. */
     String text() {
-        return String.format(Locale.ROOT, "exposure %.4g per W/m² (%+.2f EV)   %s", toneMapping.exposure(), stops(),
+        return String.format(Locale.ROOT, "exposure %.4g per %s (%+.2f EV)   %s", toneMapping.exposure(),
+                Units.raised(scene.units().exitance()), stops(),
                 toneMapping.operator().name().toLowerCase(Locale.ROOT));
     }
 }

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import radiosity.output.image.ToneMapping;
+import radiosity.scene.Units;
 
 /** Draws texts and scales that lie over the picture. */
 final class Overlay {
@@ -92,8 +93,8 @@ final class Overlay {
                 .map(line -> String.format(Locale.ROOT, "%-20s %s", line[0], line[1])).toList());
     }
 
-    /** Draws the scale of false colours, W/m². */
-    static BufferedImage scale(ToneMapping toneMapping) {
+    /** Draws the scale of false colours: luminance in the unit of the scene's light. */
+    static BufferedImage scale(ToneMapping toneMapping, Units units) {
         BufferedImage image = panel(SCALE_WIDTH, SCALE_HEIGHT);
         Graphics2D g = graphics(image);
         int height = SCALE_HEIGHT - 5 * EDGE;
@@ -102,9 +103,9 @@ final class Overlay {
             g.drawLine(EDGE, 4 * EDGE + y, EDGE + BAR, 4 * EDGE + y);
         }
         g.setColor(INK);
-        g.drawString("W/m² (Y)", EDGE, 2 * EDGE + 2);
+        g.drawString(Units.raised(units.luminanceScale()), EDGE, 2 * EDGE + 2);
         for (int decade = 0; decade <= FalseColour.DECADES; decade++) {
-            double value = FalseColour.top(toneMapping) * Math.pow(10, -decade);
+            double value = FalseColour.top(toneMapping, units) * Math.pow(10, -decade);
             int y = 4 * EDGE + (int) Math.round(decade * (height - 1.0) / FalseColour.DECADES);
             g.drawString(String.format(Locale.ROOT, "%.3g", value), 2 * EDGE + BAR, y + 4);
         }

@@ -72,7 +72,7 @@ final class DrivenWindow implements AutoCloseable {
 
     static double[] numbers(String lines, String name) {
         String line = Stream.of(lines.split("; ")).filter(l -> l.startsWith(name)).findFirst().orElseThrow();
-        return Stream.of(line.substring(name.length()).replace("W/m²", "").trim().split(" +"))
+        return Stream.of(line.substring(name.length()).replaceAll("W/m²|lm/m²|lx", "").trim().split(" +"))
                 .mapToDouble(Double::parseDouble).toArray();
     }
 

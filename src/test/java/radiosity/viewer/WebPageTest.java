@@ -18,6 +18,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -204,6 +206,44 @@ class WebPageTest {
             assertTrue(textures > 0 && textures <= 2, "textures differ by " + textures + " of 255");
             assertEquals(List.of(), browser.errors);
         }
+    }
+
+    /** Radiosity in lm/m2, irradiance in lx; luminance is radiosity by pi; the scale ends at the luminance that is red. */
+    @Test
+    void browser_speaksOfLuxAndCandela_wherePhotometric() throws Exception {
+        Path lux = Rendered.cornellBox(Files.createDirectory(folder.resolve("lux")), "--unit", "mm", "--photometric");
+        try (WebPage photometric = new WebPage(lux, ToneMapping.Operator.REINHARD, 0, 0);
+                Browser browser = new Browser(Files.createDirectory(folder.resolve("fourth")), Rendered.SIZE)) {
+            browser.open(photometric.address());
+            double[] radiosity = probe(browser, "radiosity");
+            double[] irradiance = probe(browser, "irradiance");
+            String text = browser.value("document.getElementById('text').textContent").asText();
+            assertTrue(text.matches("(?s).*\nradiosity [^\n]* lm/m²\nirradiance [^\n]* lx\n.*"), text);
+            Matcher y = Pattern.compile("luminance Y +(\\S+) cd/m², illuminance (\\S+) lx").matcher(text);
+            assertTrue(y.find(), text);
+            assertEquals(weighted(radiosity) / Math.PI, Double.parseDouble(y.group(1)), 2e-3 * weighted(radiosity));
+            assertEquals(weighted(irradiance), Double.parseDouble(y.group(2)), 2e-3 * weighted(irradiance));
+            browser.tap("KeyC", "c");
+            assertTrue(browser.value("document.getElementById('scale').textContent").asText().startsWith("cd/m²"));
+            double red = browser.value("4 / walk.light.exposure.value").asDouble() / Math.PI;
+            assertEquals(red, browser.value("document.querySelector('#scale li').textContent").asDouble(), 1e-2 * red);
+            browser.tap("KeyT", "t");
+            text = browser.value("document.getElementById('text').textContent").asText();
+            assertTrue(text.matches("exposure \\S+ per lm/m² .*"), text);
+            assertEquals(List.of(), browser.errors);
+        }
+    }
+
+    private static double weighted(double[] rgb) {
+        return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+    }
+
+    @Test
+    void settings_nameTheUnits() throws Exception {
+        JsonNode units = new ObjectMapper().readTree(get("/settings.json").body()).get("units");
+        assertEquals("W/m²", units.get("exitance").textValue());
+        assertEquals("W/m² (Y)", units.get("scale").textValue());
+        assertEquals(1, units.get("luminancePerRadiosity").doubleValue());
     }
 
     @Test

@@ -184,6 +184,19 @@ class WindowTest {
     }
 
     @Test
+    void photometricScene_isToldInLuxAndCandela() throws IOException {
+        Path lux = Rendered.cornellBox(Files.createDirectory(folder.resolve("lux")), "--unit", "mm", "--photometric");
+        try (DrivenWindow own = new DrivenWindow(lux, folder)) {
+            String wall = own.say("probe " + LEFT + " " + MIDDLE);
+            assertTrue(wall.matches(".*; radiosity [^;]* lm/m²; irradiance [^;]* lx; luminance Y .* cd/m², illuminance .*"),
+                    wall);
+            own.tap("T");
+            String exposure = own.say("status");
+            assertTrue(exposure.matches("exposure \\S+ per lm/m² .*"), exposure);
+        }
+    }
+
+    @Test
     void keys_changeExposureAndCurve() throws IOException {
         double before = Double.parseDouble(window.say("exposure"));
         window.tap("EQUALS");

@@ -24,8 +24,8 @@ public final class CalculationOptions {
     public Integer rays;
 
     @Option(names = {"-mt", "--meshing-threshold"}, paramLabel = "<n>", converter = Values.NotNegative.class,
-            description = "Adaptive meshing: a triangle whose vertices differ by more than this in radiosity (W/m2) is"
-                    + " subdivided. Never without it.")
+            description = "Adaptive meshing: a triangle whose vertices differ by more than this in radiosity (W/m2,"
+                    + " lm/m2) is subdivided. Never without it.")
     Double meshing;
 
     @Option(names = {"-it", "--iterations"}, paramLabel = "<n>", converter = Values.Count.class,

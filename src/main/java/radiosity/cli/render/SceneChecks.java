@@ -54,8 +54,8 @@ public final class SceneChecks {
         for (Surface surface : scene.surfaces()) {
             if (surface.exitance().max() > most) {
                 throw Failure.file(scene.name(), String.format(Locale.ROOT,
-                        "expected surfaces that emit at most %.4g W/m2, got %.4g of %s", most, surface.exitance().max(),
-                        surface.name()), null);
+                        "expected surfaces that emit at most %.4g %s, got %.4g of %s", most, scene.units().exitance(),
+                        surface.exitance().max(), surface.name()), null);
             }
         }
     }

@@ -16,6 +16,7 @@ import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
@@ -31,9 +32,10 @@ import radiosity.util.Aabb;
  * @param lamps    in the order of the meshes' layers, to be mixed anew; empty if the meshes have no layers
  * @param textures the same surfaces with their light in textures, if the file has textures
  * @param progress number of shots, for the user
+ * @param units    of the light and of lengths
  */
 public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp> lamps,
-                       Optional<Textures> textures, String progress) {
+                       Optional<Textures> textures, String progress, Units units) {
 
     /**
      * Surfaces with their light in textures.
@@ -66,7 +68,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
      */
     public LitScene mixed(List<Rgb> factors) {
         return new LitScene(meshes.stream().map(mesh -> mesh.mixed(lamps, factors)).toList(), origin, camera, lamps,
-                textures, progress);
+                textures, progress, units);
     }
 
     /**
@@ -79,7 +81,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
             Optional<Camera> camera = file.camera();
             return new LitScene(file.meshes(), file.origin(),
                     camera.isPresent() ? camera.get() : DefaultCamera.of(file.solution()),
-                    file.lamps(), textures(file), file.extras().get("shots") + " shots");
+                    file.lamps(), textures(file), file.extras().get("shots") + " shots", file.units());
         }
     }
 
@@ -88,14 +90,15 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
         Solution closed = TJunctions.close(solution);
         Vec3 origin = Aabb.of(closed.positions()).centre();
         return new LitScene(Mesh.of(closed, origin), origin, camera, solution.lamps(), Optional.empty(),
-                solution.shots() + " shots");
+                solution.shots() + " shots", solution.scene().units());
     }
 
     /**
      * The scene as a solution, for pictures; reflectance that varies over a surface is replaced by the surface's mean.
      */
     public Solution solution() {
-        return MergedMeshes.solution(meshes, origin, progress, 0, 0, 0, NO_LEDGER, Optional.of(camera));
+        return MergedMeshes.solution(meshes, origin, progress, 0, 0, 0, NO_LEDGER, Optional.of(camera),
+                units);
     }
 
     private static Optional<Textures> textures(SceneFile file) throws IOException {
@@ -114,7 +117,7 @@ public record LitScene(List<Mesh> meshes, Vec3 origin, Camera camera, List<Lamp>
         Solution solution = shaded(scene.with(surfaces, List.of()));
         Aabb box = Aabb.of(solution.positions());
         return new LitScene(Mesh.of(solution, box.centre()), box.centre(), DefaultCamera.of(solution),
-                List.of(), Optional.empty(), "unlit");
+                List.of(), Optional.empty(), "unlit", scene.units());
     }
 
     private static Surface unlit(Surface surface) {

@@ -22,6 +22,7 @@ import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.SceneNode;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
@@ -159,10 +160,21 @@ public final class SceneFile implements Closeable {
         content.put("rounds", solution.rounds());
         content.put("unshotFlux", solution.unshotFlux());
         content.put("ledger", solution.ledger());
+        content.put("units", units(solution.scene().units()));
         if (!solution.lamps().isEmpty()) {
             content.put("lamps", solution.lamps());
         }
         return content;
+    }
+
+    /** The units as the file says them: without a length where it is not known. */
+    private static Map<String, Object> units(Units units) {
+        Map<String, Object> said = new TreeMap<>();
+        said.put("photometric", units.isPhotometric());
+        if (units.isLengthKnown()) {
+            said.put("metres", units.metres());
+        }
+        return said;
     }
 
     /** Name and version of this program. */
@@ -230,6 +242,26 @@ public final class SceneFile implements Closeable {
         return meshes.origin();
     }
 
+    /**
+     * The units of the file's numbers; radiometric and of unknown length where an earlier program wrote the file, which
+     * did not say them.
+     *
+     * @throws radiosity.scene.SceneFormatException where the length is not a finite number above 0
+     */
+    public Units units() throws IOException {
+        Optional<JsonCursor> units = radiosity.optional("units");
+        if (units.isEmpty()) {
+            return Units.UNKNOWN;
+        }
+        Optional<JsonCursor> metres = units.get().optional("metres");
+        try {
+            return new Units(metres.isEmpty() ? Double.NaN : metres.get().number(),
+                    units.get().at("photometric").node().booleanValue());
+        } catch (IllegalArgumentException e) {
+            throw units.get().at("metres").wrong("a length above 0");
+        }
+    }
+
     public Optional<Camera> camera() throws IOException {
         return meshes.camera();
     }
@@ -247,6 +279,11 @@ public final class SceneFile implements Closeable {
                 ledger.at("unshot").numbers(channels),
                 ledger.optional("escaped").isEmpty() || ledger.at("escaped").size() == 0 ? new double[0]
                         : ledger.at("escaped").numbers(channels));
+    }
+
+    /** Sum of |U| A over elements and channels, exitance times square scene units. */
+    double unshotFlux() throws IOException {
+        return radiosity.at("unshotFlux").number();
     }
 
     /** Whether the file has a state, from which a calculation can go on. */
@@ -280,7 +317,7 @@ public final class SceneFile implements Closeable {
         int shots = radiosity.at("shots").integer();
         int rounds = radiosity.at("rounds").integer();
         return MergedMeshes.solution(meshes.read(), meshes.origin(), glb.name, shots, rounds,
-                radiosity.at("unshotFlux").number(), ledger(), meshes.camera());
+                unshotFlux(), ledger(), meshes.camera(), units());
     }
 
     JsonCursor root() {

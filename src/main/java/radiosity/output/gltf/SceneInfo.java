@@ -24,6 +24,7 @@ import radiosity.scene.Camera;
 import radiosity.scene.Lamp;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 
@@ -32,7 +33,7 @@ public final class SceneInfo {
 
     /** Keys of extras.radiosity that {@link #rest} leaves out, because they have lines of their own. */
     private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
-            "ledger", "state", "channels", "lamps", "certificate");
+            "ledger", "state", "channels", "lamps", "certificate", "units");
 
     /** Labels of a certificate's figures, in the order of the lines. */
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
@@ -48,18 +49,20 @@ public final class SceneInfo {
         NAMES.put("meshing", "error of mesh");
         NAMES.put("bias", "bias of rays");
         NAMES.put("points", "at points");
-        NAMES.put("missingFlux", "missing flux <=");
-        NAMES.put("factors", "mean ff sum");
-        NAMES.put("mostFactors", "largest ff sum");
-        NAMES.put("reciprocity", "reciprocity err");
+        NAMES.put("missingFlux", "upper bound on missing flux");
+        NAMES.put("factors", "mean form-factor sum");
+        NAMES.put("mostFactors", "largest form-factor sum");
+        NAMES.put("reciprocity", "reciprocity error");
     }
 
     private final SceneFile file;
+    private final Units units;
     private final JsonCursor root;
     private final List<String> lines = new ArrayList<>();
 
-    private SceneInfo(SceneFile file) {
+    private SceneInfo(SceneFile file) throws IOException {
         this.file = file;
+        units = file.units();
         root = file.root();
     }
 
@@ -80,7 +83,7 @@ public final class SceneInfo {
     }
 
     private void line(String name, String value) {
-        lines.add(String.format(Locale.ROOT, "%-15s %s", name, SceneFormatException.escape(value)));
+        lines.add(String.format(Locale.ROOT, "%-27s %s", name, SceneFormatException.escape(value)));
     }
 
     private void program() {
@@ -88,6 +91,7 @@ public final class SceneInfo {
         line("format", String.valueOf(extras.get("formatVersion")));
         line("program", String.valueOf(extras.get("program")));
         line("shots", value(extras.get("shots")) + " in " + value(extras.get("rounds")) + " rounds");
+        line("units", units.toString());
         line("state", extras.containsKey("state") ? "kept, the render can go on" : "none, the render cannot go on");
     }
 
@@ -118,7 +122,7 @@ public final class SceneInfo {
         line("vertices", String.valueOf(vertices));
         if (elements > 0) {
             line("box", text(vec(box.low).plus(file.origin())) + " to " + text(vec(box.high).plus(file.origin())));
-            line("radiosity", text(vec(radiosity.low)) + " to " + text(vec(radiosity.high)) + " W/m2");
+            line("radiosity", text(vec(radiosity.low)) + " to " + text(vec(radiosity.high)) + " " + units.exitance());
         }
     }
 
@@ -162,23 +166,27 @@ public final class SceneInfo {
 
     private void ledger() throws IOException {
         EnergyLedger ledger = file.ledger();
-        line("emitted", watts(ledger.emitted()));
-        line("shot", watts(ledger.shot()) + ", reflected light among it");
-        line("received", watts(ledger.received()));
-        line("absorbed", watts(ledger.absorbed()));
-        line("not distributed", watts(ledger.unshot()) + " net, what was shot too much subtracted; "
-                + value(file.extras().get("unshotFlux")) + " W absolute, all channels together");
+        line("emitted", flux(ledger.emitted()));
+        line("shot", flux(ledger.shot()) + ", reflected light among it");
+        line("received", flux(ledger.received()));
+        line("absorbed", flux(ledger.absorbed()));
+        line("not yet distributed", flux(ledger.unshot()) + " net, what was shot too much subtracted; "
+                + flux(file.unshotFlux()) + " absolute, "
+                + (units.isPhotometric() ? "channels unweighted" : "all channels together"));
         double[] deficit = new double[ledger.shot().length];
         Arrays.setAll(deficit, ledger::deficit);
         if (ledger.knowsEscaped()) {
-            line("escaped", watts(ledger.escaped()) + ", found by rays");
+            line("escaped", flux(ledger.escaped()) + ", found by rays");
             Arrays.setAll(deficit, c -> ledger.deficit(c) - ledger.escaped()[c]);
         }
-        line(ledger.knowsEscaped() ? "lost" : "escaped or lost", watts(deficit));
+        line(ledger.knowsEscaped() ? "lost" : "escaped or lost", flux(deficit));
     }
 
-    private static String watts(double[] flux) {
-        return value(flux) + " W";
+    /** Flux in the unit of flux, and by channels where there are three. */
+    private String flux(double... flux) {
+        double[] channels = Arrays.stream(flux).map(of -> of * units.fluxScale()).toArray();
+        return number(units.flux(flux)) + " " + units.flux()
+                + (flux.length == 3 ? " (R, G, B: " + value(channels) + ")" : "");
     }
 
     /** Adds the lines of the certificate's figures for the whole scene; figures of single surfaces are left out. */
@@ -188,8 +196,11 @@ public final class SceneInfo {
             certificate.forEach((key, value) -> whole.put(String.valueOf(key), value));
             whole.remove("surfaces");
             NAMES.forEach((key, name) -> {
-                if (whole.containsKey(key)) {
-                    line(name, value(whole.remove(key)));
+                Object value = whole.remove(key);
+                if (value instanceof Number flux && key.equals("missingFlux")) {
+                    line(name, flux(flux.doubleValue()));
+                } else if (value != null) {
+                    line(name, value(value));
                 }
             });
             if (!whole.isEmpty()) {

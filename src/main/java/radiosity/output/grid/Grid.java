@@ -60,7 +60,7 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         double[][] lit = Arrays.stream(rows).filter(row -> !Double.isNaN(row[6])).toArray(double[][]::new);
         double[] values = Arrays.stream(lit).mapToDouble(row -> row[6]).sorted().toArray();
         int n = values.length;
-        String[] quantity = {units.isPhotometric() ? "illuminance" : "irradiance", units.irradiance()};
+        String[] quantity = {units.irradianceWord(), units.irradiance()};
         return n == 0 ? new Grid(where, lit, 0, 0, 0, rows.length, quantity)
                 : new Grid(where, lit, Arrays.stream(values).sum() / n, values[0], values[n - 1], rows.length - n,
                 quantity);

@@ -149,8 +149,8 @@ public final class FalseColour {
             g.drawLine(left + 12, y, left + 36, y);
         }
         g.setColor(Color.BLACK);
-        g.drawString(units.isPhotometric() ? "illuminance" : "irradiance", left + 12, 3 * text / 2);
-        g.drawString("[" + units.irradiance().replace("2", "\u00b2") + "]", left + 12, 11 * text / 4);
+        g.drawString(units.irradianceWord(), left + 12, 3 * text / 2);
+        g.drawString("[" + Units.raised(units.irradiance()) + "]", left + 12, 11 * text / 4);
         for (int k = 0; k <= steps; k++) {
             int y = bottom - (bottom - top) * k / steps;
             g.drawLine(left + 12, y, left + 42, y);

@@ -15,6 +15,7 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import radiosity.output.file.AtomicFile;
 import radiosity.scene.Rgb;
+import radiosity.scene.Units;
 import radiosity.util.ArraySize;
 
 /** The formats in which pictures are written. */
@@ -23,22 +24,22 @@ public enum PictureFormat {
     /** Linear light in [0, 1], stored as 8-bit sRGB without loss. */
     PNG {
         @Override
-        byte[] bytes(Picture picture) throws IOException {
+        byte[] bytes(Picture picture, Units units) throws IOException {
             return png(picture, UnaryOperator.identity());
         }
     },
     /** Linear light in [0, 1], stored as 8-bit sRGB with quality 0.95. */
     JPEG {
         @Override
-        byte[] bytes(Picture picture) throws IOException {
+        byte[] bytes(Picture picture, Units units) throws IOException {
             return encoded(picture, UnaryOperator.identity(), "jpeg");
         }
     },
     /** Any light of at least 0, stored as Radiance's RGBE with 8-bit mantissas, not compressed. */
     HDR {
         @Override
-        byte[] bytes(Picture picture) {
-            return rgbe(picture);
+        byte[] bytes(Picture picture, Units units) {
+            return rgbe(picture, units);
         }
     };
 
@@ -60,11 +61,12 @@ public enum PictureFormat {
         };
     }
 
-    abstract byte[] bytes(Picture picture) throws IOException;
+    /** @param units of the picture's light, for formats that name them */
+    abstract byte[] bytes(Picture picture, Units units) throws IOException;
 
     /** Writes a picture, which replaces the file if there is one. */
-    void write(Path file, Picture picture) throws IOException {
-        AtomicFile.write(file, bytes(picture));
+    void write(Path file, Picture picture, Units units) throws IOException {
+        AtomicFile.write(file, bytes(picture, units));
     }
 
     /**
@@ -111,9 +113,9 @@ public enum PictureFormat {
     }
 
     /** Encodes a picture as Radiance's RGBE: G. Ward, Real pixels, Graphics Gems II, 1991. */
-    private static byte[] rgbe(Picture picture) {
-        byte[] header = ("#?RADIANCE\n# radiosity, W/m2\nFORMAT=32-bit_rle_rgbe\n\n-Y " + picture.height() + " +X "
-                + picture.width() + "\n").getBytes(StandardCharsets.US_ASCII);
+    private static byte[] rgbe(Picture picture, Units units) {
+        byte[] header = ("#?RADIANCE\n# radiosity, " + units.exitance() + "\nFORMAT=32-bit_rle_rgbe\n\n-Y "
+                + picture.height() + " +X " + picture.width() + "\n").getBytes(StandardCharsets.US_ASCII);
         ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of a picture of " + picture.width() + "x"
                 + picture.height() + " pixels", header.length + 4L * picture.width() * picture.height())).put(header);
         float[] rgb = picture.rgb();

@@ -104,7 +104,7 @@ public final class Snapshot {
      * Writes a picture in the format that the end of the file's name stands for.
      *
      * @param width       pixels; the height follows from the camera's aspect
-     * @param toneMapping for .png and .jpg; a .hdr holds radiosity as it is, in W/m²
+     * @param toneMapping for .png and .jpg; a .hdr holds radiosity as it is, in W/m² or lm/m²
      */
     public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping)
             throws IOException {
@@ -121,7 +121,7 @@ public final class Snapshot {
         PictureFormat format = PictureFormat.of(file);
         boolean mapped = format != PictureFormat.HDR;
         format.write(file, take(solution, camera, width, mapped ? toneMapping::map : UnaryOperator.identity(),
-                drawing));
+                drawing), solution.scene().units());
     }
 
     /** Whether a surface of a solution mirrors or transmits light, so that drawing takes longer. */

@@ -100,7 +100,7 @@ public record ToneMapping(Operator operator, double exposure) {
 
     /** Luminance Y of linear sRGB (IEC 61966-2-1), in the unit of the light. */
     public static double luminance(Rgb light) {
-        return light.r() * Units.WEIGHTS.r() + light.g() * Units.WEIGHTS.g() + light.b() * Units.WEIGHTS.b();
+        return Units.weighted(light);
     }
 
     /** The sRGB code, 0 to 255, of linear light, which is clamped to [0, 1]. */

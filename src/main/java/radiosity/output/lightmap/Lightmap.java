@@ -24,6 +24,7 @@ import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.TJunctions;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
+import radiosity.scene.Units;
 import radiosity.solution.Solution;
 import radiosity.util.DisjointSets;
 
@@ -31,12 +32,13 @@ import radiosity.util.DisjointSets;
  * The irradiance of all original triangles in one texture. Coplanar neighbours share one chart. Of a two-sided surface
  * the texture shows the side that gets more light, because a triangle has one place in the texture.
  *
- * @param irradiance W/m², row by row from the top
+ * @param irradiance W/m² or lx, row by row from the top
  * @param places     u, v of each corner of each triangle of the scene, v downwards, 6 per triangle, in [0, 1]; 0 for
  *                   triangles without elements
  * @param samples    texels per scene unit
+ * @param units      of the irradiance
  */
-public record Lightmap(Picture irradiance, float[] places, double samples) {
+public record Lightmap(Picture irradiance, float[] places, double samples, Units units) {
 
     /** Number of texels that triangles cover where the user gives no density. */
     private static final double USUAL_TEXELS = 600_000;
@@ -91,7 +93,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
                     }
                 }
             }
-            return new Lightmap(texels.padded(Chart.PAD), places, samples);
+            return new Lightmap(texels.padded(Chart.PAD), places, samples, scene.units());
         }
 
         /** Connected, coplanar groups of triangles; triangles too small to have elements are left out. */
@@ -160,7 +162,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
      * Encodes the lightmap as a PNG of four 8-bit channels (RGBM): the irradiance of a channel is (channel alpha)²
      * range, with channel and alpha in [0, 1].
      *
-     * @param range largest irradiance of all channels, W/m², above 0
+     * @param range largest irradiance of all channels, W/m² or lx, above 0
      */
     public byte[] rgbm(double range) throws IOException {
         float[] light = irradiance.rgb();
@@ -189,7 +191,7 @@ public record Lightmap(Picture irradiance, float[] places, double samples) {
         return PictureFormat.png(new BufferedImage(colours, raster, false, null));
     }
 
-    /** The largest irradiance of any channel, W/m²; 1 where all is dark. */
+    /** The largest irradiance of any channel, W/m² or lx; 1 where all is dark. */
     public double range() {
         return irradiance.most() > 0 ? irradiance.most() : 1;
     }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import radiosity.scene.Camera;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
 import radiosity.solution.SavedState;
@@ -24,9 +25,10 @@ public final class MergedMeshes {
      *
      * @param meshes not modified
      * @param origin added to the positions of all meshes, scene units
+     * @param units  of the meshes' numbers
      */
     public static Solution solution(List<Mesh> meshes, Vec3 origin, String name, int shots, int rounds,
-                                    double unshotFlux, EnergyLedger ledger, Optional<Camera> camera) {
+                                    double unshotFlux, EnergyLedger ledger, Optional<Camera> camera, Units units) {
         double[] o = {origin.x(), origin.y(), origin.z()};
         Map<String, Integer> surfaceIndex = new HashMap<>();
         List<Surface> surfaces = new ArrayList<>();
@@ -60,7 +62,7 @@ public final class MergedMeshes {
             vertex += mesh.vertices();
             element += mesh.elements();
         }
-        Scene scene = new Scene(name, positions, original, surfaceOf, surfaces, List.of(), camera);
+        Scene scene = new Scene(name, positions, original, surfaceOf, surfaces, List.of(), camera).with(units);
         return new Solution(scene, 3, positions, irradiance, corners, faceOf, shots, rounds, unshotFlux, ledger,
                 SavedState.NONE);
     }

@@ -32,7 +32,7 @@ import radiosity.scene.Affine;
 public final class LightmapModel {
 
     /**
-     * Limits of the largest irradiance that half floats hold as it is, W/m²: digits are lost below, floats end above.
+     * Limits of the largest irradiance that half floats hold as it is, W/m² or lx: digits are lost below, floats end above.
      */
     private static final double LEAST_RANGE = 1;
     private static final double MOST_RANGE = 60000;
@@ -85,6 +85,7 @@ public final class LightmapModel {
         description.put("texCoord", writer.set);
         description.put("encoding", "RGBM");
         description.put("range", range);
+        description.put("unit", lightmap.units().irradiance());
         description.put("exposure", exposure);
         description.put("file", beside(file).getFileName().toString());
         description.put("fileScale", scale);

@@ -128,7 +128,7 @@ public final class Points {
         if (isPhotometric()) {
             Units units = solution.scene().units();
             line.append(',').append(text(units.total(light.irradiance()))).append(',')
-                    .append(text(units.total(light.radiosity()) / Math.PI));
+                    .append(text(units.luminance(light.radiosity())));
         }
         return line.append('\n');
     }

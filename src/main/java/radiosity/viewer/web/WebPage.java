@@ -21,6 +21,7 @@ import java.util.concurrent.Executors;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.image.ToneMapping;
 import radiosity.scene.Camera;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 
 /** Serves a page on which the user walks through a scene file in a browser on this machine; needs no display itself. */
@@ -133,9 +134,17 @@ public final class WebPage implements Closeable {
         settings.put("eye", numbers(camera.position()));
         settings.put("forward", numbers(camera.forward()));
         settings.put("lamps", scene.lamps());
+        settings.put("units", words(scene.units()));
         scene.textures().ifPresent(textures -> settings.put("textures", Map.of("exposure",
                 textures.toneMapping().exposure(), "curve", textures.toneMapping().operator().ordinal())));
         return new ObjectMapper().writeValueAsString(settings);
+    }
+
+    /** The names of the units of light, and the factor from radiosity to luminance, for the page's texts. */
+    private static Map<String, Object> words(Units units) {
+        return Map.of("exitance", Units.raised(units.exitance()), "irradiance", Units.raised(units.irradiance()),
+                "irradianceWord", units.irradianceWord(), "luminance", Units.raised(units.luminance()), "scale",
+                Units.raised(units.luminanceScale()), "luminancePerRadiosity", units.luminancePerRadiosity());
     }
 
     private static List<Double> numbers(Vec3 v) {

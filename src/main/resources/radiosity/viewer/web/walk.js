@@ -88,7 +88,7 @@ class Walk {
         this.camera.rotation.set(this.pitch, this.heading, 0, 'YXZ');
         this.renderer.render(this.shown, this.camera);
         this.placeMark();
-        scale(document.getElementById('scale'), this.light);
+        scale(document.getElementById('scale'), this.light, this.settings.units);
     }
 
     /** Where the probe was set, as long as what it tells is shown. */
@@ -157,7 +157,7 @@ class Walk {
     tone(stops, curve) {
         this.light.exposure.value = this.settings.exposure * 2 ** stops;
         this.light.curve.value = curve % CURVES.length;
-        this.say(`exposure ${this.light.exposure.value.toPrecision(4)} per W/m² (${stops >= 0 ? '+' : ''}${stops.toFixed(2)} EV)   ${CURVES[this.light.curve.value]}`);
+        this.say(`exposure ${this.light.exposure.value.toPrecision(4)} per ${this.settings.units.exitance} (${stops >= 0 ? '+' : ''}${stops.toFixed(2)} EV)   ${CURVES[this.light.curve.value]}`);
         this.changed();
     }
 
@@ -210,23 +210,25 @@ class Walk {
             + w * value(3 * corner(2) + a));
         const {_radiosity: b, _irradiance: h} = mesh.geometry.attributes, light = mesh.userData.light;
         const line = (name, values, unit = '') => name.padEnd(13) + values.map(x => x.toPrecision(4)).join('  ') + unit;
+        const units = this.settings.units, leaving = mean(i => b.array[i]), arriving = mean(i => h.array[i]);
         const place = this.eye.clone().addScaledVector(direction, distance);
-        return [`surface      ${light.surface}`, line('radiosity', mean(i => b.array[i]), ' W/m²'),
-            line('irradiance', mean(i => h.array[i]), ' W/m²'), `luminance Y  ${luminance(mean(i => b.array[i]))} W/m², irradiance ${luminance(mean(i => h.array[i]))} W/m²`,
+        return [`surface      ${light.surface}`, line('radiosity', leaving, ` ${units.exitance}`),
+            line('irradiance', arriving, ` ${units.irradiance}`),
+            `luminance Y  ${weighted(leaving, units.luminancePerRadiosity)} ${units.luminance}, ${units.irradianceWord} ${weighted(arriving)} ${units.irradiance}`,
             line('reflectance', mean(light.rho)),
             line('at', place.toArray())].join('\n');
     }
 }
 
-/** Y of linear sRGB. */
-function luminance([r, g, b]) {
-    return (0.2126 * r + 0.7152 * g + 0.0722 * b).toPrecision(4);
+/** Y of linear sRGB, times a factor. */
+function weighted([r, g, b], factor = 1) {
+    return (factor * (0.2126 * r + 0.7152 * g + 0.0722 * b)).toPrecision(4);
 }
 
 const WHITE = 4, DECADES = 3;
 
 /** What the colours of false colour mean, as radiosity.viewer.Overlay. */
-function scale(box, light) {
+function scale(box, light, units) {
     box.hidden = light.falseColour.value === 0;
     if (box.hidden) {
         return;
@@ -239,10 +241,10 @@ function scale(box, light) {
     }
     const list = document.createElement('ol');
     for (let decade = 0; decade <= DECADES; decade++) {
-        const value = WHITE / light.exposure.value * 10 ** -decade;
+        const value = WHITE / light.exposure.value * units.luminancePerRadiosity * 10 ** -decade;
         list.append(Object.assign(document.createElement('li'), {textContent: value.toPrecision(3)}));
     }
-    box.replaceChildren('W/m² (Y)', document.createElement('br'), bar, list);
+    box.replaceChildren(units.scale, document.createElement('br'), bar, list);
 }
 
 /** A. Mikhailov, Turbo, an improved rainbow colormap, 2019: its published polynomial. */

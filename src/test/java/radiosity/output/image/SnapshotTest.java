@@ -27,6 +27,7 @@ import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Specular;
 import radiosity.scene.Surface;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.TooLargeException;
@@ -197,13 +198,13 @@ class SnapshotTest {
     @Test
     void rgbe_isNearAtEveryBrightness() throws IOException {
         for (float light = 1e-30f; light < 1e30f; light *= 3) {
-            byte[] bytes = PictureFormat.HDR.bytes(new Picture(1, 1, new float[] {light, light / 2, 0}));
+            byte[] bytes = PictureFormat.HDR.bytes(new Picture(1, 1, new float[] {light, light / 2, 0}), Units.UNKNOWN);
             int p = bytes.length - 4;
             double unit = Math.scalb(1.0, (bytes[p + 3] & 255) - 136);
             assertEquals(light, ((bytes[p] & 255) + .5) * unit, light / 128);
             assertEquals(light / 2, ((bytes[p + 1] & 255) + .5) * unit, light / 128);
         }
-        byte[] black = PictureFormat.HDR.bytes(new Picture(1, 1, new float[3]));
+        byte[] black = PictureFormat.HDR.bytes(new Picture(1, 1, new float[3]), Units.UNKNOWN);
         assertEquals(0, black[black.length - 1]);
     }
 
