@@ -32,7 +32,8 @@ import radiosity.scene.Affine;
 public final class LightmapModel {
 
     /**
-     * Limits of the largest irradiance that half floats hold as it is, W/m² or lx: digits are lost below, floats end above.
+     * Limits of the largest irradiance that half floats hold as it is, W/m² or lx: digits are lost below, floats end
+     * above.
      */
     private static final double LEAST_RANGE = 1;
     private static final double MOST_RANGE = 60000;
