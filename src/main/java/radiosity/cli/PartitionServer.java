@@ -2,6 +2,7 @@ package radiosity.cli;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.NetworkInterface;
 import java.net.UnknownHostException;
 import java.rmi.server.ExportException;
 import java.time.LocalTime;
@@ -80,9 +81,13 @@ public final class PartitionServer {
         }
     }
 
-    private InetAddress bind() {
+    private InetAddress bind() throws IOException {
         try {
-            return options.bind == null ? null : InetAddress.getByName(options.bind);
+            InetAddress bind = options.bind == null ? null : InetAddress.getByName(options.bind);
+            if (bind != null && !bind.isAnyLocalAddress() && NetworkInterface.getByInetAddress(bind) == null) {
+                throw new UnknownHostException();
+            }
+            return bind;
         } catch (UnknownHostException e) {
             throw Failure.commandLine("-bind", "expected an address of this machine, got " + options.bind);
         }

@@ -15,6 +15,7 @@ import radiosity.cli.render.Failures;
 import radiosity.cli.render.FileChecks;
 import radiosity.cli.render.Journal;
 import radiosity.cli.render.JournalClaim;
+import radiosity.cli.render.LuminaireCheck;
 import radiosity.cli.render.OutputFiles;
 import radiosity.cli.render.RenderJob;
 import radiosity.cli.render.RenderResult;
@@ -221,11 +222,15 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
+        new LuminaireCheck(scene, warnings).outside();
         checks.objects();
         checks.emission();
         checks.layers(settings.layers());
         if (options.textures != null) {
-            checks.textures(options.textures);
+            checks.textures("-ut", options.textures);
+        }
+        if (options.file.lightmapTexels != null) {
+            checks.textures("--lightmap-texels", options.file.lightmapTexels);
         }
         int layers = settings.layers() ? scene.lamps().size() : 0;
         SceneChecks.sizes(checks.patches(settings.patchArea()), Math.max(1, layers), layers);

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import radiosity.gltf.GltfModel;
+import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
 import radiosity.input.gltf.GltfReader;
@@ -44,10 +45,15 @@ public final class SceneReader {
             throw new SceneFormatException(name, "", "a scene", FileSniffer.describe(start, name)
                     + "; LightWave, glTF and OBJ are read");
         }
+        Diagnostics notes = new Diagnostics(name, warnings, options.strict());
         if (format.get() != SceneFormat.LIGHTWAVE && (options.frame().isPresent()
                 || options.emission() != ReadOptions.Emission.LUMINOSITY)) {
-            warnings.accept(name + ": a frame and a property that emits are chosen for LightWave only");
+            notes.note("", "a frame and a property that emits are chosen for LightWave only");
         }
+        if (format.get() == SceneFormat.GLTF && options.srgb()) {
+            notes.note("", "--srgb is for LightWave and OBJ only; glTF says itself what is sRGB");
+        }
+        notes.flush();
         return Luminaires.place(switch (format.get()) {
             case LIGHTWAVE -> LightWaveReader.read(file, options, warnings).with(options.units());
             case OBJ -> ObjReader.read(file, options, warnings).with(options.units());

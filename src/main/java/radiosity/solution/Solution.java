@@ -41,8 +41,8 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
             if (!(Math.abs(irradiance[i]) <= LARGEST)) {
                 int at = 3 * (i / channels);
                 throw new NoNumberException("solution: expected an irradiance of at most " + (float) LARGEST
-                        + " " + scene.units().irradiance() + ", got " + irradiance[i] + " at (" + positions[at] + ", " + positions[at + 1] + ", "
-                        + positions[at + 2] + ")");
+                        + " " + scene.units().irradiance() + ", got " + irradiance[i] + " at (" + positions[at] + ", "
+                        + positions[at + 1] + ", " + positions[at + 2] + ")");
             }
         }
         NoNumberException.unlessNumbers("unshot flux", unshotFlux);

@@ -140,6 +140,52 @@ class CommandLineTest {
             --points x a.lws b     | --points: expected a table of points to read and one to write, got x a.lws
             --points x -q a b      | --points: expected a table of points to read and one to write, got x -q
             --report a.lws b       | --report: expected a file to write, such as a.json, got a.lws
+            --frames a b           | --frames: expected frames like 0-100 or 0-100:2, got a
+            --frames 5-1 a.lws b   | --frames: expected frames like 0-100 or 0-100:2, got 5-1
+            --frames 0-2:0 a.lws b | --frames: expected frames like 0-100 or 0-100:2, got 0-2:0
+            --frames               | --frames: expected frames like 0-100 or 0-100:2, got nothing
+            --frames 0-2 a.glb b   | --frames: expected a LightWave scene (.lws), got a.glb
+            --frames 0-2 --frame 3 a.lws b | --frames: expected without --frame, got both
+            --frames 0-2 -dr a.lws b | --frames: expected without -dr, got both
+            --frmes 0-2 a.lws b    | --frmes: expected an option that --help lists, got an unknown one; did you mean --frames or --frame?
+            --sky blue a b         | --sky: expected cie-overcast, cie-clear or uniform, each with =lx or without, got blue
+            --sky uniform=0 a b    | --sky: expected cie-overcast, cie-clear or uniform, each with =lx or without, got uniform=0
+            --sky uniform=x a b    | --sky: expected cie-overcast, cie-clear or uniform, each with =lx or without, got uniform=x
+            --sky                  | --sky: expected cie-overcast, cie-clear or uniform, each with =lx or without, got nothing
+            --sky uniform --sky uniform a b | --sky: expected once, got twice
+            --sun 1,1 1000 a b     | --sun: expected a direction x,y,z and an illuminance in lx, got 1,1 1000
+            --sun 0,0,0 1000 a b   | --sun: expected a direction x,y,z and an illuminance in lx, got 0,0,0 1000
+            --sun 1,1,0 -5 a b     | --sun: expected a direction x,y,z and an illuminance in lx, got 1,1,0 -5
+            --sun 1,1,0 a.lws b    | --sun: expected a direction x,y,z and an illuminance in lx, got 1,1,0 a.lws
+            --sun 1,1,0            | --sun: expected a direction x,y,z and an illuminance in lx, got nothing
+            --sun 1,1,0 9 --sun 1,1,0 9 a b | --sun: expected once, got twice
+            --lightmap             | --lightmap: expected <file.glb>, got nothing
+            --lightmap o.png a b   | --lightmap: expected a name that ends in .glb, got o.png
+            --lightmap-texels 0 --lightmap o.glb a b | --lightmap-texels: expected a number above 0, got 0
+            --lightmap-texels      | --lightmap-texels: expected a number above 0, got nothing
+            --lightmap-texels 5 a b | --lightmap-texels: expected with --lightmap, got it without
+            --lihgtmap o.glb a b   | --lihgtmap: expected an option that --help lists, got an unknown one; did you mean --lightmap?
+            --change               | --change: expected <old.scene>, got nothing
+            --change o a.lws       | files: expected a scene to read and a scene file to write, got a.lws
+            --change o -tf o a b   | --change: expected without -tf, got both
+            --chnage o a b         | --chnage: expected an option that --help lists, got an unknown one; did you mean --change?
+            --layers=3 a b         | --layers: expected no value, got 3
+            --layers --layers a b  | --layers: expected once, got twice
+            --layer a b            | --layer: expected an option that --help lists, got an unknown one; did you mean --layers?
+            --srgb=1 a b           | --srgb: expected no value, got 1
+            --sgrb a b             | --sgrb: expected an option that --help lists, got an unknown one; did you mean --srgb?
+            --photometric=yes a b  | --photometric: expected no value, got yes
+            --photometrc a b       | --photometrc: expected an option that --help lists, got an unknown one; did you mean --photometric?
+            --strict=1 a b         | --strict: expected no value, got 1
+            --strikt a b           | --strikt: expected an option that --help lists, got an unknown one; did you mean --strict?
+            --statistics=1 a b     | --statistics: expected no value, got 1
+            --statistics a b       | --statistics: expected with -h, got it without
+            --statistic a b        | --statistic: expected an option that --help lists, got an unknown one; did you mean --statistics?
+            --unit                 | --unit: expected mm, cm, m, in or ft, got nothing
+            --luminaire            | --luminaire: expected <name=file>, got nothing
+            --luminaire =f a b     | --luminaire: expected <name=file>, got =f
+            --luminaire L= a b     | --luminaire: expected <name=file>, got L=
+            --luminaire L=f --luminaire L=g a b | --luminaire: expected every name once, got L twice
             -x a b                 | -x: expected an option that --help lists, got an unknown one
             --acuracy 2% a b       | --acuracy: expected an option that --help lists, got an unknown one; did you mean --accuracy?
             -accuracy 2% a b       | -accuracy: expected an option that --help lists, got an unknown one; did you mean --accuracy?

@@ -100,8 +100,8 @@ class SceneChecksTest {
 
     @Test
     void textureThatIsTooLarge_isRefusedBeforeAnyWork() {
-        checks(false).textures(8000);
-        Failure failure = assertThrows(Failure.class, () -> checks(false).textures(9000));
+        checks(false).textures("-ut", 8000);
+        Failure failure = assertThrows(Failure.class, () -> checks(false).textures("-ut", 9000));
         assertEquals("-ut: expected at most 8192 samples per unit for lamp, whose texture may have 8192 texels, got 9000.0",
                 failure.getMessage());
     }

@@ -36,6 +36,9 @@ class WrongUsesTest {
         Files.writeString(folder.resolve("b.fbx"), "Kaydara FBX Binary  \0");
         Files.writeString(folder.resolve("c.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         Files.writeString(folder.resolve("poem.txt"), "A poem of more than twenty bytes");
+        Files.copy(Path.of("src/test/resources/radiosity/input/room.glb"), folder.resolve("room.glb"));
+        Files.writeString(folder.resolve("lamp.ies"), "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 30\n"
+                + "0 90\n0\n100 100\n");
         Files.writeString(folder.resolve("points.csv"), "0,0,0,0,1,0\n");
         Files.write(folder.resolve("empty.lws"), new byte[0]);
     }
@@ -80,7 +83,19 @@ class WrongUsesTest {
             RadiosityRenderer --luminaire Lamp @/a.lws @/o.scene   | 2 | --luminaire: expected <name=file>, got Lamp
             RadiosityRenderer --luminaire Lamp=@/no.ies @/a.lws @/o.scene | 3 | @/no.ies: expected a readable file, got none
             RadiosityRenderer --luminaire 1,1,1=@/poem.txt @/a.lws @/o.scene | 3 | a.lws: expected a unit of length (--unit) for luminaires, whose intensity is in cd, got none
-            RadiosityRenderer --unit mm --luminaire 1,1,1=@/poem.txt @/a.lws @/o.scene | 3 | @/poem.txt, line 3: expected a number (symmetry), got the end of the file
+            RadiosityRenderer --unit mm --luminaire 1,1,1=@/poem.txt @/a.lws @/o.scene | 3 | @/poem.txt: expected an IES or EULUMDAT file, got a file that begins with "A poem of mo"
+            RadiosityRenderer --unit mm --luminaire 1,1,1=@/a.lws @/a.lws @/o.scene | 3 | @/a.lws: expected an IES or EULUMDAT file, got a LightWave scene
+            RadiosityRenderer --unit mm --luminaire 1,1,1=@/empty.lws @/a.lws @/o.scene | 3 | @/empty.lws: expected an IES or EULUMDAT file, got an empty file
+            RadiosityRenderer --unit mm --strict --luminaire 278,600,-200=@/lamp.ies @/a.lws @/o.scene | 3 | a.lws: expected luminaires whose light meets a surface, got 278,600,-200, which is outside the scene and whose light meets none
+            RadiosityRenderer --unit mm --strict --luminaire 1e6,1,1=@/lamp.ies @/a.lws @/o.scene | 3 | a.lws: expected luminaires whose light meets a surface, got 1e6,1,1, which is outside the scene and whose light meets none
+            RadiosityRenderer --sky cie-clear @/a.lws @/o.scene    | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got no sun
+            RadiosityRenderer --sky cie-clear --sun 0,-1,0 9 @/a.lws @/o.scene | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got a sun below it
+            RadiosityRenderer --change @/no.scene @/a.lws @/o.scene | 3 | @/no.scene: expected a readable file, got none
+            RadiosityRenderer --change @/a.lws @/a.lws @/o.scene   | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
+            RadiosityRenderer --lightmap @/o.glb --lightmap-texels 1e9 @/a.lws @/o.scene | 2 | --lightmap-texels: expected at most 14.78 samples per unit for white, whose texture may have 8192 texels, got 1.0E9
+            RadiosityRenderer --srgb --strict @/room.glb @/o.scene | 3 | room.glb: expected no warning (--strict), got --srgb is for LightWave and OBJ only; glTF says itself what is sRGB
+            RadiosityRenderer --frame 3 --strict @/room.glb @/o.scene | 3 | room.glb: expected no warning (--strict), got a frame and a property that emits are chosen for LightWave only
+            RadiosityRenderer --unit mm @/room.glb @/o.scene       | 2 | --unit: expected with LightWave or OBJ, got it with room.glb, which is in metres
             RadiosityRenderer --unit mm --luminaire Bulb=@/poem.txt @/a.lws @/o.scene | 3 | a.lws: expected a light that is called Bulb (--luminaire), or three coordinates x,y,z, got no lights
             RadiosityRenderer -tf @/a.lws @/a.lws @/o.scene        | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
             RadiosityRenderer -tf @/lit.scene 7 @/a.lws @/o.scene  | 2 | -tf: expected 0, with which @/lit.scene was saved, got 7
@@ -105,6 +120,23 @@ class WrongUsesTest {
             ViewSceneFile --web --size 9x9 @/lit.scene             | 2 | --web: expected without -lw, -wf, -ut, --size and --screenshot, got one of them
             ViewSceneFile --screenshot @/o.jpg @/lit.scene         | 2 | --screenshot: expected a name that ends in .png, got @/o.jpg
             ViewSceneFile --sreenshot @/o.png @/lit.scene          | 2 | --sreenshot: expected an option that --help lists, got an unknown one; did you mean --screenshot?
+            ViewSceneFile -wf=3 @/lit.scene                        | 2 | -wf: expected no value, got 3
+            ViewSceneFile -fw @/lit.scene                          | 2 | -fw: expected an option that --help lists, got an unknown one; did you mean -wf or -lw?
+            ViewSceneFile --source                                 | 2 | --source: expected <file>, got nothing
+            ViewSceneFile --source @/no.lws @/lit.scene            | 3 | @/no.lws: expected a readable file, got none
+            ViewSceneFile --source @/a.lws --web @/lit.scene       | 2 | --source: expected without -lw and --web, got one of them
+            ViewSceneFile -lw --frames 0-3 @/a.lws                 | 2 | --frames: expected without -lw, got both
+            ViewSceneFile -lw --sky uniform @/a.lws                | 2 | --sky: expected without -lw, got both
+            ViewSceneFile -lw --sun 0,1,0 9 @/a.lws                | 2 | --sun: expected without -lw, got both
+            PartitionServer --second-port                          | 2 | --second-port: expected a port from 1 to 65535, got nothing
+            PartitionServer --second-port 0                        | 2 | --second-port: expected a port from 1 to 65535, got 0
+            PartitionServer --second-prot 1098                     | 2 | --second-prot: expected an option that --help lists, got an unknown one; did you mean --second-port?
+            PartitionServer -host                                  | 2 | -host: expected a host's name or address, got nothing
+            PartitionServer -host a,b                              | 2 | -host: expected a host's name or address, got a,b
+            PartitionServer -hots a                                | 2 | -hots: expected an option that --help lists, got an unknown one; did you mean -host?
+            PartitionServer -bind                                  | 2 | -bind: expected <address>, got nothing
+            PartitionServer -bind 192.0.2.1                        | 2 | -bind: expected an address of this machine, got 192.0.2.1
+            PartitionServer -bidn 127.0.0.1                        | 2 | -bidn: expected an option that --help lists, got an unknown one; did you mean -bind?
             PartitionServer @/a.lws                                | 2 | @/a.lws: expected options that --help lists and no file, got one
             PartitionServer -port 99999                            | 2 | -port: expected a port from 1 to 65535, got 99999
             PartitionServer -prot 1099                             | 2 | -prot: expected an option that --help lists, got an unknown one; did you mean -port?

@@ -62,7 +62,7 @@ public final class SceneOptions {
             description = "What emits does so in lm/m2; results are in lx, cd/m2 and lm. So is glTF with lights.")
     boolean photometric;
 
-    @Option(names = "--luminaire", paramLabel = "<name=file>",
+    @Option(names = "--luminaire", paramLabel = "<name=file>", parameterConsumer = LuminaireConsumer.class,
             description = "A light of that name, or a new one at x,y,z that shines down, shines as an IES or EULUMDAT"
                     + " file says. Repeatable.")
     public Map<String, Path> luminaires = new LinkedHashMap<>();
@@ -79,6 +79,24 @@ public final class SceneOptions {
 
     @Option(names = "--strict", description = "Every warning about the scene is an error (exit code 3).")
     public boolean strict;
+
+    /** Parses {@code <name=file>}, once for each name. */
+    static final class LuminaireConsumer implements IParameterConsumer {
+        @Override
+        public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
+            String text = Arguments.next(arguments, option, option.paramLabel());
+            int equals = text.indexOf('=');
+            if (equals <= 0 || equals == text.length() - 1) {
+                throw Arguments.wrong(option, "expected " + option.paramLabel() + ", got " + text);
+            }
+            Map<String, Path> all = new LinkedHashMap<>(option.<Map<String, Path>>getValue());
+            String name = text.substring(0, equals);
+            if (all.put(name, Arguments.path(text.substring(equals + 1), option)) != null) {
+                throw Arguments.wrong(option, "expected every name once, got " + name + " twice");
+            }
+            option.setValue(all);
+        }
+    }
 
     /** Parses {@code cie-overcast=5000}, a kind of sky and its illuminance in lx. */
     static final class SkyParser extends Values.Value<Map.Entry<Light.Kind, Double>> {

@@ -24,7 +24,7 @@ public final class ServerOptions {
             description = "With a running rmiregistry: port of the partition itself. Default: any.")
     public Integer secondPort;
 
-    @Option(names = {"-host", "--host"}, paramLabel = "<name>",
+    @Option(names = {"-host", "--host"}, paramLabel = "<name>", converter = Values.HostName.class,
             description = "Name by which others reach this machine. Default: as it calls itself.")
     public String host;
 

@@ -3,6 +3,7 @@ package radiosity.cli.options;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.function.DoublePredicate;
+import java.util.regex.Pattern;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -161,6 +162,22 @@ public final class Values {
     static final class AnyPort extends Whole {
         AnyPort() {
             super("a port from 0 to " + MOST_PORT, 0, MOST_PORT);
+        }
+    }
+
+    /** Name or address of a host, without a port. */
+    static final class HostName extends Value<String> {
+
+        private static final Pattern NAME = Pattern.compile("[\\p{L}\\d_.-]+|[\\da-fA-F:.]+(%\\w+)?");
+
+        @Override
+        String expected() {
+            return "a host's name or address";
+        }
+
+        @Override
+        public String parse(String text) {
+            return NAME.matcher(text).matches() && !text.startsWith("-") ? text : null;
         }
     }
 

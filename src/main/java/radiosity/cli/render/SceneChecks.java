@@ -63,16 +63,17 @@ public final class SceneChecks {
     /**
      * Fails where the texture of a single triangle would be too large.
      *
+     * @param option  that asks for the texture
      * @param samples texture samples per scene unit
      */
-    public void textures(double samples) {
+    public void textures(String option, double samples) {
         for (int t = 0; t < scene.triangles(); t++) {
             double longest = 0;
             for (int k = 0; k < 3; k++) {
                 longest = Math.max(longest, scene.corner(t, k).minus(scene.corner(t, (k + 1) % 3)).length());
             }
             if (longest * samples / Math.sqrt(2) > TextureBake.LARGEST_TEXTURE) {
-                throw Failure.commandLine("-ut", String.format(Locale.ROOT,
+                throw Failure.commandLine(option, String.format(Locale.ROOT,
                         "expected at most %.4g samples per unit for %s, whose texture may have %d texels, got %s",
                         TextureBake.LARGEST_TEXTURE * Math.sqrt(2) / longest, scene.surface(t).name(),
                         TextureBake.LARGEST_TEXTURE, samples));

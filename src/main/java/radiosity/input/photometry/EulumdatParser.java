@@ -31,6 +31,12 @@ final class EulumdatParser {
         lines = text.lines().map(String::strip).toList();
     }
 
+    /** Whether a text may be in this format, valid or not: one of three numbers is where it belongs. */
+    static boolean isEulumdat(String text) {
+        EulumdatParser parser = new EulumdatParser(text, "");
+        return IntStream.of(3, 4, 6).anyMatch(line -> !Double.isNaN(parser.decimal(line)));
+    }
+
     Photometry photometry() throws SceneFormatException {
         int symmetry = whole(3, "symmetry", 0, 4);
         int planes = whole(4, "number of C planes", 1, MOST_PLANES);
@@ -117,12 +123,16 @@ final class EulumdatParser {
     }
 
     private double number(int line, String what) throws SceneFormatException {
-        double value = Decimal.parse(text(line).replace(',', '.'));
+        double value = decimal(line);
         if (Double.isNaN(value)) {
             throw wrong(line, "a number (" + what + ")", Optional.of(text(line)).filter(t -> !t.isEmpty())
                     .orElse(line > lines.size() ? "the end of the file" : "nothing"));
         }
         return value;
+    }
+
+    private double decimal(int line) {
+        return Decimal.parse(text(line).replace(',', '.'));
     }
 
     private String text(int line) {

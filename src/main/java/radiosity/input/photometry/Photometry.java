@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
@@ -86,6 +87,9 @@ public record Photometry(LuminousIntensity intensity, double length, double widt
 
     private static Photometry of(byte[] bytes, String name, Sibling siblings) throws IOException {
         String text = new String(bytes, StandardCharsets.ISO_8859_1).replace("\u00ef\u00bb\u00bf", "");
+        if (!IesParser.isIes(text) && !EulumdatParser.isEulumdat(text)) {
+            throw new SceneFormatException(name, "", "an IES or EULUMDAT file", FileSniffer.describe(bytes));
+        }
         try {
             return IesParser.isIes(text) ? new IesParser(text, name, siblings).photometry()
                     : new EulumdatParser(text, name).photometry();
