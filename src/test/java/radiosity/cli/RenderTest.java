@@ -109,6 +109,17 @@ class RenderTest {
     }
 
     @Test
+    void resumingWithoutANumber_takesTheFiles() throws IOException {
+        succeeds(render("-q", "-it", 30));
+        Path numbered = directory.resolve("numbered.scene");
+        succeeds(ProgramRun.of("-q", "-tf", output, 30, "-it", 60, BOX, numbered));
+        Path more = directory.resolve("more.scene");
+        succeeds(ProgramRun.of("-q", "-tf", output, "-it", 60, BOX, more));
+        assertEquals(60, SavedCalculation.read(more).shots());
+        assertEquals(SavedCalculation.read(numbered).state(), SavedCalculation.read(more).state());
+    }
+
+    @Test
     void resuming_mayOverwriteTheFileItComesFrom() throws IOException {
         succeeds(render("-q", "-it", 10));
         succeeds(ProgramRun.of("-q", "-tf", output, 10, "-it", 20, BOX, output));
