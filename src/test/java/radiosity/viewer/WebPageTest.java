@@ -158,7 +158,11 @@ class WebPageTest {
     }
 
     private static double[] probe(Browser browser, String name) throws Exception {
-        browser.click(Rendered.SIZE / 10, Rendered.SIZE / 2);
+        return probe(browser, Rendered.SIZE / 10, Rendered.SIZE / 2, name);
+    }
+
+    private static double[] probe(Browser browser, int x, int y, String name) throws Exception {
+        browser.click(x, y);
         return DrivenWindow.numbers(browser.value("document.getElementById('text').textContent").asText()
                 .replace("\n", "; "),
                 name);
@@ -176,6 +180,8 @@ class WebPageTest {
             assertFalse(browser.value("document.getElementById('mark').hidden").asBoolean(), "a mark at the probe");
             assertEquals(Rendered.SIZE / 10, browser.value("parseFloat(document.getElementById('mark').style.left)")
                     .asDouble(), 1);
+            double[] lamp = probe(browser, Rendered.SIZE / 2, Rendered.SIZE * 57 / 400, "exitance");
+            assertTrue(lamp[0] > 0, "the lamp emits");
             double[] reflectance = probe(browser, "reflectance");
             double[] irradiance = probe(browser, "irradiance");
             browser.set("lamp1", "0");
@@ -195,6 +201,8 @@ class WebPageTest {
                 assertEquals(ceiling[c], again[c], 1e-9);
                 assertEquals(both[c] - 0.7 * ceiling[c], mixed[c], 2e-3 * both[c]);
             }
+            double[] dimmed = probe(browser, Rendered.SIZE / 2, Rendered.SIZE * 57 / 400, "exitance");
+            assertEquals(0.3 * lamp[0], dimmed[0], 2e-3 * lamp[0]);
             browser.set("colour0", "#ff0000");
             assertTrue(probe(browser, "radiosity")[0] / mixed[0] > 0.999, "as much red as before");
             browser.value("document.getElementById('asRendered').click()");
@@ -225,6 +233,7 @@ class WebPageTest {
             assertEquals(weighted(irradiance), Double.parseDouble(y.group(2)), 2e-3 * weighted(irradiance));
             browser.tap("KeyC", "c");
             assertTrue(browser.value("document.getElementById('scale').textContent").asText().startsWith("cd/m²"));
+            assertTrue(text.matches("(?s).*\nexitance [^\n]* lm/m²\n.*"), text);
             double red = browser.value("4 / walk.light.exposure.value").asDouble() / Math.PI;
             assertEquals(red, browser.value("document.querySelector('#scale li').textContent").asDouble(), 1e-2 * red);
             browser.tap("KeyT", "t");

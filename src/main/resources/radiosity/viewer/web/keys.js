@@ -14,8 +14,8 @@ click               radiosity and irradiance there
 Home                back to where it began
 +, -                brighter, darker by a third of a stop
 0                   automatic exposure
-T                   next tone mapping
-C                   luminance in colours
+T                   next tone mapping: linear, reinhard, filmic
+C                   luminance in colours, with a scale
 X                   wireframe
 U                   light of textures or of vertices
 K                   walk through walls or not

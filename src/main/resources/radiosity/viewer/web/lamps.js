@@ -23,6 +23,11 @@ export class Lamps {
         this.meshes.forEach(mesh => mix(mesh, this.factors));
     }
 
+    /** What a surface emits with its lamp as it is set, three numbers. */
+    exitance({exitance, own}) {
+        return exitance.map((e, channel) => own < 0 ? e : e * this.factors[own][channel]);
+    }
+
     reset() {
         this.lamps.forEach((_, lamp) => { this.factors[lamp] = [1, 1, 1]; });
         this.meshes.forEach(mesh => mix(mesh, this.factors));
@@ -31,10 +36,10 @@ export class Lamps {
 
 /** What a mesh was rendered with: mixtures are made of that, not of each other. */
 function remember(mesh, lamps) {
-    const {attributes} = mesh.geometry, {surface, reflectance, exitance} = mesh.material.userData;
+    const {attributes} = mesh.geometry, {surface, back, reflectance, exitance} = mesh.material.userData;
     const own = attributes._reflectance?.array, smooth = attributes._smooth;
     mesh.userData.light = {
-        surface, reflectance, exitance,
+        surface, back, reflectance, exitance,
         radiosity: attributes._radiosity.array.slice(),
         irradiance: attributes._irradiance.array.slice(),
         layers: lamps.map((_, lamp) => attributes[`_irradiance_${lamp}`].array),

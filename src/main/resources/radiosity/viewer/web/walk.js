@@ -212,10 +212,10 @@ class Walk {
         const line = (name, values, unit = '') => name.padEnd(13) + values.map(x => x.toPrecision(4)).join('  ') + unit;
         const units = this.settings.units, leaving = mean(i => b.array[i]), arriving = mean(i => h.array[i]);
         const place = this.eye.clone().addScaledVector(direction, distance);
-        return [`surface      ${light.surface}`, line('radiosity', leaving, ` ${units.exitance}`),
+        return [`surface      ${light.surface}${light.back ? ' (back)' : ''}`, line('radiosity', leaving, ` ${units.exitance}`),
             line('irradiance', arriving, ` ${units.irradiance}`),
             `luminance Y  ${weighted(leaving, units.luminancePerRadiosity)} ${units.luminance}, ${units.irradianceWord} ${weighted(arriving)} ${units.irradiance}`,
-            line('reflectance', mean(light.rho)),
+            line('reflectance', mean(light.rho)), line('exitance', this.lamps.exitance(light), ` ${units.exitance}`),
             line('at', place.toArray())].join('\n');
     }
 }
