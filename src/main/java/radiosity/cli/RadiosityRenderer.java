@@ -15,7 +15,6 @@ import radiosity.cli.render.Failures;
 import radiosity.cli.render.FileChecks;
 import radiosity.cli.render.Journal;
 import radiosity.cli.render.JournalClaim;
-import radiosity.cli.render.LuminaireCheck;
 import radiosity.cli.render.OutputFiles;
 import radiosity.cli.render.RenderJob;
 import radiosity.cli.render.RenderResult;
@@ -222,7 +221,6 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
-        new LuminaireCheck(scene, warnings).outside();
         checks.objects();
         checks.emission();
         checks.layers(settings.layers());
