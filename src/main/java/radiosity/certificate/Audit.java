@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
@@ -218,7 +219,7 @@ public final class Audit {
         ShooterHierarchy light = Shot.of(nodes, nodes.tops(), 0, all::leaving)
                 .shooter(faces, Weights.of(weight()), ambient);
         ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
-                (element, values, at) -> Arrays.fill(values, at, at + corners, 1))
+                (element, values, at) -> Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0))
                 .shooter(faces, Weights.of(ones(faces.channels())));
         FormFactorCalculator coarse = new RayCaster(mesh.bounds(), 1, TO_POINT * Accuracy.tolerance(asked));
         FormFactorCalculator fine = new RayCaster(mesh.bounds(), 1, TO_VERTEX * Accuracy.tolerance(asked));
@@ -233,6 +234,11 @@ public final class Audit {
                 }
             }
         });
+    }
+
+    /** Whether an element has a corner that lies outside of solids, and that no surface in the same place covers. */
+    private static boolean isVisible(RadiosityNodes nodes, int element) {
+        return IntStream.range(0, 3).anyMatch(k -> !nodes.points().isBuried(nodes.corner(element, k)));
     }
 
     private FormFactorCalculator factors() {

@@ -6,24 +6,27 @@ import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
 /**
- * Finds vertices inside a solid, as where a floor continues below a block: all surfaces in sight show their backs.
+ * Finds vertices inside a solid, as where a floor continues below a block: all surfaces in sight show their backs; and
+ * vertices that another surface in the same place covers, see {@link CoincidentFaces}.
  *
- * <p>A vertex inside a solid receives no light and would darken the elements around it, so it is marked as buried.
+ * <p>Such a vertex receives no light and would darken the elements around it, so it is marked as buried.
  */
 public final class InteriorTest {
 
     private final Faces faces;
     private final IntPredicate hidden;
     private final Solids solids;
+    private final CoincidentFaces coincident;
 
     /** @param hidden whether a face is known to lie inside a solid */
     public InteriorTest(Faces faces, RadiosityBounds bounds, IntPredicate hidden) {
         this.faces = faces;
         this.hidden = hidden;
         solids = new Solids(bounds, faces.fronts());
+        coincident = new CoincidentFaces(faces, bounds);
     }
 
-    /** Marks the vertices from {@code first} to {@code last - 1} that lie inside a solid as buried. */
+    /** Marks the vertices from {@code first} to {@code last - 1} that no light can reach as buried. */
     public void look(RadiosityNodes nodes, int first, int last) {
         for (int v = first; v < last; v++) {
             if (isBuried(nodes, v)) {
@@ -38,7 +41,7 @@ public final class InteriorTest {
     }
 
     /**
-     * Whether a point lies inside a solid.
+     * Whether a point lies inside a solid, or another surface covers it.
      *
      * @param place x, y, z of the point in the scene brought to size 1, 3 from {@code at}; not modified
      * @param f     the face on which the point lies
@@ -48,7 +51,7 @@ public final class InteriorTest {
     }
 
     private boolean isHeld(float[] place, int at, int f) {
-        return solids.hold(place[at], place[at + 1], place[at + 2],
+        return coincident.cover(place, at, f) || solids.hold(place[at], place[at + 1], place[at + 2],
                 faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
     }
 }

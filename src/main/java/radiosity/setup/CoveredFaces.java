@@ -1,15 +1,16 @@
 package radiosity.setup;
 
+import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.cut.DiscontinuityMesher;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
 import radiosity.visibility.RadiosityBounds;
-import radiosity.visibility.Solids;
 
 /**
- * Estimates which share of each small face lies outside of solids. A large face is cut into pieces where solids stand
- * on it or pass through it; a small one is not, but light neither arrives on its covered part nor leaves it.
+ * Estimates which share of each small face lies outside of solids and is not covered by another face in the same place.
+ * A large face is cut into pieces where solids stand on it or pass through it; a small one is not, but light neither
+ * arrives on its covered part nor leaves it.
  */
 final class CoveredFaces implements Patcher.PointRule {
 
@@ -24,12 +25,12 @@ final class CoveredFaces implements Patcher.PointRule {
 
     private final Faces faces;
     private final RadiosityBounds bounds;
-    private final Solids solids;
+    private final InteriorTest interior;
 
-    CoveredFaces(Faces faces, RadiosityBounds bounds, Solids solids) {
+    CoveredFaces(Faces faces, RadiosityBounds bounds) {
         this.faces = faces;
         this.bounds = bounds;
-        this.solids = solids;
+        interior = new InteriorTest(faces, bounds, f -> false);
     }
 
     /** The share of a face that lies outside of solids, above 0 and at most 1; 1 for large faces and for pieces. */
@@ -145,10 +146,8 @@ final class CoveredFaces implements Patcher.PointRule {
         return middle;
     }
 
-    /** Whether the middle of a part of a face lies inside a solid. */
+    /** Whether the middle of a part of a face lies inside a solid, or another surface covers the middle. */
     private boolean isCovered(int face, float[] corners) {
-        float[] middle = middle(corners);
-        return solids.hold(middle[0], middle[1], middle[2],
-                faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
+        return interior.isBuried(middle(corners), 0, face);
     }
 }

@@ -8,6 +8,7 @@ import radiosity.formfactor.EscapingLight;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.Block;
+import radiosity.mesh.CoincidentFaces;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RepresentativeFaces;
 import radiosity.mesh.cut.DiscontinuityMesher;
@@ -94,10 +95,10 @@ public final class InitialMesh {
         origins = cut.origin();
         Faces sides = new Faces(this.scene, settings.layers());
         faces = predicts() ? DiscontinuityMesher.cut(sides.without(DarkCavities.of(sides))) : sides;
-        rooms = new ClosedRooms(faces, this::isBuried);
+        rooms = new ClosedRooms(faces, this::isBuried, new CoincidentFaces(faces, bounds()).covered());
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();
-        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds(), solids()) : null;
+        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds()) : null;
         if (mayBeCovered) {
             faces.cover(covered::visibleShare);
         }

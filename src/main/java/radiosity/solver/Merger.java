@@ -54,11 +54,12 @@ final class Merger {
         }
     }
 
+    /** Adds the elements of a block but for those that surfaces in the same place cover: these are not to be seen. */
     private void add(RadiosityNodes nodes) {
         int[] number = new int[nodes.vertices()];
         Arrays.fill(number, -1);
         for (int node = 0; node < nodes.nodes(); node++) {
-            if (!nodes.isElement(node)) {
+            if (!nodes.isElement(node) || mesh.rooms.isCovered(nodes.face(node))) {
                 continue;
             }
             if (elements == faceOf.length) {

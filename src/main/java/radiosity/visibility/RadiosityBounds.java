@@ -35,7 +35,7 @@ public final class RadiosityBounds {
     private static final int ONE = bits(1);
 
     /** Distances whose quotient is at most this are the same: a front is preferred to a back in its place. */
-    private static final double SAME_PLACE = 1 + 1e-6;
+    static final double SAME_PLACE = 1 + 1e-6;
 
     private final float[] corners;
     private final float[] data;
@@ -196,22 +196,29 @@ public final class RadiosityBounds {
                 (float) far, backs ? SAME_PLACE : Double.POSITIVE_INFINITY, hit);
     }
 
+    /** What is looked for among the triangles that a ray meets. */
+    @FunctionalInterface
+    public interface Hit {
+        /** @param distance along the ray, in units of the length of its direction */
+        boolean counts(int triangle, double distance);
+    }
+
     /**
-     * Whether a ray passes through a triangle whose visible side it leaves behind, at a distance of its own.
+     * Whether a ray meets a triangle that counts.
      *
-     * @param dx    direction, of any length but 0: dx, dy, dz
-     * @param place distance in units of |d|, above 0, exact to {@link #SAME_PLACE}
-     * @param front 3 per triangle: normal of its visible side, 0 where both sides are visible; not modified
+     * @param ox   origin: ox, oy, oz
+     * @param dx   direction, of any length but 0: dx, dy, dz
+     * @param near least distance that counts, in units of |d|
+     * @param far  largest distance that counts, in units of |d|
      */
-    boolean leavesAt(float ox, float oy, float oz, float dx, float dy, float dz, float place, float[] front) {
+    public boolean meets(float ox, float oy, float oz, float dx, float dy, float dz, double near, double far,
+                         Hit hit) {
         double[] origin = {ox, oy, oz};
         double[] direction = {dx, dy, dz};
         double[] cut = new double[3];
         float ix = inverse(dx);
         float iy = inverse(dy);
         float iz = inverse(dz);
-        double far = place * SAME_PLACE;
-        double near = place / SAME_PLACE;
         float[] d = data;
         int at = root;
         while (at != BoundsLayout.END) {
@@ -223,9 +230,8 @@ public final class RadiosityBounds {
             int last = BoundsLayout.last(block);
             for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
                 int t = PackedTriangle.number(d, k);
-                if (front[3 * t] * dx + front[3 * t + 1] * dy + front[3 * t + 2] * dz > 0
-                        && PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
-                        && cut[0] >= near && cut[0] <= far) {
+                if (PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
+                        && cut[0] >= near && cut[0] <= far && hit.counts(t, cut[0])) {
                     return true;
                 }
             }

@@ -57,11 +57,17 @@ public final class Solids {
                         + DIRECTIONS[i + 2] * normal[a]);
             }
             int t = bounds.nearest(x, y, z, d[0], d[1], d[2], FAR, hit);
-            if (t < 0 || !leaves(t, d) && !bounds.leavesAt(x, y, z, d[0], d[1], d[2], hit[0], front)) {
+            if (t < 0 || !leaves(t, d) && !leavesAt(x, y, z, d, hit[0])) {
                 return false;
             }
         }
         return true;
+    }
+
+    /** Whether a ray leaves the visible side of a triangle behind in the same place as that of another triangle. */
+    private boolean leavesAt(float x, float y, float z, float[] d, double place) {
+        return bounds.meets(x, y, z, d[0], d[1], d[2], place / RadiosityBounds.SAME_PLACE,
+                place * RadiosityBounds.SAME_PLACE, (t, distance) -> leaves(t, d));
     }
 
     /** Whether a ray that meets a triangle leaves its visible side behind. */

@@ -3,6 +3,7 @@ package radiosity.mesh.cut;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import radiosity.mesh.face.CutPoints;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.TriangleBoxes;
@@ -10,7 +11,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.PointNumbers;
 
-/** Finds the contacts along which triangles stand on a face or pass through it. */
+/** Finds the contacts along which triangles stand on a face, pass through it or end in its plane. */
 final class FaceIntersections {
 
     /** A normal is along an axis of the scene if one of its components differs from 1 or -1 by less than this. */
@@ -26,6 +27,8 @@ final class FaceIntersections {
     private final Scene scene;
     /** 1 per point of the scene: the lowest point with the same coordinates. */
     private final int[] numbers;
+    /** 2 per triangle, front and back: its face, -1 where there is none. */
+    private final int[] faceOf;
     private final double touch;
     private final double least;
     /** 6 per triangle: low x, y, z, high x, y, z, scene units, grown by {@link #touch}. */
@@ -44,6 +47,10 @@ final class FaceIntersections {
         numbers = PointNumbers.of(scene.points());
         touch = Faces.NEAR * faces.size();
         this.least = least;
+        faceOf = IntStream.generate(() -> -1).limit(2L * scene.triangles()).toArray();
+        for (int f = 0; f < faces.count(); f++) {
+            faceOf[faces.side(f)] = f;
+        }
         box = new double[6 * scene.triangles()];
         for (int i = 0; i < box.length; i++) {
             int t = i / 6;
@@ -103,8 +110,35 @@ final class FaceIntersections {
                 }
             }
         }
+        for (int t : boxes.reaching(box, 6 * own, 2 * touch)) {
+            addOutline(t, face, origin, n, found);
+        }
         found.sort(Comparator.comparingDouble(contact -> -contact.length()));
         return found.subList(0, Math.min(MOST, found.size()));
+    }
+
+    /** Adds the border edges of a triangle that lies in a face's plane, faces the same way and is of another region. */
+    private void addOutline(int t, int face, Vec3 origin, Vec3 n, List<Contact> found) {
+        for (int back = 0; back < 2; back++) {
+            int other = faceOf[2 * t + back];
+            boolean isInPlace = other >= 0 && faces.part[other] != faces.part[face] && isInPlane(t, origin, n)
+                    && faces.exactNormal(other).dot(n) > 0;
+            for (int k = 0; k < 3 && isInPlace; k++) {
+                Vec3 from = faces.sceneCorner(other, (k + 1) % 3);
+                Vec3 to = faces.sceneCorner(other, (k + 2) % 3);
+                if ((faces.border[other] >> k & 1) != 0 && to.minus(from).length() > least) {
+                    found.add(new Contact(from, to, n.cross(to.minus(from)).unit()));
+                }
+            }
+        }
+    }
+
+    private boolean isInPlane(int t, Vec3 origin, Vec3 n) {
+        boolean isIn = true;
+        for (int k = 0; k < 3; k++) {
+            isIn &= Math.abs(scene.corner(t, k).minus(origin).dot(n)) <= touch;
+        }
+        return isIn;
     }
 
     private boolean overlap(int s, int t) {

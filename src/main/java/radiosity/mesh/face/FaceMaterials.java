@@ -37,7 +37,7 @@ final class FaceMaterials {
 
     void darken(IntPredicate hidden) {
         for (int i = 0; i < exitance.length; i++) {
-            exitance[i] = hidden.test(i / channels) ? 0 : exitance[i];
+            exitance[i] = exitance[i] > 0 && hidden.test(i / channels) ? 0 : exitance[i];
         }
     }
 

@@ -1,6 +1,7 @@
 package radiosity.mesh.room;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
@@ -44,16 +45,21 @@ public final class ClosedRooms {
     public long looks;
     /** 1 per lowest face: whether the shell sees backs and consists of buried pieces only. */
     private final boolean[] hidden;
+    private final BitSet covered;
     private int count;
     private final boolean plain;
 
     public ClosedRooms(Faces faces) {
-        this(faces, f -> false);
+        this(faces, f -> false, new BitSet());
     }
 
-    /** @param buried whether every surface that is seen from a face shows its back */
-    public ClosedRooms(Faces faces, IntPredicate buried) {
+    /**
+     * @param buried  whether every surface that is seen from a face shows its back
+     * @param covered faces that other faces in the same place cover, which are in no room; not modified, kept
+     */
+    public ClosedRooms(Faces faces, IntPredicate buried, BitSet covered) {
         this.faces = faces;
+        this.covered = covered;
         int n = faces.count();
         shells = new FaceShells(faces);
         shell = shells.shell;
@@ -77,6 +83,7 @@ public final class ClosedRooms {
             hidden[f] = shells.seesBacks[f] && IntStream.of(members.of(f))
                     .allMatch(g -> faces.isPiece(g) && buried.test(g));
         }
+        covered.stream().forEach(f -> room[f] = -1);
         plain = findPlain();
     }
 
@@ -85,9 +92,17 @@ public final class ClosedRooms {
         return room[face];
     }
 
-    /** Whether a face is a piece of a triangle that lies under another object which stands on the triangle. */
+    /**
+     * Whether a face is a piece of a triangle that lies under another object which stands on the triangle, or another
+     * face in the same place covers the face.
+     */
     public boolean isHidden(int face) {
-        return room[face] < 0 && hidden[shell[face]];
+        return isCovered(face) || room[face] < 0 && hidden[shell[face]];
+    }
+
+    /** Whether another face in the same place covers a face. */
+    public boolean isCovered(int face) {
+        return covered.get(face);
     }
 
     /** Whether all faces but hidden ones stand in one closed room of whole shells, and no two solids touch. */
@@ -191,7 +206,7 @@ public final class ClosedRooms {
     private void furnish(int wall, int[] inside) {
         int[] walls = members.of(wall);
         IntStream.Builder near = IntStream.builder();
-        all.any(wall, TOUCH, s -> {
+        all.any(wall, -TOUCH, s -> {
             IntStream.of(members.of(s)).forEach(near);
             return false;
         });

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -90,7 +91,7 @@ class ClosedRoomsTest {
     @Test
     void blockWithoutBottomOnACutFloor_leavesTheRoomClosed() {
         Faces cut = DiscontinuityMesher.cut(new Faces(radiosity.testkit.RoomScenes.closedCornell(WALL)));
-        ClosedRooms found = new ClosedRooms(cut, f -> true);
+        ClosedRooms found = new ClosedRooms(cut, f -> true, new BitSet());
         assertEquals(1, found.count());
         assertTrue(found.isPlain());
         assertTrue(IntStream.range(0, cut.count()).allMatch(f -> found.isHidden(f) == (found.room(f) < 0)));

@@ -1,0 +1,118 @@
+package radiosity.mesh;
+
+import java.util.BitSet;
+import java.util.stream.IntStream;
+import radiosity.mesh.face.Faces;
+import radiosity.util.DisjointSets;
+import radiosity.visibility.RadiosityBounds;
+
+/**
+ * Tells which points of surfaces are covered by another surface in the same place, such as a wall behind a poster that
+ * was modelled in the wall's plane, or the back of a shelf's board in that of its panel.
+ *
+ * <p>Both would receive, reflect and shoot the light that arrives there once, and a point that sees the place would see
+ * it twice: rays end a little above surfaces, so neither hides the other. One of the surfaces counts, therefore: the
+ * one above, or where both lie at the same height the one that emits light; else the smaller one, as a label is meant
+ * to be seen and not what is behind the label; else the first.
+ */
+public final class CoincidentFaces {
+
+    /** Height up to which a surface covers what is below, in units of the scene's size: as rays for light end there. */
+    private static final float HEIGHT = 1e-5f;
+    /** Height up to which two surfaces lie at the same height, in units of the scene's size. */
+    private static final float SAME = 1e-6f;
+    /** Weight of the other two corners at a point near a corner. */
+    private static final float NEAR = 0.05f;
+    /** Least cosine between the normals of two surfaces in one place. */
+    private static final float PARALLEL = 0.999f;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    /** 3 per original triangle: normal of its visible side, 0 where both sides are visible. */
+    private final float[] fronts;
+    /** 1 per original triangle: a face of that triangle, -1 where the triangle is too small to have one. */
+    private final int[] faceOf;
+    /** Original triangles that are connected in one plane. */
+    private final DisjointSets regions;
+    /** Area of each region, at its lowest triangle, in squared scene sizes. */
+    private final double[] area;
+
+    /** @param bounds the original triangles */
+    public CoincidentFaces(Faces faces, RadiosityBounds bounds) {
+        this.faces = faces;
+        this.bounds = bounds;
+        fronts = faces.fronts();
+        int triangles = fronts.length / 3;
+        faceOf = IntStream.generate(() -> -1).limit(triangles).toArray();
+        regions = new DisjointSets(triangles);
+        for (int f = 0; f < faces.count(); f++) {
+            faceOf[faces.triangle(f)] = f;
+            regions.join(faces.triangle(f), faces.triangle(faces.part[f]));
+        }
+        area = new double[triangles];
+        for (int f = 0; f < faces.count(); f++) {
+            area[regions.of(faces.triangle(f))] += faces.area(f);
+        }
+    }
+
+    /**
+     * Whether another surface lies in the place of a face, and counts there.
+     *
+     * @param place x, y, z of a point of the face, in the scene brought to size 1, 3 from {@code at}; not modified
+     */
+    boolean cover(float[] place, int at, int f) {
+        float nx = faces.normal(f, 0);
+        float ny = faces.normal(f, 1);
+        float nz = faces.normal(f, 2);
+        return bounds.meets(place[at] + HEIGHT * nx, place[at + 1] + HEIGHT * ny, place[at + 2] + HEIGHT * nz,
+                -nx, -ny, -nz, 0, HEIGHT + SAME, (t, distance) -> covers(t, HEIGHT - distance, f));
+    }
+
+    /** The faces that other surfaces cover at their middle and near each corner. */
+    public BitSet covered() {
+        BitSet covered = new BitSet();
+        for (int f = 0; f < faces.count(); f++) {
+            boolean isCovered = cover(faces.middle(f), 0, f);
+            for (int k = 0; k < 3 && isCovered; k++) {
+                isCovered = cover(beside(f, k), 0, f);
+            }
+            covered.set(f, isCovered);
+        }
+        return covered;
+    }
+
+    /** A point of a face near one of its corners. */
+    private float[] beside(int f, int corner) {
+        float[] place = new float[3];
+        for (int i = 0; i < 9; i++) {
+            place[i % 3] += (i / 3 == corner ? 1 - 2 * NEAR : NEAR) * faces.corner(f, i / 3, i % 3);
+        }
+        return place;
+    }
+
+    private boolean covers(int t, double height, int f) {
+        int own = faces.triangle(f);
+        return faceOf[t] >= 0 && regions.of(t) != regions.of(own) && looksAlong(t, f)
+                && (height > SAME || comesFirst(t, own));
+    }
+
+    /** Whether an original triangle's visible side faces as a face does. */
+    private boolean looksAlong(int t, int f) {
+        boolean isTwoSided = fronts[3 * t] == 0 && fronts[3 * t + 1] == 0 && fronts[3 * t + 2] == 0;
+        float cosine = 0;
+        for (int a = 0; a < 3; a++) {
+            cosine += faces.normal(faceOf[t], a) * faces.normal(f, a);
+        }
+        return (isTwoSided ? Math.abs(cosine) : cosine) >= PARALLEL;
+    }
+
+    private boolean comesFirst(int t, int own) {
+        boolean emits = faces.emits(faceOf[t]);
+        if (emits != faces.emits(faceOf[own])) {
+            return emits;
+        }
+        double here = area[regions.of(own)];
+        double there = area[regions.of(t)];
+        return there < here || there == here && t < own;
+    }
+}
