@@ -17,7 +17,6 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -26,7 +25,6 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import radiosity.testkit.Program;
 
 /** The start script in a project of its own, with a java and an mvn that only say how they were called. */
 @Tag("slow")
@@ -277,31 +275,5 @@ class ScriptsTest {
         tool("mvn", "echo mvn $MAVEN_OPTS; touch target/radiosity.jar");
         environment.put("MAVEN_OPTS", "-Xmx1g");
         assertTrue(run(script()).contains("mvn -Xmx1g -Djansi.noreset=true\n"));
-    }
-
-    /** This JDK, and those in directories beside it. */
-    @Test
-    void everyJdkAtHand_addsNothingToWhatTheProgramPrints() throws Exception {
-        Path home = Path.of(System.getProperty("java.home")).toRealPath();
-        Path python = Path.of("/usr/bin/python3");
-        assumeTrue(Files.exists(python), "needs python3 for a pseudo terminal");
-        int tried = 0;
-        try (Stream<Path> jdks = Files.list(home.getParent())) {
-            for (Path jdk : jdks.filter(Files::isDirectory).filter(d -> Files.exists(d.resolve("bin/java"))).toList()) {
-                List<String> command = Program.command("-q -pa 20000 -it 1 " + Path.of("scenes/cornell-box.lws")
-                        .toAbsolutePath()
-                        + " " + directory.resolve("box.scene"));
-                command.set(0, jdk.resolve("bin/java").toString());
-                command.add(1, NATIVES);
-                command.addAll(0, List.of(python.toString(), "-c", "import pty,sys; pty.spawn(sys.argv[1:])"));
-                Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-                process.getOutputStream().close();
-                String output = Program.rest(process);
-                assertTrue(output.contains("1 shot in 1 round"), jdk + ": " + output);
-                assertFalse(output.contains("WARNING"), jdk + ": " + output);
-                tried++;
-            }
-        }
-        assertTrue(tried > 0);
     }
 }

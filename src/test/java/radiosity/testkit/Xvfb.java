@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 
 /** A display in memory; tests that need one are skipped where Xvfb is not installed. */
@@ -52,9 +51,13 @@ public final class Xvfb implements AutoCloseable {
 
     /** As {@link #java}, on this display. */
     public ProcessBuilder program(Class<?> main, String... arguments) {
-        ProcessBuilder builder = java(main, arguments);
-        Map<String, String> environment = builder.environment();
-        environment.put("DISPLAY", display);
+        return command(java(main, arguments).command());
+    }
+
+    /** Any command, on this display. */
+    public ProcessBuilder command(List<String> command) {
+        ProcessBuilder builder = new ProcessBuilder(command);
+        builder.environment().put("DISPLAY", display);
         return builder;
     }
 
