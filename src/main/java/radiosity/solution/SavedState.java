@@ -62,13 +62,14 @@ public final class SavedState {
         MessageDigest digest = digest();
         List<byte[]> pieces = new ArrayList<>();
         for (long read = 0; read < length;) {
-            byte[] piece = in.readNBytes((int) Math.min(most, length - read));
-            if (piece.length == 0) {
+            byte[] piece = new byte[(int) Math.min(most, length - read)];
+            int count = in.readNBytes(piece, 0, piece.length);
+            read += count;
+            if (count < piece.length) {
                 throw new EOFException("state: expected " + length + " bytes, got " + read);
             }
             digest.update(piece);
             pieces.add(piece);
-            read += piece.length;
         }
         SavedState state = new SavedState(pieces);
         state.sha256 = HexFormat.of().formatHex(digest.digest());

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.testkit.ColouredRoom.assertSame;
 
 import java.io.ByteArrayInputStream;
@@ -12,6 +13,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HexFormat;
@@ -55,6 +57,30 @@ class SavedStateTest {
         assertNotEquals(whole, SavedState.of(List.of(Arrays.copyOf(bytes, 3_000_000))));
     }
 
+    /** The arrays are changed, against the rule, after the hash must have been computed. */
+    @Test
+    void hash_isComputedOnce_andWhileTheStateIsRead() throws Exception {
+        byte[] bytes = random(1000);
+        String expected = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        List<byte[]> read = new ArrayList<>();
+        InputStream in = new ByteArrayInputStream(bytes) {
+            @Override
+            public int readNBytes(byte[] piece, int from, int most) {
+                read.add(piece);
+                return super.readNBytes(piece, from, most);
+            }
+        };
+        SavedState fromFile = SavedState.read(in, bytes.length, 300);
+        assertEquals(4, read.size());
+        read.forEach(piece -> piece[0]++);
+        assertEquals(expected, fromFile.sha256());
+
+        SavedState made = SavedState.of(List.of(bytes));
+        assertEquals(expected, made.sha256());
+        bytes[0]++;
+        assertEquals(expected, made.sha256());
+    }
+
     @Test
     void inputThatEndsEarly_isRefused() {
         assertThrows(EOFException.class, () -> SavedState.read(new ByteArrayInputStream(new byte[100]), 101, 30));
@@ -81,6 +107,7 @@ class SavedStateTest {
         Solution atOnce = SameBitsTest.solve(new LocalWorld(ColouredRoom.SCENE, settings, 1), SameBitsTest.shots(40));
         SavedState half = SameBitsTest.solve(new LocalWorld(ColouredRoom.SCENE, settings, 1), SameBitsTest.shots(20))
                 .state();
+        assertTrue(half.toString().matches(".* in ([3-9]|\\d\\d+) pieces"), half + ": no array holds all blocks");
         ProgressiveRadiosity rest = new ProgressiveRadiosity(new LocalWorld(ColouredRoom.SCENE, settings, 1),
                 SameBitsTest.shots(40));
         rest.resume(SavedState.read(half.open(), half.length(), 37));

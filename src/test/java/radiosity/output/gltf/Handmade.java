@@ -32,7 +32,7 @@ public final class Handmade {
     private int pointCount;
     private int triangleCount;
     private int vertexCount;
-    byte[] state = {};
+    public byte[] state = {};
     String name = "by hand";
 
     public int surface(Surface surface) {
