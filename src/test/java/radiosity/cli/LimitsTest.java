@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -87,6 +88,20 @@ class LimitsTest {
         assertEquals(ExitCode.FAILED, process.waitFor(), printed);
         assertTrue(printed.contains("JAVA_OPTS=-Xmx"), printed);
         assertEquals(3, SavedCalculation.read(program.file("foobar.scene")).shots());
+    }
+
+    /** Points for which there is room, but not for the light at them, in 64 MiB. */
+    @Test
+    void heapThatIsTooSmallForAGrid_doesNotCostTheReport() throws IOException, InterruptedException {
+        Program program = new Program(directory);
+        List<String> command = new ArrayList<>(Program.command("-q -it 3 -pa 5% --spacing .85 --grid green grid.csv"
+                + " --report report.json foobar.lws foobar.scene"));
+        command.add(1, "-Xmx64m");
+        Process process = program.start(command);
+        String printed = Program.rest(process);
+        assertEquals(ExitCode.FAILED, process.waitFor(), printed);
+        assertTrue(printed.contains("grid.csv: expected to be written, got memory: "), printed);
+        assertTrue(new ObjectMapper().readTree(program.file("report.json").toFile()).has("certificate"), printed);
     }
 
     /** 400,000 lines of 120 characters in 64 MiB. */

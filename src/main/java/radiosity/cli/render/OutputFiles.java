@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.Failure;
@@ -37,6 +38,7 @@ import radiosity.scene.SceneFormatException;
 import radiosity.settings.RadiositySettings;
 import radiosity.solution.Certificate;
 import radiosity.solution.Solution;
+import radiosity.util.TooLargeException;
 
 /** Checks the input and output files that the command line names, and writes the outputs. */
 public final class OutputFiles {
@@ -144,7 +146,7 @@ public final class OutputFiles {
         if (snapshotCamera == null) {
             snapshotCamera = options.picture.camera(solution);
         }
-        savePicture(solution, snapshotCamera, Path.of(options.output() + "-" + solution.shots() + ".jpg"),
+        savePicture(solution, () -> snapshotCamera, Path.of(options.output() + "-" + solution.shots() + ".jpg"),
                 done -> goOn.getAsBoolean(), user);
     }
 
@@ -163,9 +165,8 @@ public final class OutputFiles {
             if (isLong && !options.picture.pictures.isEmpty()) {
                 user.begin();
             }
-            Camera camera = options.picture.pictures.isEmpty() ? null : options.picture.camera(solution);
             for (Path picture : options.picture.pictures) {
-                failures.tried(() -> savePicture(solution, camera, picture, done -> {
+                failures.tried(() -> savePicture(solution, () -> options.picture.camera(solution), picture, done -> {
                     user.part("drawing " + picture.getFileName(), done);
                     return !stop.made();
                 }, user::message));
@@ -192,15 +193,17 @@ public final class OutputFiles {
     }
 
     private void saveGrid(Solution solution, FileOptions.GridFile file) throws IOException {
-        Grid grid = Grid.of(solution, file.where(), options.file.spacing);
-        write(file.out(), grid::write);
-        System.out.println(SceneFormatException.escape(grid.summary()));
+        write(file.out(), out -> {
+            Grid grid = Grid.of(solution, file.where(), options.file.spacing);
+            grid.write(out);
+            System.out.println(SceneFormatException.escape(grid.summary()));
+        });
     }
 
-    private void savePicture(Solution solution, Camera camera, Path file, Snapshot.Drawing.Progress progress,
-                             Consumer<String> user) throws IOException {
+    private void savePicture(Solution solution, Supplier<Camera> camera, Path file,
+                             Snapshot.Drawing.Progress progress, Consumer<String> user) throws IOException {
         try {
-            write(file, picture -> Snapshot.write(picture, solution, camera, options.picture.width(),
+            write(file, picture -> Snapshot.write(picture, solution, camera.get(), options.picture.width(),
                     options.picture.toneMapping(solution),
                     new Snapshot.Drawing(options.picture.gathered(), progress)));
         } catch (CancellationException e) {
@@ -228,7 +231,7 @@ public final class OutputFiles {
             content.writeTo(file);
         } catch (SceneFormatException e) {
             throw e;
-        } catch (OutOfMemoryError e) {
+        } catch (OutOfMemoryError | TooLargeException e) {
             throw Failure.failed(file + ": expected to be written, got " + ErrorReport.line(e), e);
         } catch (IOException e) {
             throw Failure.file(file, "expected to be written, got " + ErrorReport.reason(e), e);

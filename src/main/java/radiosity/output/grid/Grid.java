@@ -1,6 +1,10 @@
 package radiosity.output.grid;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -80,6 +84,21 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
 
     /** Writes a table: lines that begin with # and have the figures of the grid, a header, then one line per point. */
     public void write(Path file) throws IOException {
+        AtomicFile.write(file, channel -> {
+            Writer text = new BufferedWriter(new OutputStreamWriter(Channels.newOutputStream(channel),
+                    StandardCharsets.UTF_8));
+            text.append(heading());
+            for (double[] row : rows) {
+                for (int i = 0; i < row.length; i++) {
+                    text.append(i == 0 ? "" : ",").append(String.valueOf(row[i] == 0 ? 0.0 : row[i]));
+                }
+                text.append('\n');
+            }
+            text.flush();
+        });
+    }
+
+    private StringBuilder heading() {
         StringBuilder text = new StringBuilder();
         text.append("# ").append(where.replaceAll("\\p{Cntrl}", " ")).append('\n');
         text.append("# average ").append(quantity[0]).append(',').append(mean).append(',').append(quantity[1]);
@@ -87,13 +106,6 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         text.append("\n# maximum ").append(quantity[0]).append(',').append(maximum).append(',').append(quantity[1]);
         text.append("\n# uniformity U0 (minimum / average),").append(uniformity()).append("\n# diversity (minimum /"
                 + " maximum),").append(maximum > 0 ? minimum / maximum : 0).append("\n# points,").append(rows.length);
-        text.append("\nx,y,z,nx,ny,nz,E_").append(quantity[1].replace("/", "_")).append('\n');
-        for (double[] row : rows) {
-            for (int i = 0; i < row.length; i++) {
-                text.append(i == 0 ? "" : ",").append(row[i] == 0 ? 0.0 : row[i]);
-            }
-            text.append('\n');
-        }
-        AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+        return text.append("\nx,y,z,nx,ny,nz,E_").append(quantity[1].replace("/", "_")).append('\n');
     }
 }
