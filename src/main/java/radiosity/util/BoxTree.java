@@ -173,14 +173,18 @@ public final class BoxTree {
      */
     public int lowest(double[] p, double near) {
         double[] segment = {p[0], p[1], p[2], 0, 0, 0};
-        int found = order.length == 0 ? Integer.MAX_VALUE
-                : lowest(0, 0, order.length, segment, near, Integer.MAX_VALUE);
+        return lowest((some, at) -> !apart(some, at, segment, near));
+    }
+
+    /** The lowest number of a box that meets a region, or -1. */
+    int lowest(Region region) {
+        int found = order.length == 0 ? Integer.MAX_VALUE : lowest(0, 0, order.length, region, Integer.MAX_VALUE);
         return found == Integer.MAX_VALUE ? -1 : found;
     }
 
-    /** @return the lowest number of a near box below a node if that is lower than {@code best}, else {@code best} */
-    private int lowest(int node, int from, int to, double[] segment, double near, int best) {
-        if (lowest[node] >= best || apart(bounds, 6 * node, segment, near)) {
+    /** @return the lowest number of a box below a node that meets a region if lower than {@code best}, else that */
+    private int lowest(int node, int from, int to, Region region, int best) {
+        if (lowest[node] >= best || !region.meets(bounds, 6 * node)) {
             return best;
         }
         int found = best;
@@ -189,14 +193,14 @@ public final class BoxTree {
             int one = 2 * node + 1;
             int other = 2 * node + 2;
             if (lowest[one] < lowest[other]) {
-                found = lowest(one, from, middle, segment, near, found);
-                return lowest(other, middle, to, segment, near, found);
+                found = lowest(one, from, middle, region, found);
+                return lowest(other, middle, to, region, found);
             }
-            found = lowest(other, middle, to, segment, near, found);
-            return lowest(one, from, middle, segment, near, found);
+            found = lowest(other, middle, to, region, found);
+            return lowest(one, from, middle, region, found);
         }
         for (int i = from; i < to; i++) {
-            if (order[i] < found && !apart(boxes, 6 * order[i], segment, near)) {
+            if (order[i] < found && region.meets(boxes, 6 * order[i])) {
                 found = order[i];
             }
         }
