@@ -17,8 +17,7 @@ import radiosity.visibility.RadiosityBounds;
  */
 public final class CoincidentFaces {
 
-    /** Height up to which a surface covers what is below, in units of the scene's size: as rays for light end there. */
-    private static final float HEIGHT = 1e-5f;
+    private static final float HEIGHT = (float) Faces.COVERING;
     /** Height up to which two surfaces lie at the same height, in units of the scene's size. */
     private static final float SAME = 1e-6f;
     /** Weight of the other two corners at a point near a corner. */

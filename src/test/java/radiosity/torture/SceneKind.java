@@ -257,9 +257,9 @@ enum SceneKind {
         return maker.made(this);
     }
 
-    /** Whether surfaces lie in or on each other: what lies in one place may receive twice. */
+    /** Whether surfaces pass through each other at any angle, so that some elements are partly covered. */
     boolean overlaps() {
-        return this == SOUP || this == COPLANAR;
+        return this == SOUP;
     }
 
     boolean isShipped() {

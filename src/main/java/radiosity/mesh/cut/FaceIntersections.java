@@ -110,22 +110,22 @@ final class FaceIntersections {
                 }
             }
         }
-        for (int t : boxes.reaching(box, 6 * own, 2 * touch)) {
+        for (int t : boxes.reaching(box, 6 * own, Faces.COVERING * faces.size())) {
             addOutline(t, face, origin, n, found);
         }
         found.sort(Comparator.comparingDouble(contact -> -contact.length()));
         return found.subList(0, Math.min(MOST, found.size()));
     }
 
-    /** Adds the border edges of a triangle that lies in a face's plane, faces the same way and is of another region. */
+    /** Adds the border edges of a triangle of another region that lies on a face and looks the same way. */
     private void addOutline(int t, int face, Vec3 origin, Vec3 n, List<Contact> found) {
         for (int back = 0; back < 2; back++) {
             int other = faceOf[2 * t + back];
-            boolean isInPlace = other >= 0 && faces.part[other] != faces.part[face] && isInPlane(t, origin, n)
+            boolean isInPlace = other >= 0 && faces.part[other] != faces.part[face] && lies(t, origin, n)
                     && faces.exactNormal(other).dot(n) > 0;
             for (int k = 0; k < 3 && isInPlace; k++) {
-                Vec3 from = faces.sceneCorner(other, (k + 1) % 3);
-                Vec3 to = faces.sceneCorner(other, (k + 2) % 3);
+                Vec3 from = dropped(faces.sceneCorner(other, (k + 1) % 3), origin, n);
+                Vec3 to = dropped(faces.sceneCorner(other, (k + 2) % 3), origin, n);
                 if ((faces.border[other] >> k & 1) != 0 && to.minus(from).length() > least) {
                     found.add(new Contact(from, to, n.cross(to.minus(from)).unit()));
                 }
@@ -133,12 +133,20 @@ final class FaceIntersections {
         }
     }
 
-    private boolean isInPlane(int t, Vec3 origin, Vec3 n) {
-        boolean isIn = true;
+    /** The point of a plane below a point; the point itself where it lies in the plane. */
+    private Vec3 dropped(Vec3 p, Vec3 origin, Vec3 n) {
+        double above = p.minus(origin).dot(n);
+        return Math.abs(above) <= touch ? p : p.minus(n.times(above));
+    }
+
+    /** Whether a triangle lies in a plane, or so little above that the triangle covers what is in the plane. */
+    private boolean lies(int t, Vec3 origin, Vec3 n) {
+        boolean lies = true;
         for (int k = 0; k < 3; k++) {
-            isIn &= Math.abs(scene.corner(t, k).minus(origin).dot(n)) <= touch;
+            double above = scene.corner(t, k).minus(origin).dot(n);
+            lies &= above >= -touch && above <= Faces.COVERING * faces.size();
         }
-        return isIn;
+        return lies;
     }
 
     private boolean overlap(int s, int t) {

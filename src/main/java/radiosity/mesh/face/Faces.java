@@ -22,6 +22,11 @@ public final class Faces {
     public static final double LEAST_AREA = 1e-12;
     /** A point nearer to a plane or a line than this lies on it, in scene sizes. */
     public static final double NEAR = 1e-6;
+    /**
+     * Height up to which a face covers another face below that looks the same way, in scene sizes: there is no light
+     * between them, as rays end about as high above faces.
+     */
+    public static final double COVERING = 1e-5;
     /** Importance of irradiance on a black face. */
     public static final double LEAST_IMPORTANCE = 0.05;
     /** Largest difference between components of the normals of faces in one plane. */
