@@ -5,8 +5,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
-import radiosity.edit.lightwave.LightWaveCopy;
+import radiosity.edit.model.ModelCopy;
 import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.ToneMapping;
 import radiosity.scene.Scene;
@@ -14,21 +15,30 @@ import radiosity.scene.SceneFormatException;
 
 /**
  * Saves an edited scene under free names: {@code room-edit-1.scene} with its light beside the scene file, and {@code
- * room-edit-1.lws} beside the original model; the new scene file names this copy as its model.
+ * room-edit-1.lws}, or with the extension of a glTF model, beside the original model; the new scene file names this
+ * copy as its model.
  */
 public final class EditFiles {
 
     private final EditSource source;
+    private final Optional<String> obstacle;
 
-    public EditFiles(EditSource source) {
+    /** @throws IOException where the model cannot be read */
+    public EditFiles(EditSource source) throws IOException {
         this.source = source;
+        obstacle = ModelCopy.obstacle(source.model()).map(SceneFormatException::getMessage);
+    }
+
+    /** Why only scene files are saved, whatever the edits; empty where copies of the model are saved, too. */
+    public Optional<String> obstacle() {
+        return obstacle;
     }
 
     /**
-     * Saves both files; only the scene file where LightWave's files cannot express the edits.
+     * Saves both files; only the scene file where files of the model's format cannot express the edits.
      *
      * @param edited light of the edited scene
-     * @return line for the user: the files saved, and why the LightWave scene was not saved
+     * @return line for the user: the files saved, and why the model was not saved
      * @throws IOException where the scene file or the copy cannot be written
      */
     public String save(LightFollower.Rest edited, ToneMapping toneMapping) throws IOException {
@@ -44,7 +54,7 @@ public final class EditFiles {
         try {
             Path copy = copy(number);
             Path file = scene(number);
-            LightWaveCopy.write(source.model(), source.reading(), source.scene(), scene, copy);
+            ModelCopy.write(source.model(), source.reading(), source.scene(), scene, copy);
             extras.put("commandLine", source.commandLine().stream().map(word -> isName(word, source.model()) ? "" + copy
                     : isName(word, source.file()) ? "" + file : word).toList());
             copied = ", " + copy.getFileName();
@@ -64,7 +74,8 @@ public final class EditFiles {
     }
 
     private Path copy(int number) {
-        return numbered(source.model(), number, ".lws");
+        String name = String.valueOf(source.model().getFileName());
+        return numbered(source.model(), number, name.indexOf('.') < 0 ? "" : name.substring(name.lastIndexOf('.')));
     }
 
     private static Path numbered(Path file, int number, String suffix) {

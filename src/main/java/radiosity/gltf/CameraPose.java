@@ -1,5 +1,6 @@
 package radiosity.gltf;
 
+import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Vec3;
 
@@ -11,41 +12,14 @@ public final class CameraPose {
     private CameraPose() {
     }
 
-    /** The quaternion of a camera's rotation matrix, from its largest component: K. Shoemake, Quaternions, 1994. */
+    /** The quaternion of a camera's rotation. */
     public static double[] quaternion(Camera camera) {
         Vec3 z = camera.forward().times(-1).unit();
         Vec3 x = camera.up().cross(z).unit();
         Vec3 y = z.cross(x);
-        double[][] m = {{x.x(), y.x(), z.x()}, {x.y(), y.y(), z.y()}, {x.z(), y.z(), z.z()}};
-        double trace = m[0][0] + m[1][1] + m[2][2];
-        double[] q = new double[4];
-        int largest = 3;
-        for (int i = 0; i < 3; i++) {
-            if (m[i][i] > (largest == 3 ? trace : m[largest][largest])) {
-                largest = i;
-            }
-        }
-        if (largest == 3) {
-            q[3] = 1 + trace;
-            q[0] = m[2][1] - m[1][2];
-            q[1] = m[0][2] - m[2][0];
-            q[2] = m[1][0] - m[0][1];
-        } else {
-            int j = (largest + 1) % 3;
-            int k = (largest + 2) % 3;
-            q[largest] = 1 + m[largest][largest] - m[j][j] - m[k][k];
-            q[j] = m[j][largest] + m[largest][j];
-            q[k] = m[k][largest] + m[largest][k];
-            q[3] = m[k][j] - m[j][k];
-        }
-        return unit(q);
+        return Rotation.quaternion(new Affine(new double[] {x.x(), y.x(), z.x(), 0, x.y(), y.y(), z.y(), 0, x.z(),
+            y.z(), z.z(), 0}));
     }
-
-    private static double[] unit(double[] q) {
-        double length = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-        return new double[] {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
-    }
-
     /**
      * The camera at a position with a rotation.
      *
@@ -54,7 +28,7 @@ public final class CameraPose {
      * @param aspect   width over height
      */
     public static Camera camera(Vec3 position, double[] rotation, double yfov, double aspect) {
-        double[] q = unit(rotation);
+        double[] q = Rotation.unit(rotation);
         Vec3 v = new Vec3(q[0], q[1], q[2]);
         return new Camera(position, turn(v, q[3], new Vec3(0, 0, -1)), turn(v, q[3], new Vec3(0, 1, 0)), yfov / 2,
                 aspect);

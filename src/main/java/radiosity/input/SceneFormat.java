@@ -1,6 +1,10 @@
 package radiosity.input;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -9,7 +13,7 @@ import radiosity.input.file.FileSniffer;
 import radiosity.input.lightwave.LightWaveReader;
 
 /** Formats of scenes that can be read. A file is recognised by its content, or else by the extension of its name. */
-enum SceneFormat {
+public enum SceneFormat {
 
     LIGHTWAVE(Set.of("lws", "lwo")),
     GLTF(Set.of("gltf", "glb")),
@@ -25,6 +29,21 @@ enum SceneFormat {
 
     SceneFormat(Set<String> endings) {
         this.endings = endings;
+    }
+
+    /**
+     * The format of a file; empty for formats that cannot be read.
+     *
+     * @throws IOException where the file cannot be read
+     */
+    public static Optional<SceneFormat> of(Path file) throws IOException {
+        return of(start(file), String.valueOf(file.getFileName()));
+    }
+
+    static byte[] start(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return in.readNBytes(FileSniffer.START);
+        }
     }
 
     /**

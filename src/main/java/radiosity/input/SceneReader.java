@@ -1,8 +1,6 @@
 package radiosity.input;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -39,7 +37,7 @@ public final class SceneReader {
     public static Scene read(Path file, ReadOptions options, Consumer<String> warnings) throws IOException {
         String name = String.valueOf(file.getFileName());
         InputFile.check(file, name);
-        byte[] start = start(file);
+        byte[] start = SceneFormat.start(file);
         Optional<SceneFormat> format = SceneFormat.of(start, name);
         if (format.isEmpty()) {
             throw new SceneFormatException(name, "", "a scene", FileSniffer.describe(start, name)
@@ -61,12 +59,6 @@ public final class SceneReader {
         }, options);
     }
 
-    private static byte[] start(Path file) throws IOException {
-        try (InputStream in = Files.newInputStream(file)) {
-            return in.readNBytes(FileSniffer.START);
-        }
-    }
-
     /**
      * The unchanged model of a glTF file, to be written again with additions; empty for other formats.
      *
@@ -74,8 +66,7 @@ public final class SceneReader {
      * @param scene   that was read from the file
      */
     public static Optional<GltfModel> original(Path file, ReadOptions options, Scene scene) throws IOException {
-        Optional<SceneFormat> format = SceneFormat.of(start(file), String.valueOf(file.getFileName()));
-        return format.equals(Optional.of(SceneFormat.GLTF)) ? Optional.of(GltfReader.original(file, options, scene))
-                : Optional.empty();
+        return SceneFormat.of(file).equals(Optional.of(SceneFormat.GLTF))
+                ? Optional.of(GltfReader.original(file, options, scene)) : Optional.empty();
     }
 }

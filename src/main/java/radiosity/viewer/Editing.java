@@ -86,7 +86,8 @@ final class Editing {
     private void read() {
         try {
             EditSource source = wanted.get().call();
-            EventQueue.invokeLater(() -> begin(source));
+            EditFiles saved = new EditFiles(source);
+            EventQueue.invokeLater(() -> begin(source, saved));
         } catch (Exception | OutOfMemoryError e) {
             EventQueue.invokeLater(() -> {
                 isReading = false;
@@ -100,11 +101,11 @@ final class Editing {
         return e.getMessage() == null ? e.toString() : e.getMessage();
     }
 
-    private void begin(EditSource source) {
+    private void begin(EditSource source, EditFiles saved) {
         if (isClosed) {
             return;
         }
-        files = new EditFiles(source);
+        files = saved;
         Camera camera = display.lighting().scene().camera();
         history = new EditHistory(source.scene());
         isOn = true;
@@ -134,7 +135,8 @@ final class Editing {
                     display.follow(lit);
                     place();
                     if (isFirst) {
-                        say("edit: click on an object, drag it (Shift: up and down, Ctrl: turn)");
+                        say("edit: click on an object, drag it (Shift: up and down, Ctrl: turn)"
+                                + files.obstacle().map(why -> "; only scene files are saved; " + why).orElse(""));
                     } else if (isEdited && pending == null) {
                         say(done + String.format(Locale.ROOT, "; the light follows: %,d elements, %.1f %% to be"
                                 + " distributed", solution.elements(), 100 * solution.unshotFlux()

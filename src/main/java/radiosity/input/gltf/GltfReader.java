@@ -1,5 +1,6 @@
 package radiosity.input.gltf;
 
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -46,6 +47,8 @@ public final class GltfReader {
     private final Map<String, Integer> geometries = new HashMap<>();
     private final Buffers buffers;
     private final List<Standing> standing = new ArrayList<>();
+    /** See {@link Origins#nodes}. */
+    private final List<Integer> numbers = new ArrayList<>();
 
     /**
      * A mesh placed in the scene.
@@ -57,6 +60,15 @@ public final class GltfReader {
      * @param instance map from the instance's space to the node's, if the node has instances
      */
     record Standing(int node, int mesh, Meshes.Shape shape, Affine world, Optional<Affine> instance) { }
+
+    /**
+     * Where a file describes what its scene has.
+     *
+     * @param json      the file's JSON, which the caller may modify
+     * @param nodes     index in the file of each node of the scene's hierarchy; -1 for an instance of a node
+     * @param materials index in the file of the material of each of the scene's surfaces; -1 for the default material
+     */
+    public record Origins(ObjectNode json, List<Integer> nodes, List<Integer> materials) { }
 
     private GltfReader(Container file, String name, FileSearch search, ReadOptions options, Diagnostics notes)
             throws IOException {
@@ -119,11 +131,13 @@ public final class GltfReader {
                     at.parent() < 0 ? -1 : drafted.get(at.parent()), mesh < 0 || instances.isPresent() ? ""
                     : geometry(mesh), at.local()), at.node().path());
             drafted.add(node);
+            numbers.add(at.number());
             views.add(at);
             if (mesh >= 0 && instances.isPresent()) {
                 for (Affine instance : instances.get()) {
                     int own = draft.node(new SceneNode(at.node().text("name", ""), node, geometry(mesh), instance),
                             at.node().path());
+                    numbers.add(-1);
                     add(at, new Standing(at.number(), mesh, new Meshes.Shape(weights(at.node()), null),
                             at.world().times(instance), Optional.of(instance)), own);
                 }
@@ -152,6 +166,24 @@ public final class GltfReader {
         }
     }
 
+    private static GltfReader again(Path file, ReadOptions options) throws IOException {
+        OpenedFile opened = OpenedFile.of(file, options.withStrict(false), warning -> { });
+        GltfReader reader = new GltfReader(Container.of(opened.bytes(), opened.name(), opened.notes()), opened.name(),
+                opened.search(), options, opened.notes());
+        reader.scene();
+        return reader;
+    }
+
+    /**
+     * Finds where a file describes what its scene has.
+     *
+     * @param options the options with which the scene was read
+     */
+    public static Origins origins(Path file, ReadOptions options) throws IOException {
+        GltfReader reader = again(file, options);
+        return new Origins(reader.root.node().deepCopy(), reader.numbers, reader.materials.numbers());
+    }
+
     /**
      * Reads a file again, completely, for a writer that adds to it.
      *
@@ -159,10 +191,7 @@ public final class GltfReader {
      * @param scene   the scene that was read from the file
      */
     public static GltfModel original(Path file, ReadOptions options, Scene scene) throws IOException {
-        OpenedFile opened = OpenedFile.of(file, options.withStrict(false), warning -> { });
-        GltfReader reader = new GltfReader(Container.of(opened.bytes(), opened.name(), opened.notes()), opened.name(),
-                opened.search(), options, opened.notes());
-        reader.scene();
+        GltfReader reader = again(file, options);
         return new OriginalModel(reader.root, reader.buffers, reader.meshes).of(reader.standing, scene);
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,7 +33,8 @@ final class Materials {
     /** 1 entry per surface: see {@link #excess}. */
     private final List<Rgb> excesses = new ArrayList<>();
     private final Set<Integer> clipped = new HashSet<>();
-    private final Map<Integer, Integer> known = new HashMap<>();
+    /** The surfaces of materials, in the order of the surfaces. */
+    private final Map<Integer, Integer> known = new LinkedHashMap<>();
     private final Set<String> names = new HashSet<>();
     private final Map<Integer, Optional<ImageSource>> images = new HashMap<>();
 
@@ -48,6 +50,11 @@ final class Materials {
 
     List<Surface> surfaces() {
         return surfaces;
+    }
+
+    /** Index in the file of the material of each surface; -1 for glTF's default material. */
+    List<Integer> numbers() {
+        return List.copyOf(known.keySet());
     }
 
     /** The mapping of a surface's images onto its triangles; empty where the surface has no image. */

@@ -1,10 +1,9 @@
-package radiosity.edit.lightwave;
+package radiosity.edit.model;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,24 +11,18 @@ import java.util.Map;
 import java.util.TreeSet;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.input.lightwave.lws.SceneParser;
-import radiosity.output.file.AtomicFile;
 import radiosity.scene.Affine;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
-import radiosity.scene.SceneFormatException;
 import radiosity.scene.Srgb;
 import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
 /**
- * Writes a copy of a LightWave scene in which edited objects are moved and edited surfaces are painted; an object file
- * with a painted surface is copied, too. All other bytes stay the same. The copy is read again and deleted where it is
- * not the edited scene, because an object's motion follows from more than its keys.
+ * The files of a copy of a LightWave scene in which edited objects are moved and edited surfaces are painted; an object
+ * file with a painted surface is copied, too. All other bytes stay the same.
  */
-public final class LightWaveCopy {
-
-    /** Tolerance of rotations and reflectances, and of positions relative to the largest coordinate. */
-    private static final double SAME = 1e-6;
+final class LightWaveCopy {
 
     private final Path source;
     private final ReadOptions options;
@@ -50,62 +43,30 @@ public final class LightWaveCopy {
         origins = LightWaveReader.origins(source, options);
     }
 
-    /**
-     * Writes the copy.
-     *
-     * @param source  the original LightWave scene
-     * @param options options with which the source was read and the copy is read again
-     * @param before  scene read from the source
-     * @param edited  the same triangles, with objects moved and surfaces painted
-     * @param target  the copy: a file that does not exist, in the directory of the source; copied objects are named
-     *                after it
-     * @return all files written
-     * @throws SceneFormatException where LightWave's files cannot express the edits; no file is left then
-     */
-    public static List<Path> write(Path source, ReadOptions options, Scene before, Scene edited, Path target)
-            throws IOException {
-        byte[] bytes = Files.readAllBytes(source);
-        if (!SceneParser.isScene(bytes)) {
-            throw new SceneFormatException(source.toString(), "", "a LightWave scene (.lws) to save a copy of",
-                    "another format");
-        }
-        if (!target.toAbsolutePath().getParent().equals(source.toAbsolutePath().getParent())) {
-            throw new SceneFormatException(target.toString(), "", "a copy beside " + source
-                    + ", as its objects are found from there", "another directory");
-        }
-        try {
-            return new LightWaveCopy(source, options, before, edited, target).write(bytes);
-        } catch (IllegalArgumentException e) {
-            throw new SceneFormatException(source.toString(), "", "edits that LightWave's files can say",
-                    e.getMessage());
-        }
+    /** Whether a file is a LightWave scene; a LightWave object is none. */
+    static boolean isScene(Path source) throws IOException {
+        return SceneParser.isScene(Files.readAllBytes(source));
     }
 
-    private List<Path> write(byte[] scene) throws IOException {
-        MotionLines lines = new MotionLines(new String(scene, StandardCharsets.ISO_8859_1));
+    /**
+     * Returns the contents of the copy's files: copies of objects, then the scene.
+     *
+     * @param target the copy of the scene, in the directory of the source; copied objects are named after it
+     * @throws IllegalArgumentException where LightWave's files cannot express the edits
+     */
+    static Map<Path, byte[]> of(Path source, ReadOptions options, Scene before, Scene edited, Path target)
+            throws IOException {
+        return new LightWaveCopy(source, options, before, edited, target).files();
+    }
+
+    private Map<Path, byte[]> files() throws IOException {
+        MotionLines lines = new MotionLines(Files.readString(source, StandardCharsets.ISO_8859_1));
         for (int n = 0; n < origins.size(); n++) {
             move(n, lines);
         }
         paint(lines);
         files.put(target, lines.text().getBytes(StandardCharsets.ISO_8859_1));
-        List<Path> written = new ArrayList<>();
-        boolean isKept = false;
-        try {
-            for (Map.Entry<Path, byte[]> file : files.entrySet()) {
-                if (Files.exists(file.getKey())) {
-                    throw new IllegalArgumentException("expected a free name, got " + file.getKey());
-                }
-                AtomicFile.write(file.getKey(), file.getValue());
-                written.add(file.getKey());
-            }
-            check(LightWaveReader.read(target, options, line -> { }));
-            isKept = true;
-        } finally {
-            for (Path file : isKept ? List.<Path>of() : written) {
-                Files.deleteIfExists(file);
-            }
-        }
-        return List.copyOf(files.keySet());
+        return files;
     }
 
     /** Changes the motion of an object whose position in its parent's space has changed. */
@@ -120,12 +81,12 @@ public final class LightWaveCopy {
         double[] turned = {StrictMath.cos(turn), 0, StrictMath.sin(turn), 0, 1, 0, -StrictMath.sin(turn), 0,
             StrictMath.cos(turn)};
         for (int i = 0; i < turned.length; i++) {
-            if (!(Math.abs(m[i / 3 * 4 + i % 3] - turned[i]) < SAME)) {
+            if (!(Math.abs(m[i / 3 * 4 + i % 3] - turned[i]) < ModelCopy.SAME)) {
                 throw new IllegalArgumentException(edited.hierarchy().nodes().get(node).name()
                         + ": expected a turn about its parent's vertical axis, got another");
             }
         }
-        double heading = Math.abs(turn) < SAME ? 0 : -turn;
+        double heading = Math.abs(turn) < ModelCopy.SAME ? 0 : -turn;
         double[] at = heading == 0 ? new double[3] : lines.position(origins.get(node).line());
         at[2] = 0 - at[2];
         double[] by = new double[3];
@@ -184,28 +145,5 @@ public final class LightWaveCopy {
             }
         }
         return found;
-    }
-
-    private void check(Scene read) {
-        boolean isSame = read.triangles() == edited.triangles()
-                && read.surfaces().size() == edited.surfaces().size();
-        double most = 0;
-        for (double x : edited.points()) {
-            most = Math.max(most, Math.abs(x));
-        }
-        for (int i = 0; i < 3 * read.triangles() && isSame; i++) {
-            isSame = read.corner(i / 3, i % 3).minus(edited.corner(i / 3, i % 3)).length() <= SAME * most;
-        }
-        for (int s = 0; s < read.surfaces().size() && isSame; s++) {
-            Surface a = read.surfaces().get(s);
-            Surface b = edited.surfaces().get(s);
-            for (int c = 0; c < 3; c++) {
-                isSame &= Math.abs(a.reflectance().channel(c) - b.reflectance().channel(c)) < SAME
-                        && a.exitance().channel(c) == b.exitance().channel(c);
-            }
-        }
-        if (!isSame) {
-            throw new IllegalArgumentException("what was moved or painted follows from more than keys and colours");
-        }
     }
 }

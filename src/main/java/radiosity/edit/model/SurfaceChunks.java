@@ -1,4 +1,4 @@
-package radiosity.edit.lightwave;
+package radiosity.edit.model;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;

@@ -1,4 +1,4 @@
-package radiosity.edit.lightwave;
+package radiosity.edit.model;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -47,7 +47,7 @@ class LightWaveCopyTest {
     }
 
     private List<Path> save(Path source, EditHistory history) throws IOException {
-        return LightWaveCopy.write(source, ReadOptions.defaults(), history.original(), history.scene(),
+        return ModelCopy.write(source, ReadOptions.defaults(), history.original(), history.scene(),
                 folder.resolve("copy.lws"));
     }
 

@@ -1,4 +1,4 @@
-package radiosity.edit.lightwave;
+package radiosity.edit.model;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 

@@ -1,4 +1,4 @@
-package radiosity.edit.lightwave;
+package radiosity.edit.model;
 
 import java.util.ArrayList;
 import java.util.List;
