@@ -23,7 +23,7 @@ import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
 import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.Edits;
-import radiosity.util.Hash;
+import radiosity.testkit.RandomEdits;
 
 /**
  * Prints what changes of the study cost and how exact they are, see {@code scripts/change --help}.
@@ -120,15 +120,14 @@ public final class ChangeTable {
 
     /** Edits of the coloured room one after another, each from the one before. */
     private void edits(int count) throws IOException {
-        Scene room = ColouredRoom.SCENE;
-        Run now = run(room, settings, Optional.empty());
-        Scene scene = room;
+        Scene scene = RandomEdits.room(0);
+        Run now = run(scene, settings, Optional.empty());
         double seconds = 0;
         int anews = 0;
         double worst = 0;
         double gained = 0;
         for (int n = 1; n <= count; n++) {
-            scene = edited(room, n);
+            scene = RandomEdits.room(n);
             now = run(scene, settings, Optional.of(now.solution.state()));
             seconds += now.seconds;
             anews += now.anew.isEmpty() ? 0 : 1;
@@ -153,25 +152,6 @@ public final class ChangeTable {
                 + " anew %d%n", count, anews, seconds, anew.seconds, 100 * error, 100 * ofAnew, error / ofAnew,
                 100 * now.certificate.expected(), worst, 100 * gained, now.solution.elements(),
                 anew.solution.elements());
-    }
-
-    /** The room as it is after a number of edits: each is of one kind and what follows from its number. */
-    private static Scene edited(Scene room, int n) {
-        Scene scene = room;
-        for (int kind = 0; kind < 3; kind++) {
-            int last = n - (n - kind + 3) % 3;
-            long dice = Hash.mix(7, last);
-            double u = (dice >>> 40) * 0x1p-24;
-            double v = (dice >>> 16 & 0xffffff) * 0x1p-24;
-            scene = last < 1 ? scene : switch (kind) {
-                case 0 -> Edits.moved(scene, Edits.surface(scene, "block"), new Vec3(-.07 * u, 0, .25 * v));
-                case 1 -> Edits.with(scene, "wall " + last % 6, s -> new Surface(s.name(), s.exitance(),
-                        new Rgb(.2 + .6 * u, .2 + .6 * v, .5), s.twoSided()));
-                default -> Edits.with(scene, "lamp", s -> new Surface(s.name(), new Rgb(.7 + .6 * u, 1, .7 + .6 * v),
-                        s.reflectance(), s.twoSided()));
-            };
-        }
-        return scene;
     }
 
     /** Those of the coloured room. */

@@ -19,6 +19,11 @@ public final class ColouredRoom {
 
     private static Scene scene() {
         SceneBuilder builder = new SceneBuilder();
+        addTo(builder);
+        return builder.scene("coloured room");
+    }
+
+    static void addTo(SceneBuilder builder) {
         Box room = new Box(Vec3.ZERO, new Vec3(0.556, 0.5488, 0.5592));
         for (int side = 0; side < 6; side++) {
             builder.polygon(new Surface("wall " + side, Rgb.BLACK, new Rgb(0.2 + 0.1 * side, 0.6, 0.5), false),
@@ -26,7 +31,6 @@ public final class ColouredRoom {
         }
         RoomScenes.CORNELL_BLOCKS.get(0).addTo(builder, RoomScenes.grey("block", 0, 0.7));
         RoomScenes.CORNELL_BLOCKS.get(1).addTo(builder, RoomScenes.grey("lamp", 1, 0.3));
-        return builder.scene("coloured room");
     }
 
     /** To the last bit, and to go on from. */
