@@ -184,6 +184,17 @@ class ArchitectureTest {
         assertEquals(List.of(), wrong);
     }
 
+    /** So the light of a scene with mirrors and glass, and the time it takes, are those of the scene without them. */
+    @Test
+    void whatShines_isUnknownToTheCalculation() throws Exception {
+        Set<String> users = importsOfTypes().entrySet().stream()
+                .filter(type -> type.getValue().contains("radiosity.scene.Specular"))
+                .map(type -> type.getKey().substring(0, type.getKey().lastIndexOf('.')))
+                .filter(p -> !p.equals("radiosity.scene") && !p.startsWith("radiosity.input."))
+                .collect(Collectors.toCollection(TreeSet::new));
+        assertEquals(Set.of("radiosity.output.gltf", "radiosity.output.raytrace"), users);
+    }
+
     private static boolean allowed(String ours, String theirs, Map<String, Set<String>> table) {
         if (isOurs(theirs)) {
             return shortName(theirs).equals(ours) || table.getOrDefault(ours, Set.of()).contains(shortName(theirs));
