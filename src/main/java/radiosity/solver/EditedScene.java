@@ -113,7 +113,7 @@ final class EditedScene {
                     + " % of what is emitted" : "nothing emits light");
         }
         world.restore(changed);
-        counters.change(old, relight.shot(), world.totals(), lights);
+        counters.change(old, change.isOfGeometry(), relight.shot(), world.totals(), lights);
         return Optional.empty();
     }
 }

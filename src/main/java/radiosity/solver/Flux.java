@@ -118,13 +118,19 @@ final class Flux {
     /**
      * Takes over the flux that was shot in an earlier scene.
      *
+     * @param earlier  counts of the earlier scene where the geometry is the same, so that as much escapes; else null:
+     *                 rays find what escapes
      * @param surfaces flux that the elements have shot, one per channel, W
      * @param totals   the radiosities that the elements have shot
      * @param lights   flux of sources without geometry that arrives, one per channel, W
      */
-    void change(double[] surfaces, List<Shot> totals, double[] lights) {
+    void change(Flux earlier, double[] surfaces, List<Shot> totals, double[] lights) {
         begin(totals);
-        count(totals);
+        if (earlier == null) {
+            count(totals);
+        } else {
+            System.arraycopy(earlier.escaped, 0, escaped, 0, escaped.length);
+        }
         for (int c = 0; c < shot.length; c++) {
             shot[c] = surfaces[c] + lights[c];
             emitted[c] = mesh.emitted[c] + lights[c];

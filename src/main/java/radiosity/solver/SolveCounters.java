@@ -41,14 +41,15 @@ final class SolveCounters {
     /**
      * Goes on counting after an earlier scene's calculation.
      *
+     * @param isMoved  whether the geometry has changed
      * @param surfaces flux that the elements have shot, one per channel, W
      * @param totals   the radiosities that the elements have shot
      * @param lights   flux of sources without geometry that arrives, one per channel, W
      */
-    void change(SolveCounters earlier, double[] surfaces, List<Shot> totals, double[] lights) {
+    void change(SolveCounters earlier, boolean isMoved, double[] surfaces, List<Shot> totals, double[] lights) {
         shots = earlier.shots;
         rounds = earlier.rounds;
-        flux.change(surfaces, totals, lights);
+        flux.change(isMoved ? null : earlier.flux, surfaces, totals, lights);
     }
 
     /** Begins a round with some shots, and returns its number. */
