@@ -34,13 +34,22 @@ class WordsTest {
         List<String> lines = run.out().lines().toList();
         assertEquals(4, lines.size(), run.out());
         assertTrue(lines.get(0).matches("\\S+ mesh elements, initial patches <= 2\\.000e\\+04 units², 40 shots in \\d+ rounds,"
-                + " \\S+ % of the light not yet distributed, \\S+ .*"), lines.get(0));
+                + " \\S+ % of the light not yet distributed or shot too much, \\S+ .*"), lines.get(0));
         assertTrue(lines.get(1).matches("emitted \\S+ " + flux + " = absorbed \\S+ \\+ not yet distributed \\S+ \\+"
                 + " (escaped or lost \\S+|escaped \\S+ \\+ lost \\S+)"), lines.get(1));
         assertTrue(lines.get(2).matches("radiosity \\+- \\S+ % \\(.*\\), estimated at \\d+ points; upper bound on missing flux:"
-                + " [\\d.e+-]+ " + flux), lines.get(2));
+                + " more than is emitted"), lines.get(2));
         assertTrue(lines.get(3).matches("mean form-factor sum 0\\.\\d{4}, largest 1\\.\\d{4}, reciprocity error \\S+ %"),
                 lines.get(3));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--lights=auto, W/m2 x unit2", "--unit=mm, W", "--photometric, lm/m2 x unit2"})
+    void boundOnMissingFlux_isSaidWhereItIsOfUse(String option, String flux) {
+        ProgramRun run = ProgramRun.of("-q", option, "-pa", 20000, "--accuracy", "20%", BOX, folder.resolve("box.scene"));
+        assertEquals(0, run.exitCode(), run.err());
+        assertTrue(run.out().lines().toList().get(2).matches(".*; upper bound on missing flux: [\\d.e+-]+ " + flux),
+                run.out());
     }
 
     @ParameterizedTest

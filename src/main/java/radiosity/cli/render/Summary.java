@@ -1,6 +1,7 @@
 package radiosity.cli.render;
 
 import java.io.PrintStream;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -44,7 +45,7 @@ public final class Summary {
 
     public void print(PrintStream out) {
         out.printf(Locale.ROOT, "%s, initial patches <= %.4g units\u00b2, %s in %s, %s of the"
-                + " light not yet distributed, %s%n",
+                + " light not yet distributed or shot too much, %s%n",
                 ProgressText.count(progress.elements(), "mesh element"), result.patchArea(),
                 ProgressText.count(progress.shots(), "shot"),
                 ProgressText.count(progress.rounds(), "round"),
@@ -64,15 +65,22 @@ public final class Summary {
     }
 
     private void print(Certificate c, PrintStream out) {
-        String missing = c.missingFlux() == null ? "no upper bound on missing flux"
-                : String.format(Locale.ROOT, "upper bound on missing flux: %.4g %s",
-                c.missingFlux() * units.fluxScale(), units.flux());
         String parts = progress.unsent() > MUCH_UNSENT ? "with what is not yet distributed" : String.format(Locale.ROOT,
                 "rays %s, mesh %s", ProgressText.perCent(c.sampling()), ProgressText.perCent(c.meshing()));
         out.printf(Locale.ROOT, "radiosity +- %s (%s), estimated at %d points; %s%n",
-                ProgressText.perCent(c.expected()), parts, c.points(), missing);
+                ProgressText.perCent(c.expected()), parts, c.points(), missing(c));
         out.printf(Locale.ROOT, "mean form-factor sum %.4f, largest %.4f, reciprocity error %s%n",
                 c.factors(), c.mostFactors(), ProgressText.perCent(c.reciprocity()));
+    }
+
+    /** The upper bound on missing flux; near a reflectance of 1 it may be large without meaning anything. */
+    private String missing(Certificate c) {
+        if (c.missingFlux() == null) {
+            return "no upper bound on missing flux";
+        }
+        return "upper bound on missing flux: " + (c.missingFlux() > Arrays.stream(ledger.emitted()).sum()
+                ? "more than is emitted"
+                : String.format(Locale.ROOT, "%.4g %s", c.missingFlux() * units.fluxScale(), units.flux()));
     }
 
     /**
