@@ -1,5 +1,6 @@
 # Makes models with Blender, and what Blender itself says of them: python make_models.py DIRECTORY
-# (bpy 4.5 from PyPI). models.csv: file, triangles, area, integrals of reflectance and of exitance (r, g, b) over it.
+# (bpy 4.5 from PyPI). models.csv: file, triangles, area, integrals of reflectance and of exitance (r, g, b) over it;
+# the lines of quantised models are those of read_models.py.
 import bpy, math, sys
 from mathutils import Vector
 out = sys.argv[-1]
