@@ -18,8 +18,8 @@ import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
+import radiosity.output.gltf.LampMix;
 import radiosity.output.image.ToneMapping;
-import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 
 /**
@@ -52,7 +52,7 @@ final class ControlPanel {
     private final EditPanel edit;
     private final JPanel lamps = new JPanel();
     private final List<ColourControl> lampControls = new ArrayList<>();
-    private List<Lamp> shown = List.of();
+    private List<String> shown = List.of();
     /** Whether components are being set to the present values: changes then do not act on the display. */
     private boolean refreshing;
 
@@ -146,12 +146,12 @@ final class ControlPanel {
         textures.setEnabled(lighting.scene().textures().isPresent());
         walls.setSelected(display.collides());
         edit.refresh();
-        if (!shown.equals(lighting.lamps())) {
-            shown = lighting.lamps();
+        if (!shown.equals(lighting.mix().groups())) {
+            shown = lighting.mix().groups();
             replaceLamps();
         }
         for (int lamp = 0; lamp < lampControls.size(); lamp++) {
-            lampControls.get(lamp).show(shown.get(lamp).name(), lighting.lamp(lamp));
+            lampControls.get(lamp).show(shown.get(lamp), lighting.mix().factor(lamp));
         }
         refreshing = false;
     }
@@ -163,13 +163,16 @@ final class ControlPanel {
             int lamp = i;
             ColourControl control = new ColourControl("lamp" + i, "colour" + i, MOST_LAMP, false,
                     (factor, isMoving) -> display.lamp(lamp, factor));
-            control.button("solo" + i, "solo", () -> display.onlyLamp(lamp));
+            control.button("solo" + i, "solo", () -> display.mix(display.lighting().mix().only(lamp)));
             control.button("off" + i, "off", () -> display.lamp(lamp, Rgb.BLACK));
             lampControls.add(control);
             control.parts().forEach(part -> add(lamps, part));
         }
         if (!shown.isEmpty()) {
-            add(lamps, button("asRendered", "lamps as rendered", display::lampsAsRendered));
+            add(lamps, button("asRendered", "lamps as rendered",
+                    () -> display.mix(LampMix.asRendered(display.lighting().mix().lamps()))));
+            add(lamps, button("saveMix", "save mix", display::saveMix));
+            add(lamps, button("loadMix", "load mix", display::loadMix));
         }
         lamps.revalidate();
     }

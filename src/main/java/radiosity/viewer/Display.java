@@ -3,11 +3,17 @@ package radiosity.viewer;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import radiosity.output.file.AtomicFile;
+import radiosity.output.gltf.LampMix;
 import radiosity.output.gltf.LitScene;
 import radiosity.scene.Affine;
 import radiosity.scene.Camera;
@@ -27,6 +33,7 @@ public final class Display {
     private final Lighting lighting;
     private final Walker walker;
     private final Walking walking;
+    private final Optional<Path> sceneFile;
     private final Photo photo;
     private final Editing editing;
     private Extent extent;
@@ -58,7 +65,8 @@ public final class Display {
         walking = new Walking(walker, this::look, () -> extent.size());
         textures = settings.textures();
         lighting = new Lighting(settings, shader);
-        photo = new Photo(settings.followed(), this::status);
+        sceneFile = settings.followed();
+        photo = new Photo(sceneFile, this::status);
         editing = new Editing(this, settings.editing());
         show(scene);
         if (settings.wireframe()) {
@@ -239,21 +247,44 @@ public final class Display {
         status(lighting.text());
     }
 
-    /** Dims or colours a lamp. Textures hold the light as rendered, so the light of vertices is shown then. */
-    public void lamp(int lamp, Rgb factor) {
-        lighting.lamp(lamp, factor);
+    /** Dims or colours the lamps of one name, see {@link LampMix#groups()}. */
+    public void lamp(int group, Rgb factor) {
+        mix(lighting.mix().with(group, factor));
+    }
+
+    /** Shows a mix. Textures hold the light as rendered, so the light of vertices is shown then. */
+    void mix(LampMix mix) {
+        lighting.mix(mix);
         lampsChanged();
     }
 
-    /** Turns off all other lamps. */
-    void onlyLamp(int lamp) {
-        lighting.only(lamp);
-        lampsChanged();
+    /** Saves the mix beside the scene file, as {@code a.scene.mix}. */
+    void saveMix() {
+        withMixFile(file -> {
+            AtomicFile.write(file, lighting.mix().text().getBytes(StandardCharsets.UTF_8));
+            status("mix saved: " + file.getFileName());
+        });
     }
 
-    void lampsAsRendered() {
-        lighting.reset();
-        lampsChanged();
+    /** Shows the mix that was saved last. */
+    void loadMix() {
+        withMixFile(file -> mix(lighting.mix().read(Files.readString(file), file.getFileName().toString())));
+    }
+
+    /** What is done with a file. */
+    private interface FileAction {
+        void with(Path file) throws IOException;
+    }
+
+    private void withMixFile(FileAction action) {
+        try {
+            Path scene = sceneFile.orElseThrow(() -> new IOException("expected a scene file"));
+            action.with(scene.resolveSibling(scene.getFileName() + ".mix"));
+        } catch (NoSuchFileException e) {
+            status("mix: none is saved");
+        } catch (IOException e) {
+            status("mix: " + e.getMessage());
+        }
     }
 
     private void lampsChanged() {

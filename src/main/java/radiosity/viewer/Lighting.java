@@ -1,13 +1,10 @@
 package radiosity.viewer;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import radiosity.output.gltf.LampMix;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.image.ToneMapping;
-import radiosity.scene.Lamp;
-import radiosity.scene.Rgb;
 import radiosity.scene.Units;
 
 /** The light in which a scene is shown: factors of the lamps, exposure and tone mapping; on the event thread. */
@@ -19,8 +16,7 @@ final class Lighting {
     private LitScene scene;
     /** Scene with its lamps as they are set. */
     private LitScene lit;
-    /** 1 per lamp: factor of the lamp's light, per channel. */
-    private List<Rgb> factors = List.of();
+    private LampMix mix = LampMix.asRendered(List.of());
     private ToneMapping toneMapping;
     /** Exposure that suits the scene with its present lamps, 1 / (W/m²) or 1 / (lm/m²). */
     private double automaticExposure;
@@ -35,31 +31,27 @@ final class Lighting {
         toneMapping = settings.toneMapping().orElse(new ToneMapping(settings.curve(), 1));
     }
 
-    /** Shows another scene; factors are kept where both scenes have the same lamps. */
+    /** Shows another scene; the mix is kept where both scenes have the same lamps. */
     void show(LitScene other) {
-        if (scene == null || !scene.lamps().equals(other.lamps())) {
-            factors = asRendered(other);
-        }
-        scene = other;
-        mix();
+        follow(other);
         automaticExposure = automatic(lit);
         toneMapping(automatic ? automaticExposure : toneMapping.exposure(), toneMapping.operator());
     }
 
     /** Shows an edited version of the scene, with the exposure kept. */
     void follow(LitScene other) {
-        factors = scene.lamps().equals(other.lamps()) ? factors : asRendered(other);
         scene = other;
-        mix();
+        mix(mix.lamps().equals(other.lamps()) ? mix : LampMix.asRendered(other.lamps()));
     }
 
-    private static List<Rgb> asRendered(LitScene scene) {
-        return Collections.nCopies(scene.lamps().size(), Rgb.grey(1));
+    LampMix mix() {
+        return mix;
     }
 
-    /** Applies the factors; if none is changed, takes the rendered scene itself, so that not even rounding differs. */
-    private void mix() {
-        lit = factors.equals(asRendered(scene)) ? scene : scene.mixed(factors);
+    /** Applies a mix; if it is as rendered, takes the rendered scene itself, so that not even rounding differs. */
+    void mix(LampMix other) {
+        mix = other;
+        lit = mix.isAsRendered() ? scene : scene.mixed(mix.factors());
     }
 
     private double automatic(LitScene of) {
@@ -69,37 +61,6 @@ final class Lighting {
     /** The scene with its lamps as they are set. */
     LitScene scene() {
         return lit;
-    }
-
-    List<Lamp> lamps() {
-        return scene.lamps();
-    }
-
-    /** Factor of a lamp's light, per channel. */
-    Rgb lamp(int lamp) {
-        return factors.get(lamp);
-    }
-
-    /** @param factor per channel, at least 0 */
-    void lamp(int lamp, Rgb factor) {
-        List<Rgb> changed = new ArrayList<>(factors);
-        changed.set(lamp, factor);
-        factors = changed;
-        mix();
-    }
-
-    /** Turns off all other lamps; where the lamp itself is off, it gets the light as rendered. */
-    void only(int lamp) {
-        List<Rgb> changed = new ArrayList<>(Collections.nCopies(factors.size(), Rgb.BLACK));
-        changed.set(lamp, factors.get(lamp).max() > 0 ? factors.get(lamp) : Rgb.grey(1));
-        factors = changed;
-        mix();
-    }
-
-    /** Resets all lamps to the light as rendered. */
-    void reset() {
-        factors = asRendered(scene);
-        mix();
     }
 
     ToneMapping toneMapping() {

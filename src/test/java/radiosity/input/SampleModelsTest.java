@@ -103,7 +103,8 @@ class SampleModelsTest {
     }
 
     private static MaterialSample plus(MaterialSample a, MaterialSample b) {
-        return a == null ? b : new MaterialSample(a.exitance().plus(b.exitance()), a.reflectance().plus(b.reflectance()));
+        return a == null ? b
+                : new MaterialSample(a.exitance().plus(b.exitance()), a.reflectance().plus(b.reflectance()));
     }
 
     @ParameterizedTest
@@ -115,7 +116,8 @@ class SampleModelsTest {
         "glTF2/SchemaFailures/sceneWrongType.gltf, 'JSON /scene: expected a whole number, got \"hello\"'",
         "glTF/BoxTextured-glTF-Binary/BoxTextured.glb, 'expected glTF version 2, got 1'",
         "glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_00.gltf, expected at least one polygon",
-        "Collada/duck.dae, got a Collada file (DAE)", "FBX/box.fbx, got an FBX file", "BLEND/box.blend, got a Blender file"})
+        "Collada/duck.dae, got a Collada file (DAE)", "FBX/box.fbx, got an FBX file",
+        "BLEND/box.blend, got a Blender file"})
     void others_areRefusedByName(String file, String reason) {
         SceneFormatException refused = assertThrows(SceneFormatException.class,
                 () -> read(FOLDER.resolve(file)));

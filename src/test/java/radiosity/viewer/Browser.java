@@ -119,6 +119,17 @@ final class Browser implements AutoCloseable, WebSocket.Listener {
         return call("Runtime.evaluate", Map.of("expression", expression, "returnByValue", true)).at("/result/value");
     }
 
+    /** Whether a condition on the page holds within some time. */
+    boolean becomes(String condition) throws Exception {
+        for (int i = 0; i < 10 * SECONDS; i++) {
+            if (value(condition).asBoolean()) {
+                return true;
+            }
+            Thread.sleep(100);
+        }
+        return false;
+    }
+
     void open(URI page) throws Exception {
         call("Page.navigate", Map.of("url", page.toString()));
         for (int i = 0; i < 10 * SECONDS && !value("document.body?.dataset.ready").asText().equals("yes"); i++) {

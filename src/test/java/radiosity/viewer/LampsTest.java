@@ -1,5 +1,6 @@
 package radiosity.viewer;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +11,7 @@ import static radiosity.viewer.Rendered.difference;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
@@ -89,6 +91,28 @@ class LampsTest {
         assertEquals(0, red[2]);
         Color lamp = new Color(window.shot("red").getRGB(MIDDLE, SIZE * 57 / 400));
         assertTrue(lamp.getRed() > 100 && lamp.getGreen() == 0, "the lamp shows it: " + lamp);
+    }
+
+    @Test
+    void mix_isSavedBesideTheSceneFileAndComesBack() throws IOException {
+        window.say("press loadMix");
+        assertEquals("mix: none is saved", window.say("status"));
+        window.say("set lamp0 30");
+        window.say("colour 1 255 0 255");
+        double[] mixed = window.probe(LEFT, MIDDLE, "radiosity");
+        window.say("press saveMix");
+        assertEquals("mix saved: lamps.scene.mix", window.say("status"));
+        Path saved = folder.resolve("lamps.scene.mix");
+        assertTrue(Files.readString(saved).matches("0\\.3 0\\.3 0\\.3 \\S.*\n1\\.0 0\\.0 1\\.0 blue\n"),
+                Files.readString(saved));
+        window.say("press asRendered");
+        window.say("press loadMix");
+        assertArrayEquals(mixed, window.probe(LEFT, MIDDLE, "radiosity"));
+        Files.writeString(saved, "bright blue");
+        window.say("press loadMix");
+        assertEquals("mix: lamps.scene.mix, line 1: expected three factors and a lamp's name, got bright blue",
+                window.say("status"));
+        Files.delete(saved);
     }
 
     @Test

@@ -205,6 +205,7 @@ class WebPageTest {
             assertEquals(0.3 * lamp[0], dimmed[0], 2e-3 * lamp[0]);
             browser.set("colour0", "#ff0000");
             assertTrue(probe(browser, "radiosity")[0] / mixed[0] > 0.999, "as much red as before");
+            saveAndLoadMix(browser);
             browser.value("document.getElementById('asRendered').click()");
             browser.tap("Space", " ");
             assertEquals(0, Rendered.difference(start, browser.screenshot()), 0.01, "as rendered");
@@ -214,6 +215,27 @@ class WebPageTest {
             assertTrue(textures > 0 && textures <= 2, "textures differ by " + textures + " of 255");
             assertEquals(List.of(), browser.errors);
         }
+    }
+
+    /** The mix that the page saves comes back from a file; what is no mix is refused in a line. */
+    private static void saveAndLoadMix(Browser browser) throws Exception {
+        double[] mixed = probe(browser, "radiosity");
+        browser.value("URL.createObjectURL = blob => { blob.text().then(text => { window.saved = text; });"
+                + " return 'data:,'; }; document.getElementById('saveMix').click()");
+        assertTrue(browser.becomes("window.saved?.startsWith('0.3 0 0 ')"), "the mix is saved");
+        browser.value("document.getElementById('asRendered').click()");
+        choose(browser, "window.saved");
+        assertTrue(browser.becomes("document.getElementById('lamp0').value === '30'"), "the mix is loaded");
+        assertArrayEquals(mixed, probe(browser, "radiosity"));
+        choose(browser, "'bright blue'");
+        assertTrue(browser.becomes("document.getElementById('text').textContent"
+                + " === \"a.mix, line 1: expected three factors and a lamp's name, got bright blue\""));
+    }
+
+    private static void choose(Browser browser, String text) throws Exception {
+        browser.value("{const chosen = new DataTransfer(), part = document.querySelector('#panel input[type=file]');"
+                + " chosen.items.add(new File([" + text + "], 'a.mix')); part.files = chosen.files;"
+                + " part.dispatchEvent(new Event('change'));}");
     }
 
     /** Radiosity in lm/m2, irradiance in lx; luminance is radiosity by pi; the scale ends at the luminance that is red. */

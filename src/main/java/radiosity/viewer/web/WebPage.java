@@ -128,6 +128,7 @@ public final class WebPage implements Closeable {
         Camera camera = scene.camera();
         ToneMapping toneMapping = ToneMapping.automatic(curve, scene.meshes(), stops);
         Map<String, Object> settings = new TreeMap<>();
+        settings.put("name", file.getFileName().toString());
         settings.put("exposure", toneMapping.exposure());
         settings.put("curve", curve.ordinal());
         settings.put("verticalHalfAngle", camera.verticalHalfAngle());

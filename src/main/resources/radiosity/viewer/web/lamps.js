@@ -1,25 +1,38 @@
 // The light of each lamp, mixed anew as in the window (radiosity.viewer.Lighting): exact, on the CPU.
 
-/** Lets lamps be dimmed and coloured; lamps: names, and whether each is a surface. */
+/** Lets lamps be dimmed and coloured, those of one name together; lamps: names, and whether each is a surface. */
 export class Lamps {
 
     constructor(lamps, meshes) {
         this.lamps = lamps;
         this.meshes = meshes;
+        this.names = [...new Set(lamps.map(lamp => lamp.name))];
         this.factors = lamps.map(() => [1, 1, 1]);
         meshes.forEach(mesh => remember(mesh, lamps));
     }
 
-    /** factor: what the lamp's light is multiplied with, three numbers. */
-    set(lamp, factor) {
-        this.factors[lamp] = factor;
-        this.meshes.forEach(mesh => mix(mesh, this.factors));
+    /** What the light of a group of lamps is multiplied with, three numbers. */
+    factor(group) {
+        return this.factors[this.lamps.findIndex(lamp => lamp.name === this.names[group])];
     }
 
-    /** Puts out all other lamps; one that is out itself is as it was rendered. */
-    only(lamp) {
-        this.factors = this.factors.map((factor, i) => i !== lamp ? [0, 0, 0]
-            : Math.max(...factor) > 0 ? factor : [1, 1, 1]);
+    set(group, factor) {
+        this.#mix(name => name === this.names[group] ? factor : null);
+    }
+
+    /** Puts out all other lamps; a group that is out itself is as it was rendered. */
+    only(group) {
+        const own = Math.max(...this.factor(group)) > 0 ? this.factor(group) : [1, 1, 1];
+        this.#mix(name => name === this.names[group] ? own : [0, 0, 0]);
+    }
+
+    reset() {
+        this.#mix(() => [1, 1, 1]);
+    }
+
+    /** factors: by name, for those that change. */
+    #mix(factors) {
+        this.factors = this.lamps.map((lamp, i) => factors(lamp.name) ?? this.factors[i]);
         this.meshes.forEach(mesh => mix(mesh, this.factors));
     }
 
@@ -28,9 +41,22 @@ export class Lamps {
         return exitance.map((e, channel) => own < 0 ? e : e * this.factors[own][channel]);
     }
 
-    reset() {
-        this.lamps.forEach((_, lamp) => { this.factors[lamp] = [1, 1, 1]; });
-        this.meshes.forEach(mesh => mix(mesh, this.factors));
+    /** As radiosity.viewer.LampMix writes it: a line for each group, three factors and the name. */
+    text() {
+        return this.names.map((name, group) => `${this.factor(group).join(' ')} ${name}\n`).join('');
+    }
+
+    /** Sets what a text of text() says, and all other lamps as rendered; throws an error where it is none. */
+    read(text) {
+        const read = new Map(text.trimEnd().split(/\r?\n/).map((line, i) => {
+            const [, ...words] = line.trim().match(/^(\S+) +(\S+) +(\S+) +(.+)$/) ?? [];
+            const factor = words.slice(0, 3).map(Number);
+            if (factor.length < 3 || !factor.every(x => x >= 0 && x < Infinity)) {
+                throw new Error(`line ${i + 1}: expected three factors and a lamp's name, got ${line}`);
+            }
+            return [words[3], factor];
+        }));
+        this.#mix(name => read.get(name) ?? [1, 1, 1]);
     }
 }
 
@@ -92,24 +118,24 @@ function code(linear) {
     return `#${linear.map(x => byte(Math.max(0, Math.min(1, x))).toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** A slider, a colour, solo and off for each lamp; changed is called after each. */
+/** A slider, a colour, solo and off for each name of lamps; changed is called after each. */
 export function controls(lamps, changed) {
     const box = document.createElement('div'), shows = [];
-    lamps.lamps.forEach((lamp, i) => {
+    lamps.names.forEach((name, i) => {
         const label = document.createElement('label'), slider = document.createElement('input');
         const colour = document.createElement('input');
         Object.assign(slider, {type: 'range', min: 0, max: 300, value: 100, id: `lamp${i}`});
         Object.assign(colour, {type: 'color', value: '#ffffff', id: `colour${i}`});
         const show = () => {
-            const most = Math.max(...lamps.factors[i]);
+            const most = Math.max(...lamps.factor(i));
             slider.value = Math.round(100 * most);
             if (most > 0) {
-                colour.value = code(lamps.factors[i].map(x => x / most));
+                colour.value = code(lamps.factor(i).map(x => x / most));
             }
-            label.textContent = `${lamp.name} ${slider.value} %`;
+            label.textContent = `${name} ${slider.value} %`;
         };
         const apply = () => {
-            label.textContent = `${lamp.name} ${slider.value} %`;
+            label.textContent = `${name} ${slider.value} %`;
             lamps.set(i, linear(colour.value).map(x => x * slider.value / 100));
             changed();
         };

@@ -46,14 +46,46 @@ function element(html) {
 
 function lamps(walk) {
     const whole = document.createElement('div');
-    const reset = element('<button id="asRendered">lamps as rendered</button>');
-    const fill = () => whole.replaceChildren(controls(walk.lamps, () => walk.lampsChanged()), reset);
-    reset.addEventListener('click', () => {
-        walk.lamps.reset();
+    const file = element('<input type="file" accept=".mix" hidden>');
+    const button = (id, text, action) => {
+        const part = element(`<button id="${id}">${text}</button>`);
+        part.addEventListener('click', () => {
+            action();
+            part.blur();
+        });
+        return part;
+    };
+    const changed = () => {
         walk.lampsChanged();
         fill();
-        reset.blur();
+    };
+    const last = [
+        button('asRendered', 'lamps as rendered', () => {
+            walk.lamps.reset();
+            changed();
+        }),
+        button('saveMix', 'save mix', () => save(`${walk.settings.name}.mix`, walk.lamps.text())),
+        button('loadMix', 'load mix', () => file.click()), file,
+    ];
+    const fill = () => whole.replaceChildren(controls(walk.lamps, () => walk.lampsChanged()), ...last);
+    file.addEventListener('change', async () => {
+        try {
+            walk.lamps.read(await file.files[0].text());
+            changed();
+        } catch (error) {
+            walk.say(`${file.files[0].name}, ${error.message}`);
+        }
+        file.value = '';
     });
     fill();
     return whole;
+}
+
+/** Downloads a text under a name. */
+function save(name, text) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([text], {type: 'text/plain'}));
+    link.download = name;
+    link.click();
+    URL.revokeObjectURL(link.href);
 }
