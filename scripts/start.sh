@@ -7,9 +7,12 @@
 #
 # A program that sets directives=<file> has only what that names compiled by the JVM's slow compiler, the rest by the
 # quick one: a third of the time of a short render. Not with JAVA_OPTS, as the JVM's own words are not shown then.
+#
+# A program that sets run=<function> has that called with the command instead of java taking the process over.
 
 project=$(dirname "$here")
 java=${JAVA_HOME:+$JAVA_HOME/bin/}java
+run=exec
 
 fail() {
     echo "$1" >&2
@@ -110,7 +113,7 @@ start() {
     if [ -z "$JAVA_OPTS" ] && [ -f "${directives-}" ]; then hot=$directives; fi
     # JAVA_OPTS is split into words on purpose. Natives of the key listener and of Java 3D are loaded without a word from
     # the JVM.
-    exec "$java" --enable-native-access=ALL-UNNAMED -XX:SharedArchiveFile="${jar%.jar}.jsa" -Xlog:cds=off \
+    $run "$java" --enable-native-access=ALL-UNNAMED -XX:SharedArchiveFile="${jar%.jar}.jsa" -Xlog:cds=off \
         -Xlog:cds+dynamic=off -XX:+UseParallelGC -XX:MaxRAMPercentage=75 ${hot:+-XX:+UnlockDiagnosticVMOptions} \
         ${hot:+-XX:-DisplayVMOutput} ${hot:+"-XX:CompilerDirectivesFile=$hot"} $built $JAVA_OPTS -cp "$jar" "$@"
 }

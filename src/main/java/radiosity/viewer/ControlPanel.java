@@ -2,6 +2,7 @@ package radiosity.viewer;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.FlowLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -171,8 +172,11 @@ final class ControlPanel {
         if (!shown.isEmpty()) {
             add(lamps, button("asRendered", "lamps as rendered",
                     () -> display.mix(LampMix.asRendered(display.lighting().mix().lamps()))));
-            add(lamps, button("saveMix", "save mix", display::saveMix));
-            add(lamps, button("loadMix", "load mix", display::loadMix));
+            JPanel mix = new JPanel(new FlowLayout(FlowLayout.LEFT, 0, 0));
+            add(mix, button("saveMix", "save mix", display::saveMix));
+            add(mix, button("loadMix", "load mix", display::loadMix));
+            mix.setMaximumSize(mix.getPreferredSize());
+            add(lamps, mix);
         }
         lamps.revalidate();
     }

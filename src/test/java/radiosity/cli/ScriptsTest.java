@@ -47,7 +47,7 @@ class ScriptsTest {
         Files.createDirectories(project.resolve("target"));
         Files.createDirectories(project.resolve("src/main"));
         Files.writeString(project.resolve("pom.xml"), "");
-        for (String script : new String[] {"RadiosityRenderer", "start.sh"}) {
+        for (String script : new String[] {"RadiosityRenderer", "ViewSceneFile", "start.sh"}) {
             Files.copy(Path.of("scripts", script), project.resolve("scripts").resolve(script));
         }
         tool("java", "echo java \"$@\"");
@@ -120,6 +120,40 @@ class ScriptsTest {
 
     private Path script() {
         return project.resolve("scripts/RadiosityRenderer");
+    }
+
+    /** What JogAmp's native code prints where the display goes away, and how it ends. */
+    @Test
+    void abortOfTheWindow_isOneLine() throws Exception {
+        Files.writeString(project.resolve("scripts/radiosity.jar"), "");
+        tool("java", "echo to the user: $*; echo a warning >&2\n"
+                + "echo 'Nativewindow X11 IOError: Display 0x7f (:0): Resource temporarily unavailable' >&2\n"
+                + "echo 'FATAL ERROR in native method: Nativewindow X11 IOError: Display 0x7f' >&2\n"
+                + "echo '\tat sun.awt.X11.XToolkit.run(XToolkit.java:686)' >&2\nexit 134");
+        Process aborted = start(project.resolve("scripts/ViewSceneFile"), "a.scene");
+        String output = new String(aborted.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(1, aborted.waitFor());
+        assertTrue(output.contains("a warning\n") && output.contains("to the user: "), output);
+        assertTrue(output.contains(" -XX:+DisplayVMOutputToStderr "), "else the JVM's part would be on standard output");
+        assertTrue(output.endsWith("display: expected it to stay, got none any more\n"), output);
+        assertFalse(output.contains("Nativewindow") || output.contains("XToolkit"), output);
+    }
+
+    @Test
+    void window_isEndedWithItsScriptAndKeepsItsExitCode() throws Exception {
+        Files.writeString(project.resolve("scripts/radiosity.jar"), "");
+        tool("java", "case $* in *wait.scene) trap 'echo ended; exit 143' TERM; echo begun;"
+                + " while :; do sleep 0.1; done ;; *a.scene) cat; exit 3 ;; esac");
+        Process process = start(project.resolve("scripts/ViewSceneFile"), "wait.scene");
+        assertEquals('b', process.getInputStream().read());
+        process.toHandle().destroy();
+        assertTrue(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).contains("ended"));
+        assertEquals(143, process.waitFor());
+        Process other = start(project.resolve("scripts/ViewSceneFile"), "a.scene");
+        other.getOutputStream().write("input".getBytes(StandardCharsets.UTF_8));
+        other.getOutputStream().close();
+        assertTrue(new String(other.getInputStream().readAllBytes(), StandardCharsets.UTF_8).endsWith("input"));
+        assertEquals(3, other.waitFor());
     }
 
     @Test
