@@ -88,6 +88,11 @@ final class ObjParser {
         for (int k = 0; k < 3; k++) {
             points.add(lines.number("missing"));
         }
+        // a fourth number alone is a weight
+        lines.word();
+        if (!lines.word().isEmpty()) {
+            notes.note(lines.place(), "colours of vertices are left out");
+        }
     }
 
     private void texture() {

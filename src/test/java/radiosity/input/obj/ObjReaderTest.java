@@ -60,6 +60,12 @@ class ObjReaderTest {
     }
 
     @Test
+    void coloursOfVertices_areLeftOutWithAWarning() throws IOException {
+        read("v 0 0 0 1\nv 0 0 1 1 0 0\nv 1 0 1 0 1 0\nf 1 2 3\n", ReadOptions.defaults());
+        assertEquals("room.obj, line 2: colours of vertices are left out (2 times)", told.get(0));
+    }
+
+    @Test
     void smoothingGroupsAndNormals_giveTheSmoothingAngle() throws IOException {
         assertEquals(0, read(strip("f 1 2 3 4\n", "f 4 3 5 6\n", "f 6 5 7 8\n")).surface(0).smoothing());
         assertEquals(Math.toRadians(90), read(strip("s 1\nf 1 2 3 4\n", "f 4 3 5 6\n", "f 6 5 7 8\n")).surface(0)
