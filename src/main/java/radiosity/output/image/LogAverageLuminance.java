@@ -6,14 +6,18 @@ import radiosity.output.mesh.Mesh;
 import radiosity.scene.Rgb;
 import radiosity.solution.Solution;
 
-/** The log-average luminance of surfaces that do not emit: with lamps, an exposure would make everything else black. */
+/**
+ * The log-average luminance of surfaces that do not emit: with lamps, an exposure would make everything else black.
+ * Elements without any light are left out, such as the outer sides of walls: with these, rooms whose walls have a
+ * thickness would be shown too bright.
+ */
 final class LogAverageLuminance {
 
-    /** 1 per element that does not emit, square scene units. */
+    /** 1 per element that counts, square scene units. */
     private final double[] area;
-    /** 1 per element that does not emit: mean over its corners, W/m², at least 0. */
+    /** 1 per element that counts: mean over its corners, W/m², above 0. */
     private final double[] luminance;
-    private int reflecting;
+    private int counted;
     private double areas;
     private double sum;
     private double brightest;
@@ -50,9 +54,9 @@ final class LogAverageLuminance {
             l += Math.max(0, ToneMapping.luminance(b)) / 3;
         }
         brightest = Math.max(brightest, l);
-        if (!emits) {
-            area[reflecting] = itsArea;
-            luminance[reflecting++] = l;
+        if (!emits && l > 0) {
+            area[counted] = itsArea;
+            luminance[counted++] = l;
             areas += itsArea;
             sum += itsArea * l;
         }
@@ -70,7 +74,7 @@ final class LogAverageLuminance {
             return brightest > 0 ? 1 / brightest : 1;
         }
         double logs = 0;
-        for (int i = 0; i < reflecting; i++) {
+        for (int i = 0; i < counted; i++) {
             logs += area[i] * StrictMath.log(Math.max(luminance[i] * areas / sum, dark));
         }
         return middle * areas / sum / StrictMath.exp(logs / areas);

@@ -16,10 +16,14 @@ import radiosity.solution.Solution;
 class ToneMappingTest {
 
     private static Solution room(double brightness, double lamp) {
+        return handmade(brightness, lamp).solution();
+    }
+
+    private static Handmade handmade(double brightness, double lamp) {
         Handmade room = Handmade.room(Vec3.ZERO, 1, p -> new Rgb(1 + p.x(), 1 + p.y(), 1 + p.z()).times(brightness));
         room.grid(room.surface("lamp", Rgb.grey(lamp), Rgb.grey(.1), false), new Vec3(.4, .99, .4),
                 new Vec3(.2, 0, 0), new Vec3(0, 0, .2), 1, 1, p -> Rgb.grey(brightness));
-        return room.solution();
+        return room;
     }
 
     private static double exposure(Solution solution) {
@@ -68,6 +72,14 @@ class ToneMappingTest {
     @Test
     void automaticExposure_doesNotCareForLamps() {
         assertEquals(exposure(room(1, 50)), exposure(room(1, 5000)), 1e-12);
+    }
+
+    @Test
+    void automaticExposure_doesNotCareForOuterSidesOfWalls() {
+        Handmade room = handmade(1, 50);
+        room.grid(room.surface("outer side", .5), new Vec3(-.1, 0, 0), new Vec3(0, 9, 0), new Vec3(0, 0, 9), 4, 4,
+                p -> Rgb.BLACK);
+        assertEquals(exposure(room(1, 50)), exposure(room.solution()), 1e-12);
     }
 
     @Test
