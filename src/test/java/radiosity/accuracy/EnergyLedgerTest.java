@@ -93,11 +93,12 @@ class EnergyLedgerTest {
 
     /**
      * A lamp in a can in a white room that is open to one side: most light reaches the room after many reflections, so
-     * what is left unshot has one sign, and the whole room is too dark by it.
+     * what is left unshot has one sign, and the whole room is too dark by it. What was shot too much is known only when
+     * received flux is balanced, after the last shot: at coarse settings it may be a larger part of the error.
      */
     @Tag("slow")
     @ParameterizedTest
-    @ValueSource(doubles = {.3, .2, .1})
+    @ValueSource(doubles = {.5, .4, .35, .3, .25, .2, .15, .1})
     void lightOfOneSign_isShotUntilItIsASmallPartOfTheError(double error) {
         Surface lamp = new Surface("lamp", Rgb.grey(1), Rgb.grey(.5), false);
         Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(.85), false);
@@ -115,7 +116,7 @@ class EnergyLedgerTest {
             }
         }
         EnergyLedger ledger = Solve.byDefault().accurate(error).solution(builder.scene("room")).ledger();
-        assertTrue(Math.abs(ledger.unshot()[0]) < Math.max(1e-3, .1 * error) * ledger.emitted()[0],
-                "unshot " + ledger.unshot()[0] + " of " + ledger.emitted()[0]);
+        double unshot = ledger.unshot()[0] / ledger.emitted()[0];
+        assertTrue(unshot < .1 * error && unshot > -.2 * error, "unshot " + unshot);
     }
 }
