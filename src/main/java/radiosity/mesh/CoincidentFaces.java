@@ -31,8 +31,8 @@ public final class CoincidentFaces {
     private final float[] fronts;
     /** 1 per original triangle: a face of that triangle, -1 where the triangle is too small to have one. */
     private final int[] faceOf;
-    /** Original triangles that are connected in one plane. */
-    private final DisjointSets regions;
+    /** 1 per original triangle: the lowest of the triangles that are connected to it in one plane. */
+    private final int[] region;
     /** Area of each region, at its lowest triangle, in squared scene sizes. */
     private final double[] area;
 
@@ -43,14 +43,15 @@ public final class CoincidentFaces {
         fronts = faces.fronts();
         int triangles = fronts.length / 3;
         faceOf = IntStream.generate(() -> -1).limit(triangles).toArray();
-        regions = new DisjointSets(triangles);
+        DisjointSets regions = new DisjointSets(triangles);
         for (int f = 0; f < faces.count(); f++) {
             faceOf[faces.triangle(f)] = f;
             regions.join(faces.triangle(f), faces.triangle(faces.part[f]));
         }
+        region = IntStream.range(0, triangles).map(regions::of).toArray();
         area = new double[triangles];
         for (int f = 0; f < faces.count(); f++) {
-            area[regions.of(faces.triangle(f))] += faces.area(f);
+            area[region[faces.triangle(f)]] += faces.area(f);
         }
     }
 
@@ -64,7 +65,8 @@ public final class CoincidentFaces {
         float ny = faces.normal(f, 1);
         float nz = faces.normal(f, 2);
         return bounds.meets(place[at] + HEIGHT * nx, place[at + 1] + HEIGHT * ny, place[at + 2] + HEIGHT * nz,
-                -nx, -ny, -nz, 0, HEIGHT + SAME, (t, distance) -> covers(t, HEIGHT - distance, f));
+                -nx, -ny, -nz, 0, HEIGHT + SAME, t -> isBeside(t, f),
+                (t, distance) -> HEIGHT - distance > SAME || comesFirst(t, faces.triangle(f)));
     }
 
     /** The faces that other surfaces cover at their middle and near each corner. */
@@ -89,10 +91,9 @@ public final class CoincidentFaces {
         return place;
     }
 
-    private boolean covers(int t, double height, int f) {
-        int own = faces.triangle(f);
-        return faceOf[t] >= 0 && regions.of(t) != regions.of(own) && looksAlong(t, f)
-                && (height > SAME || comesFirst(t, own));
+    /** Whether an original triangle looks the same way as a face, and is of another region. */
+    private boolean isBeside(int t, int f) {
+        return faceOf[t] >= 0 && looksAlong(t, f) && region[t] != region[faces.triangle(f)];
     }
 
     /** Whether an original triangle's visible side faces as a face does. */
@@ -110,8 +111,8 @@ public final class CoincidentFaces {
         if (emits != faces.emits(faceOf[own])) {
             return emits;
         }
-        double here = area[regions.of(own)];
-        double there = area[regions.of(t)];
+        double here = area[region[own]];
+        double there = area[region[t]];
         return there < here || there == here && t < own;
     }
 }

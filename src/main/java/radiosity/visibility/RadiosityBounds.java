@@ -1,5 +1,6 @@
 package radiosity.visibility;
 
+import java.util.function.IntPredicate;
 import radiosity.scene.Vec3;
 
 /**
@@ -206,13 +207,14 @@ public final class RadiosityBounds {
     /**
      * Whether a ray meets a triangle that counts.
      *
+     * @param wanted triangles of which a hit may count; asked first, as that is cheaper than a hit
      * @param ox   origin: ox, oy, oz
      * @param dx   direction, of any length but 0: dx, dy, dz
      * @param near least distance that counts, in units of |d|
      * @param far  largest distance that counts, in units of |d|
      */
     public boolean meets(float ox, float oy, float oz, float dx, float dy, float dz, double near, double far,
-                         Hit hit) {
+                         IntPredicate wanted, Hit hit) {
         double[] origin = {ox, oy, oz};
         double[] direction = {dx, dy, dz};
         double[] cut = new double[3];
@@ -230,7 +232,7 @@ public final class RadiosityBounds {
             int last = BoundsLayout.last(block);
             for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
                 int t = PackedTriangle.number(d, k);
-                if (PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
+                if (wanted.test(t) && PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
                         && cut[0] >= near && cut[0] <= far && hit.counts(t, cut[0])) {
                     return true;
                 }
