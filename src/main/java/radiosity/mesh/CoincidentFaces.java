@@ -1,7 +1,6 @@
 package radiosity.mesh;
 
 import java.util.BitSet;
-import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
 import radiosity.util.DisjointSets;
@@ -62,18 +61,12 @@ public final class CoincidentFaces {
      * @param place x, y, z of a point of the face, in the scene brought to size 1, 3 from {@code at}; not modified
      */
     boolean cover(float[] place, int at, int f) {
-        int own = faces.triangle(f);
-        return meets(place, at, f, 0, HEIGHT - SAME, t -> isBeside(t, f))
-                || meets(place, at, f, HEIGHT - SAME, HEIGHT + SAME, t -> comesFirst(t, own) && isBeside(t, f));
-    }
-
-    /** Whether a ray that falls on a point of a face from {@link #HEIGHT} meets one of some triangles. */
-    private boolean meets(float[] place, int at, int f, float near, float far, IntPredicate some) {
         float nx = faces.normal(f, 0);
         float ny = faces.normal(f, 1);
         float nz = faces.normal(f, 2);
         return bounds.meets(place[at] + HEIGHT * nx, place[at + 1] + HEIGHT * ny, place[at + 2] + HEIGHT * nz,
-                -nx, -ny, -nz, near, far, some);
+                -nx, -ny, -nz, 0, HEIGHT + SAME, t -> isBeside(t, f),
+                (t, distance) -> HEIGHT - distance > SAME || comesFirst(t, faces.triangle(f)));
     }
 
     /** The faces that other surfaces cover at their middle and near each corner. */
@@ -100,7 +93,7 @@ public final class CoincidentFaces {
 
     /** Whether an original triangle looks the same way as a face, and is of another region. */
     private boolean isBeside(int t, int f) {
-        return faceOf[t] >= 0 && region[t] != region[faces.triangle(f)] && looksAlong(t, f);
+        return faceOf[t] >= 0 && looksAlong(t, f) && region[t] != region[faces.triangle(f)];
     }
 
     /** Whether an original triangle's visible side faces as a face does. */
@@ -114,7 +107,7 @@ public final class CoincidentFaces {
     }
 
     private boolean comesFirst(int t, int own) {
-        boolean emits = faceOf[t] >= 0 && faces.emits(faceOf[t]);
+        boolean emits = faces.emits(faceOf[t]);
         if (emits != faces.emits(faceOf[own])) {
             return emits;
         }

@@ -197,17 +197,24 @@ public final class RadiosityBounds {
                 (float) far, backs ? SAME_PLACE : Double.POSITIVE_INFINITY, hit);
     }
 
+    /** What is looked for among the triangles that a ray meets. */
+    @FunctionalInterface
+    public interface Hit {
+        /** @param distance along the ray, in units of the length of its direction */
+        boolean counts(int triangle, double distance);
+    }
+
     /**
-     * Whether a ray meets one of some triangles.
+     * Whether a ray meets a triangle that counts.
      *
+     * @param wanted triangles of which a hit may count; asked first, as that is cheaper than a hit
      * @param ox   origin: ox, oy, oz
      * @param dx   direction, of any length but 0: dx, dy, dz
      * @param near least distance that counts, in units of |d|
      * @param far  largest distance that counts, in units of |d|
-     * @param some the triangles that count; asked first, as that is cheaper than to cut the ray
      */
     public boolean meets(float ox, float oy, float oz, float dx, float dy, float dz, double near, double far,
-                         IntPredicate some) {
+                         IntPredicate wanted, Hit hit) {
         double[] origin = {ox, oy, oz};
         double[] direction = {dx, dy, dz};
         double[] cut = new double[3];
@@ -225,8 +232,8 @@ public final class RadiosityBounds {
             int last = BoundsLayout.last(block);
             for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
                 int t = PackedTriangle.number(d, k);
-                if (some.test(t) && PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
-                        && cut[0] >= near && cut[0] <= far) {
+                if (wanted.test(t) && PackedTriangle.cuts(corners, 9 * t, origin, direction, cut)
+                        && cut[0] >= near && cut[0] <= far && hit.counts(t, cut[0])) {
                     return true;
                 }
             }

@@ -67,7 +67,7 @@ public final class Solids {
     /** Whether a ray leaves the visible side of a triangle behind in the same place as that of another triangle. */
     private boolean leavesAt(float x, float y, float z, float[] d, double place) {
         return bounds.meets(x, y, z, d[0], d[1], d[2], place / RadiosityBounds.SAME_PLACE,
-                place * RadiosityBounds.SAME_PLACE, t -> leaves(t, d));
+                place * RadiosityBounds.SAME_PLACE, t -> leaves(t, d), (t, distance) -> true);
     }
 
     /** Whether a ray that meets a triangle leaves its visible side behind. */
