@@ -56,11 +56,6 @@ final class Prediction implements Planner {
     /** Asks all partitions for all patches with unshot flux. */
     private static final Order ALL = Order.asking(Order.Kind.ASK, Integer.MAX_VALUE);
 
-    /** Predicted flux on the faces that a predicate accepts, weighted by {@link Faces#importance}, W. */
-    private interface PredictedFlux {
-        double of(IntPredicate counts, int channel);
-    }
-
     /** The kind of the last round, see the class comment. The ordinal is part of saved calculations. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE, MEND }
 
@@ -85,8 +80,7 @@ final class Prediction implements Planner {
     private final double wanted;
     /** {@link Flux#oneSided} of an answer. */
     private final ToDoubleFunction<Answer> oneSided;
-    /** Area of all faces, square scene units. */
-    private final double area;
+    private final FirstWeights firstWeights;
     /** Null where the scene has more than {@link #MOST_PREDICTED} patches. */
     private final CoarseSystem coarse;
     private final AccuracyLoop loop;
@@ -117,7 +111,7 @@ final class Prediction implements Planner {
         this.oneSided = oneSided;
         this.wanted = wanted;
         this.world = world;
-        area = world.mesh.faces.area() * world.mesh.faces.size() * world.mesh.faces.size();
+        firstWeights = new FirstWeights(world.mesh, world.channels());
         loop = new AccuracyLoop(world.mesh);
         weight = new double[Weights.count(world.mesh.rooms, world.channels())];
         Arrays.fill(weight, 1);
@@ -153,7 +147,7 @@ final class Prediction implements Planner {
             case RENEW -> regather();
             case REGATHER -> average();
             case AVERAGE, MEND -> balance();
-            case BALANCE -> refine(last);
+            case BALANCE -> refine(last, unsent, goOn);
         };
     }
 
@@ -185,8 +179,11 @@ final class Prediction implements Planner {
         return shoot(shots, unsent);
     }
 
-    /** Estimates the error and refines mesh or rays; null where the error is the one asked for, or cannot fall. */
-    private Order refine(Answer last) throws IOException {
+    /**
+     * Estimates the error and refines mesh or rays. Where the error is the one asked for, or cannot fall, the result is
+     * null, the end; but where BALANCE has left much light of one sign unshot, a round that shoots it comes first.
+     */
+    private Order refine(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         Optional<Estimator.Estimate> estimate = estimate();
         AccuracyLoop.Refine refine = estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
                 last.elements)).orElse(AccuracyLoop.Refine.NOTHING);
@@ -199,6 +196,10 @@ final class Prediction implements Planner {
             }
             case RAYS -> renew();
             case NOTHING -> {
+                if (mispredicted < MOST_MISPREDICTED && oneSided.applyAsDouble(last) > 2 * oneSidedEnough()) {
+                    mispredicted++;
+                    yield distribute(last, unsent, goOn);
+                }
                 stage = Stage.DONE;
                 yield null;
             }
@@ -214,6 +215,11 @@ final class Prediction implements Planner {
         return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error);
     }
 
+    /** |Sum of unshot flux| over emitted flux at which shooting ends. */
+    private double oneSidedEnough() {
+        return Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked());
+    }
+
     /**
      * Whether the unshot flux is a small part of the error: either the flux itself is, or, unless the user sets a limit
      * of unshot flux, the irradiance that the flux is predicted to cause. After new vertices have gathered, most unshot
@@ -222,8 +228,7 @@ final class Prediction implements Planner {
      * @param h predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
      */
     private boolean isEnough(Answer last, double unsent, double[] h) throws IOException {
-        if (unsent <= enough()
-                && oneSided.applyAsDouble(last) <= Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked())) {
+        if (unsent <= enough() && oneSided.applyAsDouble(last) <= oneSidedEnough()) {
             return true;
         }
         if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
@@ -408,7 +413,7 @@ final class Prediction implements Planner {
             return List.of();
         }
         if (stage == Stage.NOTHING) {
-            weigh(last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
+            firstWeights.set(weight, last, candidates, (counts, c) -> coarse.weighted(h, c, counts));
         }
         return coarse.with(candidates, h, stage == Stage.NOTHING);
     }
@@ -417,63 +422,9 @@ final class Prediction implements Planner {
     private List<Shot> withoutPrediction(Answer last) throws IOException {
         List<Shot> candidates = candidates(world.answer(ALL));
         if (stage == Stage.NOTHING) {
-            weigh(last, candidates, this::interreflected);
+            firstWeights.set(weight, last, candidates, firstWeights::interreflected);
         }
         return candidates.stream().map(world.mesh.rounding::of).toList();
-    }
-
-    /** Flux that surfaces would reflect, weighted by {@link Faces#importance}, if all saw each other equally, W. */
-    private double interreflected(IntPredicate counts, int c) {
-        Faces faces = world.mesh.faces;
-        double whole = 0;
-        double emitted = 0;
-        double reflected = 0;
-        double counted = 0;
-        for (int f = 0; f < faces.count(); f++) {
-            double a = counts.test(f) ? faces.area(f) : 0;
-            whole += a;
-            emitted += a * faces.exitance(f, c);
-            reflected += a * faces.reflectance(f, c);
-            counted += a * faces.importance(f, c);
-        }
-        return emitted == 0 ? 0 : emitted * counted / (whole - reflected) * area / faces.area();
-    }
-
-    /** Sets {@link #weight} from present and predicted radiosity; the weight of a channel without light is 0. */
-    private void weigh(Answer last, List<Shot> unshot, PredictedFlux predicted) {
-        int channels = world.channels();
-        for (int c = 0; c < channels; c++) {
-            double received = last.received[c].value();
-            double reflected = Math.max(Faces.LEAST_IMPORTANCE * received, received - last.absorbed[c].value());
-            double lit = predicted.of(f -> true, c) + reflected;
-            weight[c] = lit > 0 ? area / lit : 0;
-        }
-        for (int i = weight.length - 1; i >= 0 && weight.length > channels; i--) {
-            weight[i] = weightIn(i / channels - 1, i % channels, unshot, predicted);
-        }
-    }
-
-    /**
-     * Weight of a channel in one closed room, or on the faces outside of closed rooms; at least the weight in the whole
-     * scene, and equal to that in a room without light.
-     *
-     * @param room index of the room, -1 for the faces outside
-     */
-    private double weightIn(int room, int c, List<Shot> unshot, PredictedFlux predicted) {
-        Faces faces = world.mesh.faces;
-        IntPredicate counts = f -> world.mesh.rooms.room(f) == room;
-        double emitted = 0;
-        double within = 0;
-        for (int f = 0; f < faces.count(); f++) {
-            within += counts.test(f) ? faces.area(f) : 0;
-            emitted += counts.test(f) ? faces.area(f) * faces.exitance(f, c) : 0;
-        }
-        double[] leaving = new double[world.channels()];
-        unshot.stream().flatMap(shot -> shot.trees().stream()).filter(tree -> counts.test(tree.face()))
-                .forEach(tree -> tree.addFlux(faces, leaving));
-        double unit = area / faces.area();
-        double lit = predicted.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
-        return lit > 0 ? Math.max(weight[c], unit * within / lit) : weight[c];
     }
 
     /**
