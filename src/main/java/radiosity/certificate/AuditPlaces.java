@@ -61,7 +61,7 @@ final class AuditPlaces {
         faces = mesh.faces;
         this.reflected = ofAllLayers(reflected);
         this.leaving = ofAllLayers(leaving);
-        burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
+        burial = new InteriorTest(faces, mesh.bounds(), mesh.coincident, mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
         parallel.run(weighed.length, b -> weighed[b] = weigh(nodes.apply(b)));
         bulges = new VertexBulge(faces.channels());

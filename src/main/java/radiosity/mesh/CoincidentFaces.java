@@ -3,6 +3,7 @@ package radiosity.mesh;
 import java.util.BitSet;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.FlatTriangles;
 import radiosity.util.DisjointSets;
 import radiosity.visibility.RadiosityBounds;
 
@@ -35,6 +36,8 @@ public final class CoincidentFaces {
     private final int[] region;
     /** Area of each region, at its lowest triangle, in squared scene sizes. */
     private final double[] area;
+    /** The faces in whose place another surface may lie that counts there: few in most scenes. */
+    private final BitSet contested = new BitSet();
 
     /** @param bounds the original triangles */
     public CoincidentFaces(Faces faces, RadiosityBounds bounds) {
@@ -53,6 +56,37 @@ public final class CoincidentFaces {
         for (int f = 0; f < faces.count(); f++) {
             area[region[faces.triangle(f)]] += faces.area(f);
         }
+        for (int f = 0; f < faces.count(); f++) {
+            contested.set(f, isContested(f));
+        }
+    }
+
+    /** Whether an original triangle near a face may count in a place of the face: if it comes first, or rises above. */
+    private boolean isContested(int f) {
+        float[] corners = new float[9];
+        float[] low = new float[3];
+        float[] high = new float[3];
+        for (int i = 0; i < 9; i++) {
+            corners[i] = faces.corner(f, i / 3, i % 3);
+            low[i % 3] = (i < 3 ? corners[i] : Math.min(low[i % 3], corners[i])) - HEIGHT;
+            high[i % 3] = (i < 3 ? corners[i] : Math.max(high[i % 3], corners[i])) + HEIGHT;
+        }
+        return bounds.touches(low, high, t -> isBeside(t, f) && (comesFirst(t, faces.triangle(f)) || rises(t, f))
+                && !FlatTriangles.areApart(bounds.corners(t), corners));
+    }
+
+    /** Whether an original triangle has a corner above a face's plane, or not clearly at the height of the plane. */
+    private boolean rises(int t, int f) {
+        float[] corners = bounds.corners(t);
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < 3; k++) {
+            double height = 0;
+            for (int a = 0; a < 3; a++) {
+                height += faces.normal(f, a) * ((double) corners[3 * k + a] - faces.corner(f, 0, a));
+            }
+            highest = Math.max(highest, height);
+        }
+        return highest > SAME / 2;
     }
 
     /**
@@ -61,6 +95,9 @@ public final class CoincidentFaces {
      * @param place x, y, z of a point of the face, in the scene brought to size 1, 3 from {@code at}; not modified
      */
     boolean cover(float[] place, int at, int f) {
+        if (!contested.get(f)) {
+            return false;
+        }
         float nx = faces.normal(f, 0);
         float ny = faces.normal(f, 1);
         float nz = faces.normal(f, 2);

@@ -18,12 +18,15 @@ public final class InteriorTest {
     private final Solids solids;
     private final CoincidentFaces coincident;
 
-    /** @param hidden whether a face is known to lie inside a solid */
-    public InteriorTest(Faces faces, RadiosityBounds bounds, IntPredicate hidden) {
+    /**
+     * @param bounds the original triangles
+     * @param hidden whether a face is known to lie inside a solid
+     */
+    public InteriorTest(Faces faces, RadiosityBounds bounds, CoincidentFaces coincident, IntPredicate hidden) {
         this.faces = faces;
         this.hidden = hidden;
         solids = new Solids(bounds, faces.fronts());
-        coincident = new CoincidentFaces(faces, bounds);
+        this.coincident = coincident;
     }
 
     /** Marks the vertices from {@code first} to {@code last - 1} that no light can reach as buried. */

@@ -32,7 +32,7 @@ public final class Gatherer {
         this.mesh = mesh;
         this.parallel = parallel;
         faces = mesh.faces;
-        burial = new InteriorTest(faces, mesh.bounds(), mesh.rooms::isHidden);
+        burial = new InteriorTest(faces, mesh.bounds(), mesh.coincident, mesh.rooms::isHidden);
     }
 
     /** Marks the vertices from {@code first} on that lie inside a solid as buried. */

@@ -1,5 +1,6 @@
 package radiosity.setup;
 
+import radiosity.mesh.CoincidentFaces;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.cut.DiscontinuityMesher;
@@ -27,10 +28,10 @@ final class CoveredFaces implements Patcher.PointRule {
     private final RadiosityBounds bounds;
     private final InteriorTest interior;
 
-    CoveredFaces(Faces faces, RadiosityBounds bounds) {
+    CoveredFaces(Faces faces, RadiosityBounds bounds, CoincidentFaces coincident) {
         this.faces = faces;
         this.bounds = bounds;
-        interior = new InteriorTest(faces, bounds, f -> false);
+        interior = new InteriorTest(faces, bounds, coincident, f -> false);
     }
 
     /** The share of a face that lies outside of solids, above 0 and at most 1; 1 for large faces and for pieces. */

@@ -66,6 +66,7 @@ public final class InitialMesh {
     public final int[] origins;
     public final RadiositySettings settings;
     public final Faces faces;
+    public final CoincidentFaces coincident;
     public final ClosedRooms rooms;
     public final Patcher patcher;
     public final Clusters clusters;
@@ -95,10 +96,11 @@ public final class InitialMesh {
         origins = cut.origin();
         Faces sides = new Faces(this.scene, settings.layers());
         faces = predicts() ? DiscontinuityMesher.cut(sides.without(DarkCavities.of(sides))) : sides;
-        rooms = new ClosedRooms(faces, this::isBuried, new CoincidentFaces(faces, bounds()).covered());
+        coincident = new CoincidentFaces(faces, bounds());
+        rooms = new ClosedRooms(faces, this::isBuried, coincident.covered());
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();
-        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds()) : null;
+        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds(), coincident) : null;
         if (mayBeCovered) {
             faces.cover(covered::visibleShare);
         }

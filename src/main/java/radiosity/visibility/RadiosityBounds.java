@@ -1,5 +1,6 @@
 package radiosity.visibility;
 
+import java.util.Arrays;
 import java.util.function.IntPredicate;
 import radiosity.scene.Vec3;
 
@@ -240,6 +241,54 @@ public final class RadiosityBounds {
             at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);
         }
         return false;
+    }
+
+    /**
+     * Whether a triangle that counts may have a point in a box: whether such a triangle's own box meets the box.
+     *
+     * @param low    least x, y, z of the box
+     * @param high   largest x, y, z of the box
+     * @param counts which triangles count
+     */
+    public boolean touches(float[] low, float[] high, IntPredicate counts) {
+        float[] d = data;
+        int at = root;
+        while (at != BoundsLayout.END) {
+            boolean isApart = false;
+            for (int a = 0; a < 3; a++) {
+                isApart |= d[at + a] - d[at + 3 + a] > high[a] || d[at + a] + d[at + 3 + a] < low[a];
+            }
+            if (isApart) {
+                at = bits(d[at + BoundsLayout.NEXT]);
+                continue;
+            }
+            int block = bits(d[at + BoundsLayout.BLOCK]);
+            int last = BoundsLayout.last(block);
+            for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
+                int t = PackedTriangle.number(d, k);
+                if (touches(t, low, high) && counts.test(t)) {
+                    return true;
+                }
+            }
+            at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);
+        }
+        return false;
+    }
+
+    private boolean touches(int triangle, float[] low, float[] high) {
+        boolean touches = true;
+        for (int a = 0; a < 3; a++) {
+            float x = corners[9 * triangle + a];
+            float y = corners[9 * triangle + 3 + a];
+            float z = corners[9 * triangle + 6 + a];
+            touches &= Math.min(x, Math.min(y, z)) <= high[a] && Math.max(x, Math.max(y, z)) >= low[a];
+        }
+        return touches;
+    }
+
+    /** x, y, z of the three corners of a triangle, a copy. */
+    public float[] corners(int triangle) {
+        return Arrays.copyOfRange(corners, 9 * triangle, 9 * triangle + 9);
     }
 
     /** @param backs factor by which the distance of triangles met from behind is multiplied, 1 or more */
