@@ -50,6 +50,8 @@ public final class RadiosityRenderer {
     private final RendererOptions options;
     private final OutputFiles files;
     private final ProgressEstimate course;
+    /** Text of all displays of this render. */
+    private final ProgressText text;
     private final ConsoleSession user;
     private final Warnings warnings;
     private final StopRequest stop;
@@ -62,6 +64,7 @@ public final class RadiosityRenderer {
         course = options.calculation.time == null
                 ? new StopRuleCourse(RenderJob.stopRule(options), options.calculation.lastAccuracy(), System::nanoTime)
                 : new TimeCourse(options.calculation.time.seconds(), ProcessTime::seconds);
+        text = new ProgressText(course);
         user = new ConsoleSession(err, display(), stop);
         warnings = new Warnings(user::message, options.scene.strict);
     }
@@ -276,7 +279,6 @@ public final class RadiosityRenderer {
         if (options.quiet) {
             return new NoProgress(err);
         }
-        ProgressText text = new ProgressText(course);
         return TerminalStreams.seen() ? new ProgressBarDisplay(err, TerminalStreams::width, text, System::nanoTime)
                 : new ProgressLines(err, text, System::nanoTime);
     }

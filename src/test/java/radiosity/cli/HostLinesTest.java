@@ -22,7 +22,7 @@ class HostLinesTest {
         public void phase(String name) { }
 
         @Override
-        public void part(String name, double done) { }
+        public void part(String name, double done, double all) { }
 
         @Override
         public void show(Progress progress) { }

@@ -32,8 +32,8 @@ public final class ConsoleSession implements ProgressDisplay {
     }
 
     @Override
-    public void part(String name, double done) {
-        display.part(name, done);
+    public void part(String name, double done, double all) {
+        display.part(name, done, all);
     }
 
     @Override

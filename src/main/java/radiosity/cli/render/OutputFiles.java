@@ -165,9 +165,12 @@ public final class OutputFiles {
             if (isLong && !options.picture.pictures.isEmpty()) {
                 user.begin();
             }
-            for (Path picture : options.picture.pictures) {
+            List<Path> pictures = options.picture.pictures;
+            for (int i = 0; i < pictures.size(); i++) {
+                Path picture = pictures.get(i);
+                double before = i;
                 failures.tried(() -> savePicture(solution, () -> options.picture.camera(solution), picture, done -> {
-                    user.part("drawing " + picture.getFileName(), done);
+                    user.part("drawing " + picture.getFileName(), done, (before + done) / pictures.size());
                     return !stop.made();
                 }, user::message));
             }

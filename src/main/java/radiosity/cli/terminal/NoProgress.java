@@ -16,7 +16,7 @@ public final class NoProgress implements ProgressDisplay {
     public void phase(String name) { }
 
     @Override
-    public void part(String name, double done) { }
+    public void part(String name, double done, double all) { }
 
     @Override
     public void show(Progress progress) { }

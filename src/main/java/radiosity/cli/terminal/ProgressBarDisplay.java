@@ -36,8 +36,8 @@ public final class ProgressBarDisplay implements ProgressDisplay {
     }
 
     @Override
-    public synchronized void part(String name, double done) {
-        text.part(name, done);
+    public synchronized void part(String name, double done, double all) {
+        text.part(name, done, all);
         drawSoon();
     }
 

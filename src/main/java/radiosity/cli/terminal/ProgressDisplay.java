@@ -9,12 +9,13 @@ public interface ProgressDisplay extends AutoCloseable {
     void phase(String name);
 
     /**
-     * Shows how far a long task other than the calculation is.
+     * Shows how far a long task after the calculation is.
      *
      * @param name of the task, such as "drawing a.png"
      * @param done part of the task that is done, from 0 to 1
+     * @param all  part of all such tasks of the render that is done, from 0 to 1
      */
-    void part(String name, double done);
+    void part(String name, double done, double all);
 
     /** Shows the progress after a round. */
     void show(Progress progress);

@@ -54,9 +54,9 @@ public final class ProgressLines implements ProgressDisplay {
 
     /** Prints the first line of a task after a second. */
     @Override
-    public synchronized void part(String name, double done) {
+    public synchronized void part(String name, double done, double all) {
         waiting = null;
-        text.part(name, done);
+        text.part(name, done, all);
         if (!part.equals(name)) {
             part = name;
             printed = clock.getAsLong();

@@ -3,7 +3,10 @@ package radiosity.cli.terminal;
 import java.util.Locale;
 import radiosity.solution.Progress;
 
-/** Text about the progress of a render: the phase, the part that is done, and the time left. */
+/**
+ * Text about the progress of a render: the phase, the part that is done, and the time left. One text serves a whole
+ * render, with all of its displays, as the part that is done never becomes smaller.
+ */
 public final class ProgressText {
 
     /** Percentages below this are rounding errors. */
@@ -15,9 +18,11 @@ public final class ProgressText {
     private String phase = "";
     private Progress latest;
     private double left;
-    /** Part of the render that is done, in [0, 1], which only grows; or part of a task, see {@link #isPart}. */
+    /** Part of the render that is done, in [0, 1], which only grows. */
     private double done;
-    /** Whether {@link #done} is the part of a task, see {@link #part}, and not of the render. */
+    /** Part of the render that was done when the tasks after the calculation began; NaN before. */
+    private double calculated = Double.NaN;
+    /** Whether the phase is a task after the calculation, see {@link #part}. */
     private boolean isPart;
 
     public ProgressText(ProgressEstimate course) {
@@ -32,13 +37,20 @@ public final class ProgressText {
     }
 
     /**
-     * @param name of a task other than the calculation
+     * @param name of a task after the calculation
      * @param part of the task that is done; limited to [0, 1]
+     * @param all  part of all tasks after the calculation that is done, which are the rest of the render; limited to
+     *             [0, 1]
      */
-    public void part(String name, double part) {
-        phase(name);
+    public void part(String name, double part, double all) {
+        phase(name + " (" + share(limited(part)) + " of it)");
         isPart = true;
-        done = Math.max(0, Math.min(1, part));
+        calculated = Double.isNaN(calculated) ? done : calculated;
+        done = Math.max(done, calculated + (1 - calculated) * limited(all));
+    }
+
+    private static double limited(double part) {
+        return Math.max(0, Math.min(1, part));
     }
 
     /** Takes the progress after a round. */
@@ -51,7 +63,7 @@ public final class ProgressText {
 
     /** The progress as a line of a log file. */
     public String line() {
-        return course.label() + phase + (latest != null || isPart ? ", " + share() : "")
+        return course.label() + phase + (latest != null || isPart ? ", " + share(done) : "")
                 + (latest == null ? "" : ": " + details() + time());
     }
 
@@ -63,7 +75,7 @@ public final class ProgressText {
      */
     public String bar(int width) {
         String head = course.label() + phase;
-        String tail = " " + share() + (latest == null ? "" : time());
+        String tail = " " + share(done) + (latest == null ? "" : time());
         int room = width - head.length() - tail.length() - " []".length();
         int bar = Math.min(LONGEST_BAR, room);
         String details = latest == null || room - bar < details().length() + 2 ? "" : ", " + details();
@@ -73,8 +85,8 @@ public final class ProgressText {
         return line.substring(0, Math.min(width, line.length()));
     }
 
-    private String share() {
-        return (int) (100 * done) + " %";
+    private static String share(double part) {
+        return (int) (100 * part) + " %";
     }
 
     private String details() {
