@@ -136,9 +136,9 @@ class CommandLineTest {
             --tone-mapping x a b   | --tone-mapping: expected linear, reinhard or filmic, got x
             --picture x.bmp a b    | --picture: expected a name that ends in .png, .jpg or .hdr, got x.bmp
             --picture              | --picture: expected <file>, got nothing
-            --points x             | --points: expected a table of points to read and one to write, got nothing
+            --points x             | --points: expected a table of points to read and one to write, got x
             --points x a.lws b     | --points: expected a table of points to read and one to write, got x a.lws
-            --points x -q a b      | --points: expected a table of points to read and one to write, got x -q
+            --points x -q a b      | --points: expected a table of points to read and one to write, got x before -q
             --report a.lws b       | --report: expected a file to write, such as a.json, got a.lws
             --frames a b           | --frames: expected frames like 0-100 or 0-100:2, got a
             --frames 5-1 a.lws b   | --frames: expected frames like 0-100 or 0-100:2, got 5-1
@@ -153,11 +153,27 @@ class CommandLineTest {
             --sky uniform=x a b    | --sky: expected cie-overcast, cie-clear or uniform, each with =lx or without, got uniform=x
             --sky                  | --sky: expected cie-overcast, cie-clear or uniform, each with =lx or without, got nothing
             --sky uniform --sky uniform a b | --sky: expected once, got twice
-            --sun 1,1 1000 a b     | --sun: expected a direction x,y,z and an illuminance in lx, got 1,1 1000
-            --sun 0,0,0 1000 a b   | --sun: expected a direction x,y,z and an illuminance in lx, got 0,0,0 1000
-            --sun 1,1,0 -5 a b     | --sun: expected a direction x,y,z and an illuminance in lx, got 1,1,0 -5
-            --sun 1,1,0 a.lws b    | --sun: expected a direction x,y,z and an illuminance in lx, got 1,1,0 a.lws
-            --sun 1,1,0            | --sun: expected a direction x,y,z and an illuminance in lx, got nothing
+            --sun 1,1 1000 a b     | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 1,1 1000
+            --sun 0,0,0 1000 a b   | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 0,0,0 1000
+            --sun 1,1,0 -5 a b     | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 1,1,0 -5
+            --sun 1,1,0 a.lws b    | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 1,1,0 a.lws
+            --sun 1,1,0            | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 1,1,0
+            --sun --sky cie-clear a b | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got nothing before --sky
+            --sun 1,1,0 --sky=uniform a b | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 1,1,0 before --sky=uniform
+            --sun 1,1,0 -q a b     | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 1,1,0 before -q
+            --sun 0 0 --sky uniform a b | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 0 0
+            --sun                  | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got nothing
+            --grid --spacing 1 a b | --grid: expected a surface or plane and a table to write, got nothing before --spacing
+            --grid floor --spacing 1 a b | --grid: expected a surface or plane and a table to write, got floor before --spacing
+            --grid -y=1 -q a b     | --grid: expected a surface or plane and a table to write, got -y=1 before -q
+            --grid                 | --grid: expected a surface or plane and a table to write, got nothing
+            --points --grid floor a b | --points: expected a table of points to read and one to write, got nothing before --grid
+            -tf --sky uniform a b  | -tf: expected a scene file, got nothing before --sky
+            -tf -q a b             | -tf: expected a scene file, got nothing before -q
+            -h -q a b              | -h: expected the number of hosts and their names, as in -h 3 andreas daniel igge (see --help), got nothing before -q
+            -h 1 --sky a b         | -h: expected the names of 1 host, got 0 before --sky
+            --luminaire --sky uniform a b | --luminaire: expected <name=file>, got nothing before --sky
+            --map --sky uniform a b | --map: expected <prefix=dir>, got nothing
             --sun 1,1,0 9 --sun 1,1,0 9 a b | --sun: expected once, got twice
             --lightmap             | --lightmap: expected <file.glb>, got nothing
             --lightmap o.png a b   | --lightmap: expected a name that ends in .glb, got o.png

@@ -88,6 +88,8 @@ class WrongUsesTest {
             RadiosityRenderer --unit mm --luminaire 1,1,1=@/empty.lws @/a.lws @/o.scene | 3 | @/empty.lws: expected an IES or EULUMDAT file, got an empty file
             RadiosityRenderer --sky cie-clear @/a.lws @/o.scene    | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got no sun
             RadiosityRenderer --sky cie-clear --sun 0,-1,0 9 @/a.lws @/o.scene | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got a sun below it
+            RadiosityRenderer --sun --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got nothing before --sky
+            RadiosityRenderer --sun 0 0 --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 0 0
             RadiosityRenderer --change @/no.scene @/a.lws @/o.scene | 3 | @/no.scene: expected a readable file, got none
             RadiosityRenderer --change @/a.lws @/a.lws @/o.scene   | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
             RadiosityRenderer --lightmap @/o.glb --lightmap-texels 1e9 @/a.lws @/o.scene | 2 | --lightmap-texels: expected at most 14.78 samples per unit for white, whose texture may have 8192 texels, got 1.0E9

@@ -21,15 +21,24 @@ final class Arguments {
     }
 
     /**
-     * Removes the next argument from the rest of the command line and returns it.
+     * Removes the next argument from the rest of the command line and returns it; fails where none is left or the next
+     * one is an option.
      *
-     * @param expected description of the argument, for the message where none is left
+     * @param expected description of all arguments of the option, for the message
+     * @param before   the arguments of the option so far
      */
-    static String next(Stack<String> arguments, ArgSpec option, String expected) {
-        if (arguments.isEmpty()) {
-            throw wrong(option, "expected " + expected + ", got nothing");
+    static String next(Stack<String> arguments, ArgSpec option, String expected, String... before) {
+        if (arguments.isEmpty() || isOption(arguments.peek(), option)) {
+            throw wrong(option, "expected " + expected + ", got "
+                    + (before.length == 0 ? "nothing" : String.join(" ", before))
+                    + (arguments.isEmpty() ? "" : " before " + arguments.peek()));
         }
         return arguments.pop();
+    }
+
+    /** Whether a text is or resembles an option; {@code -1,2,3} and {@code -y=0.85} do not. */
+    private static boolean isOption(String text, ArgSpec other) {
+        return text.startsWith("--") || other.command().optionsMap().containsKey(text.replaceFirst("=.*", ""));
     }
 
     static <T> T convert(Values.Value<T> kind, String text, ArgSpec option) {

@@ -106,7 +106,7 @@ public final class FileOptions {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             String where = Arguments.next(arguments, option, TWO);
-            String out = Arguments.next(arguments, option, TWO);
+            String out = Arguments.next(arguments, option, TWO, where);
             if (out.startsWith("-") || Arguments.isModel(out)) {
                 throw Arguments.wrong(option, "expected " + TWO + ", got " + where + " " + out);
             }
@@ -139,7 +139,7 @@ public final class FileOptions {
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
             String in = Arguments.next(arguments, option, TWO);
-            String out = Arguments.next(arguments, option, TWO);
+            String out = Arguments.next(arguments, option, TWO, in);
             for (String file : List.of(in, out)) {
                 if (file.startsWith("-") || Arguments.isModel(file)) {
                     throw Arguments.wrong(option, "expected " + TWO + ", got " + in + " " + out);

@@ -120,13 +120,13 @@ public final class SceneOptions {
     /** Parses {@code <x,y,z> <lx>}. */
     static final class SunConsumer implements IParameterConsumer {
 
-        private static final String TWO = "a direction x,y,z and an illuminance in lx";
+        private static final String TWO = "a direction x,y,z and an illuminance in lx, like 1,2,1 50000";
 
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
             String direction = Arguments.next(arguments, option, TWO);
-            String lux = Arguments.next(arguments, option, TWO);
+            String lux = Arguments.next(arguments, option, TWO, direction);
             double[] x = Arrays.stream(direction.split(",", -1)).mapToDouble(Values::decimal).toArray();
             Vec3 towards = x.length == 3 ? new Vec3(x[0], x[1], x[2]) : Vec3.ZERO;
             if (!towards.isFinite() || !(towards.length() > 0) || !(Values.decimal(lux) > 0)) {
