@@ -41,7 +41,8 @@ public final class SceneReader {
         Optional<SceneFormat> format = SceneFormat.of(start, name);
         if (format.isEmpty()) {
             throw new SceneFormatException(name, "", "a scene", FileSniffer.describe(start, name)
-                    + "; LightWave, glTF and OBJ are read");
+                    + (FileSniffer.isUtf16(start) ? "; LightWave scenes, glTF and OBJ are in UTF-8 or ASCII"
+                    : "; LightWave, glTF and OBJ are read"));
         }
         Diagnostics notes = new Diagnostics(name, warnings, options.strict());
         if (format.get() != SceneFormat.LIGHTWAVE && (options.frame().isPresent()

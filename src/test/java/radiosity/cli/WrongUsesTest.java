@@ -41,6 +41,8 @@ class WrongUsesTest {
                 + "0 90\n0\n100 100\n");
         Files.writeString(folder.resolve("points.csv"), "0,0,0,0,1,0\n");
         Files.write(folder.resolve("empty.lws"), new byte[0]);
+        Files.writeString(folder.resolve("d.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", StandardCharsets.UTF_16);
+        Files.writeString(folder.resolve("wide.ies"), "IESNA:LM-63-2002\n", StandardCharsets.UTF_16);
     }
 
     private static int run(List<String> words) {
@@ -62,6 +64,8 @@ class WrongUsesTest {
             RadiosityRenderer @/o.scene @/a.lws                    | 2 | @/a.lws: expected a scene file to write, such as a.scene, got the name of another kind of file; the scene to read comes first
             RadiosityRenderer @/b.fbx @/o.scene                    | 3 | b.fbx: expected a scene, got an FBX file; LightWave, glTF and OBJ are read
             RadiosityRenderer @/poem.txt @/o.scene                 | 3 | poem.txt: expected a scene, got a file that begins with "A poem of mo"; LightWave, glTF and OBJ are read
+            RadiosityRenderer @/d.obj @/o.scene                    | 3 | d.obj: expected a scene, got text in UTF-16; LightWave scenes, glTF and OBJ are in UTF-8 or ASCII
+            RadiosityRenderer --unit mm --luminaire 1,1,1=@/wide.ies @/a.lws @/o.scene | 3 | @/wide.ies: expected an IES or EULUMDAT file, got text in UTF-16
             RadiosityRenderer @/empty.lws @/o.scene                | 3 | empty.lws: expected a LightWave scene or object, got an empty file
             RadiosityRenderer @/lit.scene @/o.scene                | 3 | lit.scene: expected a scene without light, got a scene file of this program; give what it was made from
             RadiosityRenderer --content @/no @/a.lws @/o.scene     | 3 | --content: expected a directory, got @/no, which is not there

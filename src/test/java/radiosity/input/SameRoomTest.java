@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -211,6 +212,26 @@ class SameRoomTest {
         Path file = Files.write(folder.resolve(name), content.replace('~', '\n').getBytes(StandardCharsets.ISO_8859_1));
         assertEquals(name + ": expected a scene, got " + kind + "; LightWave, glTF and OBJ are read",
                 assertThrows(SceneFormatException.class, () -> read(file)).getMessage());
+    }
+
+    /** Editors of Windows write UTF-16 with a byte order mark, or without one. */
+    @ParameterizedTest
+    @CsvSource({"UTF-16LE, \ufeff", "UTF-16BE, \ufeff", "UTF-16LE, ''", "UTF-16BE, ''"})
+    void textInUtf16_isNamed_andWhatItMustBe(String charset, String mark) throws IOException {
+        Map<String, String> contents = Map.of("a.obj", "# a triangle\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                "a.lws", "LWSC\n1\n", "a.gltf", "{\"asset\": {\"version\": \"2.0\"}}", "a.mtl", "newmtl a\n",
+                "nothing", "v 0 0 0\n");
+        for (Map.Entry<String, String> content : contents.entrySet()) {
+            Path file = Files.writeString(folder.resolve(content.getKey()), mark + content.getValue(),
+                    Charset.forName(charset));
+            assertEquals(content.getKey() + ": expected a scene, got text in UTF-16; LightWave scenes, glTF and OBJ are"
+                    + " in UTF-8 or ASCII", assertThrows(SceneFormatException.class, () -> read(file)).getMessage());
+        }
+        Files.writeString(folder.resolve("a.mtl"), mark + "newmtl a\nKd 1 0 0\n", Charset.forName(charset));
+        Path room = Files.writeString(folder.resolve("b.obj"), "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                + "f 1 2 3\n");
+        assertEquals("a.mtl: expected a material library in UTF-8 or ASCII, got text in UTF-16",
+                assertThrows(SceneFormatException.class, () -> read(room)).getMessage());
     }
 
     @Test

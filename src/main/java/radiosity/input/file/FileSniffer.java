@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /** Describes, for messages, a file that the program cannot read: by its content, else by its name. */
 public final class FileSniffer {
@@ -13,6 +14,11 @@ public final class FileSniffer {
     public static final int START = 1 << 16;
 
     private static final int SHOWN = 12;
+
+    /** A byte order mark of UTF-16. */
+    private static final Pattern MARKED = Pattern.compile("\u00FF\u00FE|\u00FE\u00FF");
+    /** Four characters of ASCII in UTF-16 without a byte order mark; no binary file that is read begins so. */
+    private static final Pattern UNMARKED = Pattern.compile("([\t\n\r -~]\0){4}|(\0[\t\n\r -~]){4}");
 
     /** Descriptions of files by their first bytes, in ISO 8859-1. */
     private static final Map<String, String> BEGINNINGS = new LinkedHashMap<>();
@@ -90,6 +96,16 @@ public final class FileSniffer {
     private FileSniffer() {
     }
 
+    /**
+     * Whether a file is text in UTF-16: by its byte order mark, or by first characters that are all of ASCII.
+     *
+     * @param start the first {@value #START} bytes of the file, or all
+     */
+    public static boolean isUtf16(byte[] start) {
+        String text = text(start);
+        return MARKED.matcher(text).lookingAt() || UNMARKED.matcher(text).lookingAt();
+    }
+
     /** Describes a file by its content alone; empty where the content leaves any doubt. */
     public static Optional<String> foreign(byte[] start) {
         String text = text(start);
@@ -97,6 +113,9 @@ public final class FileSniffer {
                 .map(Map.Entry::getValue).findFirst();
         if (beginning.isPresent()) {
             return beginning;
+        }
+        if (isUtf16(start)) {
+            return Optional.of("text in UTF-16");
         }
         if (text.startsWith("MM") && text.length() > 7 && (text.charAt(6) == 2 && text.charAt(7) == 0
                 || text.charAt(6) == '=' && text.charAt(7) == '=')) {

@@ -2,6 +2,7 @@ package radiosity.input.obj;
 
 import java.util.Map;
 import radiosity.input.file.Diagnostics;
+import radiosity.input.file.FileSniffer;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 
@@ -28,8 +29,12 @@ final class MtlParser {
      *
      * @param file      not modified
      * @param materials by name; modified
+     * @throws SceneFormatException if the library is in UTF-16, or has too many materials
      */
     static void parse(byte[] file, Diagnostics notes, Map<String, Material> materials) throws SceneFormatException {
+        if (FileSniffer.isUtf16(file)) {
+            throw notes.error("", "a material library in UTF-8 or ASCII", "text in UTF-16");
+        }
         new MtlParser(new TextLines(file), notes, materials).parse();
     }
 
