@@ -20,13 +20,20 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.cli.RadiosityRenderer;
+import radiosity.testkit.ProgramScript;
 
-/** The recipes of docs/RECIPES.md that can be run here show what {@code --picture} shows. */
+/** The commands of docs/RECIPES.md, word for word; its recipes that can be run show what {@code --picture} shows. */
 @Tag("slow")
 class RecipesTest {
 
+    private static final Path RECIPES = Path.of("docs/RECIPES.md");
+    private static final String NO_BLENDER = "no bpy: Blender's recipe is not tested (pip install bpy)";
     private static final int SIZE = 400;
     private static final String MODEL = "room-lit.glb";
     private static final Pattern THREE = Pattern.compile("/three/([\\w/.]+\\.js)");
@@ -46,7 +53,7 @@ class RecipesTest {
 
     private static String block(String language) throws IOException {
         Matcher block = Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL)
-                .matcher(Files.readString(Path.of("docs/RECIPES.md")));
+                .matcher(Files.readString(RECIPES));
         assertTrue(block.find(), "a block of " + language);
         return block.group(1);
     }
@@ -138,14 +145,45 @@ class RecipesTest {
         }
     }
 
+    /** The document's commands, in their order: its indented lines outside of blocks of code. */
+    static List<String> commands() throws IOException {
+        String prose = Files.readString(RECIPES).replaceAll("(?ms)^```.*?^```$", "");
+        return prose.lines().filter(line -> line.startsWith("    ")).map(String::strip).toList();
+    }
+
+    /** Each command finds, or makes, every file that it names. */
+    @ParameterizedTest
+    @MethodSource("commands")
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "runs a shell's commands")
+    void everyCommand_works(String command) throws Exception {
+        Path user = folder.resolve("user");
+        if (Files.notExists(user)) {
+            ProgramScript.write(user, RadiosityRenderer.class);
+            ProgramScript.write(user.resolve("bin/python"), "python3");
+            Files.copy(Path.of("src/test/resources/radiosity/input/room.glb"), user.resolve("room.glb"));
+            Files.writeString(user.resolve("blender.py"), block("python"));
+        }
+        assumeTrue(!command.startsWith("python ") || hasBlender(), NO_BLENDER);
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "PATH=bin:$PATH; " + command).directory(user.toFile())
+                .redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile());
+        assertEquals(0, shell.start().waitFor(), command + ": " + Files.readString(folder.resolve("log")));
+        for (String word : command.split(" ")) {
+            assertTrue(!word.contains(".") || Files.size(user.resolve(word)) > 0, word);
+        }
+    }
+
     @Test
     void blender_showsTheSame() throws Exception {
-        assumeTrue(run("python3", "-c", "import bpy") == 0, "no bpy: Blender's recipe is not tested (pip install bpy)");
+        assumeTrue(hasBlender(), NO_BLENDER);
         Path script = Files.writeString(folder.resolve("blender.py"), block("python"));
         Path shown = folder.resolve("room-blender.png");
         assertEquals(0, run("python3", script.toString(), folder.resolve(MODEL).toString(), shown.toString(),
                 "" + SIZE, "" + SIZE));
         assertSame(Rendered.picture(shown));
+    }
+
+    private static boolean hasBlender() throws InterruptedException {
+        return run("python3", "-c", "import bpy") == 0;
     }
 
     private static int run(String... command) throws InterruptedException {

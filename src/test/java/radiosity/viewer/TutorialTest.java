@@ -20,6 +20,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import radiosity.cli.RadiosityRenderer;
 import radiosity.cli.ViewSceneFile;
+import radiosity.testkit.ProgramScript;
 
 /** The commands of docs/TUTORIAL.md, one after the other, as they stand there but for the ports. */
 @Tag("slow")
@@ -37,16 +38,6 @@ class TutorialTest {
         }
     }
 
-    /** Scripts that start what was compiled for the tests. */
-    private void script(Class<?> program) throws IOException {
-        Path script = folder.resolve("scripts").resolve(program.getSimpleName());
-        Files.createDirectories(script.getParent());
-        Files.writeString(script, "#!/bin/sh\nexec '" + Path.of(System.getProperty("java.home"), "bin", "java")
-                + "' -cp '" + System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"))
-                + "' " + program.getName() + " \"$@\"\n");
-        assertTrue(script.toFile().setExecutable(true));
-    }
-
     private Process start(String command) throws IOException {
         return new ProcessBuilder("sh", "-c", command).directory(folder.toFile()).redirectErrorStream(true)
                 .redirectOutput(folder.resolve("printed").toFile()).start();
@@ -60,8 +51,8 @@ class TutorialTest {
 
     @Test
     void everyCommand_works_andThePageShowsTheRoom() throws Exception {
-        script(RadiosityRenderer.class);
-        script(ViewSceneFile.class);
+        ProgramScript.write(folder, RadiosityRenderer.class);
+        ProgramScript.write(folder, ViewSceneFile.class);
         Files.copy(MODEL, folder.resolve("room.glb"));
         Files.createSymbolicLink(folder.resolve("docs"), Path.of("docs").toAbsolutePath());
         for (String command : commands()) {
