@@ -16,8 +16,12 @@ public final class Raster {
     private final ImageMap.Wrap wrapU;
     private final ImageMap.Wrap wrapV;
     private final Rgb outside;
-    /** The mipmap: the full image first, each further level half as wide and high, the last one a single pixel. */
-    private final List<Level> levels = new ArrayList<>();
+    /** The full image first, each further level half as wide and high, the last one a single pixel. */
+    private final List<Level> levels;
+    /** Levels of the first and the last column alone, which continue the image under {@link ImageMap.Wrap#EDGE}. */
+    private final List<List<Level>> columns = new ArrayList<>();
+    /** Levels of the first and the last row alone. */
+    private final List<List<Level>> rows = new ArrayList<>();
 
     /**
      * One image of the mipmap.
@@ -43,27 +47,73 @@ public final class Raster {
         this.wrapU = wrapU;
         this.wrapV = wrapV;
         this.outside = outside;
-        levels.add(new Level(width, height, rgb));
-        while (levels.get(levels.size() - 1).rgb().length > 3) {
-            levels.add(half(levels.get(levels.size() - 1)));
+        Level whole = new Level(width, height, rgb);
+        levels = levels(whole);
+        if (wrapU == ImageMap.Wrap.EDGE) {
+            columns.add(levels(part(whole, 0, 0, 1, height)));
+            columns.add(levels(part(whole, width - 1, 0, 1, height)));
+        }
+        if (wrapV == ImageMap.Wrap.EDGE) {
+            rows.add(levels(part(whole, 0, 0, width, 1)));
+            rows.add(levels(part(whole, 0, height - 1, width, 1)));
         }
     }
 
-    /** Each pixel is the mean of four; a last row or column without partner is counted twice. */
+    /** The part of an image whose first pixel is (x, y). */
+    private static Level part(Level of, int x, int y, int width, int height) {
+        float[] rgb = new float[3 * width * height];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = value(of, x + i / 3 % width, y + i / 3 / width, i % 3);
+        }
+        return new Level(width, height, rgb);
+    }
+
+    private static List<Level> levels(Level whole) {
+        List<Level> levels = new ArrayList<>(List.of(whole));
+        while (levels.get(levels.size() - 1).rgb().length > 3) {
+            levels.add(half(levels.get(levels.size() - 1)));
+        }
+        return levels;
+    }
+
+    /** Each pixel is the mean of what it covers: of 2 x 2 pixels, or of parts of up to 3 where their number is odd. */
     private static Level half(Level of) {
         int w = (of.width + 1) / 2;
         int h = (of.height + 1) / 2;
         float[] rgb = new float[3 * w * h];
-        for (int i = 0; i < rgb.length; i++) {
-            int x = 2 * (i / 3 % w);
-            int y = 2 * (i / 3 / w);
-            int right = Math.min(x + 1, of.width - 1);
-            int below = Math.min(y + 1, of.height - 1);
-            int c = i % 3;
-            rgb[i] = (value(of, x, y, c) + value(of, right, y, c) + value(of, x, below, c)
-                    + value(of, right, below, c)) / 4;
+        for (int i = 0; i < rgb.length; i += 3) {
+            int x = i / 3 % w;
+            int y = i / 3 / w;
+            double[] sum = new double[3];
+            for (int row = first(y, of.height, h); row < of.height && covered(row, y, of.height, h) > 0; row++) {
+                double down = covered(row, y, of.height, h);
+                for (int column = first(x, of.width, w); column < of.width; column++) {
+                    double weight = down * covered(column, x, of.width, w);
+                    if (weight <= 0) {
+                        break;
+                    }
+                    for (int c = 0; c < 3; c++) {
+                        sum[c] += weight * value(of, column, row, c);
+                    }
+                }
+            }
+            for (int c = 0; c < 3; c++) {
+                rgb[i + c] = (float) sum[c];
+            }
         }
         return new Level(w, h, rgb);
+    }
+
+    /** The first pixel of many of which pixel i of few covers a part, both in a row of the same length. */
+    private static int first(int i, int many, int few) {
+        return (int) ((long) i * many / few);
+    }
+
+    /** Part of pixel i of few that pixel k of many covers, both in a row of the same length; not above 0 for none. */
+    private static double covered(int k, int i, int many, int few) {
+        double from = Math.max((double) k * few, (double) i * many);
+        double to = Math.min((k + 1.0) * few, (i + 1.0) * many);
+        return (to - from) / many;
     }
 
     private static float value(Level level, int x, int y, int c) {
@@ -97,7 +147,7 @@ public final class Raster {
 
     /** The mean of the whole image. */
     public Rgb mean() {
-        return pixel(levels.get(levels.size() - 1), 0, 0);
+        return pixel(levels.size() - 1, 0, 0);
     }
 
     /** Value at a point, linear between the centres of pixels; v points upwards. */
@@ -108,17 +158,37 @@ public final class Raster {
         double j = Math.floor(y);
         double a = x - i;
         double b = y - j;
-        Level whole = levels.get(0);
-        Rgb above = pixel(whole, i, j).times(1 - a).plus(pixel(whole, i + 1, j).times(a));
-        Rgb below = pixel(whole, i, j + 1).times(1 - a).plus(pixel(whole, i + 1, j + 1).times(a));
+        Rgb above = pixel(0, i, j).times(1 - a).plus(pixel(0, i + 1, j).times(a));
+        Rgb below = pixel(0, i, j + 1).times(1 - a).plus(pixel(0, i + 1, j + 1).times(a));
         return above.times(1 - b).plus(below.times(b));
     }
 
-    private Rgb pixel(Level level, double x, double y) {
+    /** A pixel of level l or of what continues it: beyond an edge, the edge of the full image, not of the level. */
+    private Rgb pixel(int l, double x, double y) {
+        Level level = levels.get(l);
         int i = wrapped(x, level.width, wrapU);
         int j = wrapped(y, level.height, wrapV);
-        return i < 0 || j < 0 ? outside
-                : new Rgb(value(level, i, j, 0), value(level, i, j, 1), value(level, i, j, 2));
+        if (i < 0 || j < 0) {
+            return outside;
+        }
+        boolean isBeside = wrapU == ImageMap.Wrap.EDGE && i != x;
+        boolean isAboveOrBelow = wrapV == ImageMap.Wrap.EDGE && j != y;
+        if (isBeside && isAboveOrBelow) {
+            return rgb(levels.get(0), x < 0 ? 0 : width() - 1, y < 0 ? 0 : height() - 1);
+        }
+        if (isBeside) {
+            return rgb(level(columns.get(x < 0 ? 0 : 1), l), 0, j);
+        }
+        return isAboveOrBelow ? rgb(level(rows.get(y < 0 ? 0 : 1), l), i, 0) : rgb(level, i, j);
+    }
+
+    /** Level l; the last one where there are fewer, as columns and rows may have. */
+    private static Level level(List<Level> of, int l) {
+        return of.get(Math.min(l, of.size() - 1));
+    }
+
+    private static Rgb rgb(Level level, int i, int j) {
+        return new Rgb(value(level, i, j, 0), value(level, i, j, 1), value(level, i, j, 2));
     }
 
     /** Index of a column or row of the image, or -1 where the wrap mode has no pixel. */
@@ -157,9 +227,9 @@ public final class Raster {
         Rgb sum = Rgb.BLACK;
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n - i; j++) {
-                sum = sum.plus(at(levels.get(l), u, v, (i + 1.0 / 3) / n, (j + 1.0 / 3) / n));
+                sum = sum.plus(at(l, u, v, (i + 1.0 / 3) / n, (j + 1.0 / 3) / n));
                 if (i + j < n - 1) {
-                    sum = sum.plus(at(levels.get(l), u, v, (i + 2.0 / 3) / n, (j + 2.0 / 3) / n));
+                    sum = sum.plus(at(l, u, v, (i + 2.0 / 3) / n, (j + 2.0 / 3) / n));
                 }
             }
         }
@@ -170,9 +240,10 @@ public final class Raster {
      * @param s weight of corner 1
      * @param t weight of corner 2
      */
-    private Rgb at(Level level, double[] u, double[] v, double s, double t) {
+    private Rgb at(int l, double[] u, double[] v, double s, double t) {
+        Level level = levels.get(l);
         double x = (u[0] + s * (u[1] - u[0]) + t * (u[2] - u[0])) * level.width;
         double y = (1 - v[0] - s * (v[1] - v[0]) - t * (v[2] - v[0])) * level.height;
-        return pixel(level, Math.floor(x), Math.floor(y));
+        return pixel(l, Math.floor(x), Math.floor(y));
     }
 }
