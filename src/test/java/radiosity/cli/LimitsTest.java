@@ -10,6 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.StringJoiner;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -75,6 +78,77 @@ class LimitsTest {
         assertEquals(ExitCode.FAILED, process.waitFor(), printed);
         assertEquals(1, printed.lines().count(), printed);
         assertTrue(printed.contains("JAVA_OPTS=-Xmx"), printed);
+    }
+
+    /** A grid of n x n vertices as OBJ. */
+    private static String obj(int n) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < n * n; i++) {
+            text.append("v ").append(i / n).append(".00001 0.0000001 ").append(i % n).append(".00001\n");
+        }
+        for (int i = 0; i < n * n - n; i++) {
+            if (i % n < n - 1) {
+                text.append("f ").append(i + 1).append(' ').append(i + 2).append(' ').append(i + n + 2).append(' ')
+                        .append(i + n + 1).append('\n');
+            }
+        }
+        return text.toString();
+    }
+
+    /** Five triangle meshes; the vertices of each are in a buffer of its own, or zeros where there is no buffer. */
+    private static String gltf(boolean hasBuffers, int vertices) {
+        StringJoiner primitives = new StringJoiner(",");
+        StringJoiner accessors = new StringJoiner(",");
+        StringJoiner views = new StringJoiner(",");
+        StringJoiner buffers = new StringJoiner(",");
+        for (int i = 0; i < 5; i++) {
+            primitives.add("{\"attributes\":{\"POSITION\":" + i + "}}");
+            accessors.add("{\"componentType\":5126,\"type\":\"VEC3\",\"count\":" + vertices
+                    + (hasBuffers ? ",\"bufferView\":" + i : "") + "}");
+            views.add("{\"byteLength\":1200,\"buffer\":" + i + "}");
+            buffers.add("{\"byteLength\":4000000,\"uri\":\"" + i + ".bin\"}");
+        }
+        return """
+                {"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"accessors":[%s],
+                "meshes":[{"primitives":[%s]}],"bufferViews":[%s],"buffers":[%s]}
+                """.formatted(accessors, primitives, views, buffers);
+    }
+
+    private static String model(String name) {
+        return switch (name) {
+            case "large.obj" -> obj(310);
+            case "buffers.gltf" -> gltf(true, 99);
+            case "zeros.gltf" -> gltf(false, 900_000);
+            default -> gltf(true, 99).replace("{\"asset\"", "{\"extras\":[" + "0,".repeat(1_500_000) + "0],\"asset\"");
+        };
+    }
+
+    private static Process start(Program program, String heap, String file) throws IOException {
+        List<String> command = new ArrayList<>(Program.command("-q -dr " + file + " foobar.scene"));
+        command.add(1, heap);
+        return program.start(command);
+    }
+
+    /** In 64 MiB; with what the line says to give, the OBJ file is read. */
+    @ParameterizedTest
+    @ValueSource(strings = {"large.obj", "buffers.gltf", "zeros.gltf", "values.gltf"})
+    void modelThatIsTooLargeForTheHeap_endsWithALineThatSaysWhatToGive(String file) throws Exception {
+        Program program = new Program(directory);
+        for (int i = 0; i < 5; i++) {
+            Files.write(program.file(i + ".bin"), new byte[4_000_000]);
+        }
+        Files.writeString(program.file(file), model(file));
+        Process process = start(program, "-Xmx64m", file);
+        String printed = Program.rest(process);
+        assertEquals(ExitCode.FILE, process.waitFor(), printed);
+        assertEquals(1, printed.lines().count(), printed);
+        assertTrue(printed.startsWith(file) && printed.contains(": expected "), printed);
+        Matcher advice = Pattern.compile("give, say, JAVA_OPTS=(-Xmx\\d+m)").matcher(printed);
+        assertTrue(advice.find(), printed);
+        if (file.endsWith(".obj")) {
+            String after = Program.rest(start(program, advice.group(1), file));
+            assertTrue(after.contains("large.obj: expected a light or a surface that emits, got none"), after);
+        }
     }
 
     /** Tens of millions of texels in 120 MiB. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import radiosity.input.file.Diagnostics;
+import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.Camera;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.Light;
@@ -62,7 +63,8 @@ public final class SceneDraft {
      */
     public int node(SceneNode node, String place) throws SceneFormatException {
         if (nodes.size() >= MOST_NODES) {
-            throw notes.error(place, "at most " + MOST_NODES + " objects and instances", "more");
+            throw notes.error(place, "at most " + MOST_NODES + " objects and instances ("
+                    + MemoryAdvice.forBytes(0) + ")", "more");
         }
         nodes.add(node);
         return nodes.size() - 1;
@@ -115,8 +117,10 @@ public final class SceneDraft {
         }
         long each = TRIANGLE_BYTES + (coloured ? COLOUR_BYTES : 0);
         long eachPoint = shared ? POINT_BYTES + SHARED_POINT_BYTES : POINT_BYTES;
-        if (triangles * each + points * eachPoint > Runtime.getRuntime().maxMemory() / 2) {
-            throw notes.error("", "a scene that fits in half of " + (Runtime.getRuntime().maxMemory() >> 20) + " MiB",
+        long bytes = triangles * each + points * eachPoint;
+        if (bytes > Runtime.getRuntime().maxMemory() / 2) {
+            throw notes.error("", "a scene that fits in half of " + (Runtime.getRuntime().maxMemory() >> 20) + " MiB ("
+                    + MemoryAdvice.forBytes(2 * bytes) + ")",
                     triangles + " triangles of " + points + " points");
         }
     }

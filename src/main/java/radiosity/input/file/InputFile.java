@@ -26,9 +26,10 @@ public final class InputFile {
             long most = Math.min(maxBytes, Runtime.getRuntime().maxMemory() / GROWTH);
             byte[] bytes = in.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, most + 1));
             if (bytes.length > most) {
-                String why = most < maxBytes ? " (a sixteenth of the memory)" : "";
-                throw new SceneFormatException(name, "", "at most " + most + " bytes" + why, Files.size(file)
-                        + " bytes");
+                long size = Files.size(file);
+                String why = most == maxBytes ? "" : " (a sixteenth of the memory"
+                        + (size > maxBytes ? "" : "; " + MemoryAdvice.forBytes(GROWTH * size)) + ")";
+                throw new SceneFormatException(name, "", "at most " + most + " bytes" + why, size + " bytes");
             }
             return bytes;
         }

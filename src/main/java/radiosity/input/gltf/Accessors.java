@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import radiosity.gltf.JsonCursor;
+import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.SceneFormatException;
 
 /** The accessors of a glTF file as arrays of numbers, whatever their component type, stride, or sparseness. */
@@ -60,7 +61,8 @@ final class Accessors {
         long length = (long) accessor.at("count").integer() * components;
         total += 4 * length;
         if (total > Buffers.MOST_BYTES) {
-            throw accessor.wrong("arrays of at most " + Buffers.MOST_BYTES + " bytes together");
+            throw accessor.wrong("arrays of at most " + Buffers.MOST_BYTES + " bytes together (a quarter of the"
+                    + " memory; " + MemoryAdvice.forBytes(4 * total) + ")");
         }
         int type = accessor.at("componentType").integer();
         boolean normalised = accessor.isOn("normalized");

@@ -13,6 +13,7 @@ import java.util.Optional;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.InputFile;
+import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 
@@ -84,7 +85,8 @@ final class Buffers {
     private void reserve(JsonCursor where, long bytes) throws SceneFormatException {
         total += bytes;
         if (total > MOST_BYTES) {
-            throw where.wrong("buffers of at most " + MOST_BYTES + " bytes together");
+            throw where.wrong("buffers of at most " + MOST_BYTES + " bytes together (a quarter of the memory; "
+                    + MemoryAdvice.forBytes(4 * total) + ")");
         }
     }
 

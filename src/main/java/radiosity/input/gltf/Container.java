@@ -12,6 +12,7 @@ import java.nio.ByteOrder;
 import java.util.Optional;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.Diagnostics;
+import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.SceneFormatException;
 
 /**
@@ -90,7 +91,8 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
             try (JsonParser parser = FACTORY.createParser(file, from + start, length - start)) {
                 while (parser.nextToken() != null) {
                     if (++count > most) {
-                        throw notes.error("JSON", "at most " + most + " values", "more");
+                        throw notes.error("JSON", "at most " + most + " values (" + MemoryAdvice.forBytes(0) + ")",
+                                "more");
                     }
                 }
             }

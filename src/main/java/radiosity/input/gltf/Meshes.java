@@ -13,6 +13,7 @@ import radiosity.input.assembly.TriangleMesh;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
+import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
@@ -105,9 +106,13 @@ final class Meshes {
     /** Counts further triangles and moved vertices, and fails where they exceed the limits. */
     private void reserve(JsonCursor where, long more) throws SceneFormatException {
         total += more;
-        if (total > options.maxTriangles() || total * TRIANGLE_BYTES > Runtime.getRuntime().maxMemory() / 2) {
-            throw where.wrong("meshes of at most " + Math.min(options.maxTriangles(),
-                    Runtime.getRuntime().maxMemory() / 2 / TRIANGLE_BYTES) + " triangles");
+        if (total > options.maxTriangles()) {
+            throw where.wrong("meshes of at most " + options.maxTriangles() + " triangles");
+        }
+        long most = Runtime.getRuntime().maxMemory() / 2 / TRIANGLE_BYTES;
+        if (total > most) {
+            throw where.wrong("meshes of at most " + most + " triangles (half of the memory; "
+                    + MemoryAdvice.forBytes(2 * TRIANGLE_BYTES * total) + ")");
         }
     }
 
