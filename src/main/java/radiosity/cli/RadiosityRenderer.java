@@ -224,6 +224,7 @@ public final class RadiosityRenderer {
     private void check(Scene scene, RadiositySettings settings) {
         SceneChecks checks = new SceneChecks(scene, warnings);
         checks.light();
+        checks.luminaires();
         checks.objects();
         checks.emission();
         checks.layers(settings.layers());

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -14,9 +16,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.cli.options.ExitCode;
 import radiosity.cli.options.Failure;
 import radiosity.cli.render.SceneChecks;
+import radiosity.input.photometry.Photometry;
 import radiosity.scene.Affine;
 import radiosity.scene.Camera;
 import radiosity.scene.Hierarchy;
+import radiosity.scene.Light;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneNode;
@@ -35,9 +39,13 @@ class SceneChecksTest {
     }
 
     private SceneChecks checks(double exitance, boolean twoSided) {
+        return new SceneChecks(triangle(exitance, twoSided, List.of()), warnings::add);
+    }
+
+    private static Scene triangle(double exitance, boolean twoSided, List<Light> lights) {
         Surface surface = new Surface("lamp", Rgb.grey(exitance), Rgb.grey(.5), twoSided);
-        return new SceneChecks(new Scene("lamp.lws", new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2},
-                new int[] {0}, List.of(surface), List.of(), Optional.empty()), warnings::add);
+        return new Scene("lamp.lws", new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}, new int[] {0},
+                List.of(surface), lights, Optional.empty());
     }
 
     @Test
@@ -125,6 +133,25 @@ class SceneChecksTest {
         new SceneChecks(scene, warnings::add).objects();
         assertEquals(Collections.nCopies(count, "hall.lws: expected at most 10,000 objects, whose names and hierarchy"
                 + " the scene file keeps, got 10,001: it will have surfaces only"), warnings);
+    }
+
+    /** The triangle lies in the plane z = 0; its corners are from 0 to 1. */
+    @ParameterizedTest
+    @CsvSource({"0.2, 0.2, 3, 0, 0, -1, 0", "0.2, 0.2, 3, 0, 0, 1, 1", "0.2, 5, 3, 0, 0, -1, 1",
+        "0.2, 5, 0, 0, -1, 0, 0", "200, 200, 3000, 0, 0, -1, 1", "0.5, 0.5, 0, 0, 0, 1, 0", "1.1, 1.1, 0.1, 0, 1, 0, 0",
+        "3, 3, 3, -1, -1, -1, 0", "3, 3, 3, -1, 1, -1, 1"})
+    void luminaireThatIsElsewhere_isWarnedOf(double x, double y, double z, double dx, double dy, double dz, int count)
+            throws IOException {
+        String file = "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 30\n0 90\n0\n100 100\n";
+        Light lamp = Photometry.of(file.getBytes(StandardCharsets.US_ASCII), "a.ies").at("Lamp", new Vec3(x, y, z),
+                new Vec3(dx, dy, dz), Vec3.ZERO, Rgb.grey(1), 1);
+        new SceneChecks(triangle(1, false, List.of(lamp)), warnings::add).luminaires();
+        assertEquals(count, warnings.size(), warnings.toString());
+        if (x == 200) {
+            assertEquals("lamp.lws: expected luminaires in the scene or aimed at it, got Lamp at 200.000,200.000,3000.00,"
+                    + " outside of 0.00000,0.00000,0.00000 to 1.00000,1.00000,0.00000; check unit and axes",
+                    warnings.get(0));
+        }
     }
 
     @Test

@@ -94,6 +94,7 @@ class WrongUsesTest {
             RadiosityRenderer --sky cie-clear --sun 0,-1,0 9 @/a.lws @/o.scene | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got a sun below it
             RadiosityRenderer --sun --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got nothing before --sky
             RadiosityRenderer --sun 0 0 --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 0 0
+            RadiosityRenderer --strict --unit mm --luminaire 200,200,200000=@/lamp.ies @/a.lws @/o.scene | 3 | a.lws: expected luminaires in the scene or aimed at it, got 200,200,200000 at 200.000,200.000,200000, outside of 0.00000,0.00000,-559.200 to 556.000,548.800,0.00000; check unit and axes
             RadiosityRenderer --change @/no.scene @/a.lws @/o.scene | 3 | @/no.scene: expected a readable file, got none
             RadiosityRenderer --change @/a.lws @/a.lws @/o.scene   | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
             RadiosityRenderer --lightmap @/o.glb --lightmap-texels 1e9 @/a.lws @/o.scene | 2 | --lightmap-texels: expected at most 14.78 samples per unit for white, whose texture may have 8192 texels, got 1.0E9

@@ -8,10 +8,13 @@ import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.Snapshot;
 import radiosity.output.lightmap.TextureBake;
 import radiosity.scene.Hierarchy;
+import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.settings.RadiositySettings;
 import radiosity.solution.Solution;
+import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
 
 /** Checks, before a render, for what would make it impossible, pointless or very long. */
@@ -23,6 +26,9 @@ public final class SceneChecks {
     private static final double LEAST_BYTES = 128;
     /** Entries per vertex of the longest array that pictures and tables of points need: 6 per element. */
     private static final int LARGEST_PER_VERTEX = 12;
+
+    /** How far beyond the bounds a luminaire may be, in diagonals of the scene. */
+    private static final double MARGIN = 0.1;
 
     private final Scene scene;
     private final Consumer<String> warnings;
@@ -36,6 +42,49 @@ public final class SceneChecks {
         if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
             warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
         }
+    }
+
+    /**
+     * Warns of each luminaire that is outside of the scene's bounds and not aimed at them: mostly its unit of length or
+     * the sign of an axis is wrong. A lamp above an open floor is aimed at the floor.
+     */
+    public void luminaires() {
+        if (scene.lights().stream().allMatch(light -> light.luminaire().isEmpty())) {
+            return;
+        }
+        Aabb box = Aabb.of(scene.points());
+        for (Light light : scene.lights()) {
+            Vec3 p = light.position();
+            if (light.luminaire().isPresent() && !meets(p, light.direction(), box)) {
+                warnings.accept(String.format(Locale.ROOT, "%s: expected luminaires in the scene or aimed at it, got %s"
+                        + " at %s, outside of %s to %s; check unit and axes", scene.name(), light.name(), text(p),
+                        text(box.low()), text(box.high())));
+            }
+        }
+    }
+
+    private static String text(Vec3 p) {
+        return String.format(Locale.ROOT, "%.6g,%.6g,%.6g", p.x(), p.y(), p.z());
+    }
+
+    /** Whether a ray begins in a box that is {@link #MARGIN} of the diagonal larger at each side, or meets it. */
+    private static boolean meets(Vec3 from, Vec3 direction, Aabb box) {
+        double more = MARGIN * box.diagonal();
+        double begin = 0;
+        double end = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < 3; k++) {
+            double low = box.low().coordinate(k) - more - from.coordinate(k);
+            double high = box.high().coordinate(k) + more - from.coordinate(k);
+            double d = direction.coordinate(k);
+            if (d == 0 && (low > 0 || high < 0)) {
+                return false;
+            }
+            if (d != 0) {
+                begin = Math.max(begin, Math.min(low / d, high / d));
+                end = Math.min(end, Math.max(low / d, high / d));
+            }
+        }
+        return begin <= end;
     }
 
     /** Warns where the scene has more objects than a scene file can name. */
