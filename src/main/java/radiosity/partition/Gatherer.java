@@ -12,7 +12,6 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
-import radiosity.prediction.CoarseIrradiance;
 import radiosity.protocol.Order;
 import radiosity.setup.InitialMesh;
 import radiosity.util.Hash;
@@ -78,19 +77,11 @@ public final class Gatherer {
         gather(work(order), nodes, vertices, turn, (run, nanoseconds) -> { });
     }
 
-    /**
-     * An order with its shooters and calculators, made once for both parts of a gathering; or with the irradiance that
-     * is predicted, and no shooters.
-     *
-     * @param predicted null where vertices gather
-     */
-    record Work(Order order, ShooterHierarchy[] shooters, FormFactorCalculator[] calculators,
-                CoarseIrradiance predicted) { }
+    /** An order with its shooters and calculators, made once for both parts of a gathering. */
+    record Work(Order order, ShooterHierarchy[] shooters, FormFactorCalculator[] calculators) { }
 
     Work work(Order order) {
-        double[] predicted = order.rules().predicted();
-        return predicted.length == 0 ? new Work(order, shooters(order), calculators(order), null)
-                : new Work(order, new ShooterHierarchy[0], calculators(order), new CoarseIrradiance(mesh, predicted));
+        return new Work(order, shooters(order), calculators(order));
     }
 
     /** Receives the processor time of gathering at some neighbouring vertices, ns. */
@@ -104,9 +95,6 @@ public final class Gatherer {
         parallel.run(vertices.length, RUN, (from, to) -> {
             int[] run = Arrays.copyOfRange(vertices, from, to);
             long begin = BlockCosts.now();
-            if (work.predicted != null && !work.order.begun()) {
-                receive(work.predicted, nodes, run);
-            }
             for (ShooterHierarchy shooter : work.shooters) {
                 gather(work.calculators, shooter, nodes, run, turn);
             }
@@ -135,16 +123,6 @@ public final class Gatherer {
                 double before = nodes.light().irradiance()[channels * v + c];
                 nodes.light().irradiance()[channels * v + c] = before * (1 + (back.length == 0 ? 0 : back[c]))
                         + ambient.at(nodes.points().face(v), c);
-            }
-        }
-    }
-
-    /** Adds a predicted irradiance to that of some vertices; buried vertices receive nothing. */
-    private void receive(CoarseIrradiance predicted, RadiosityNodes nodes, int[] vertices) {
-        for (int v : vertices) {
-            if (!nodes.points().isBuried(v)) {
-                predicted.add(nodes.points().face(v), nodes.points().receivers(), 3 * v, nodes.light().irradiance(),
-                        faces.channels() * v);
             }
         }
     }

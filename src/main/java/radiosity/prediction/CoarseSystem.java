@@ -113,23 +113,6 @@ public final class CoarseSystem {
     }
 
     /**
-     * An irradiance at the corners of all patches, for {@link CoarseIrradiance}.
-     *
-     * @param h irradiance, channels per vertex, W/m²; not modified
-     * @return 3 x channels per node of the coarse mesh, corner by corner, W/m²; 0 for inner nodes
-     */
-    public double[] corners(double[] h) {
-        double[] corners = new double[3 * channels * nodes.nodes()];
-        for (int p = 0; p < nodes.patches(); p++) {
-            int patch = nodes.patch(p);
-            for (int i = 0; i < 3 * channels; i++) {
-                corners[3 * channels * patch + i] = corner(patch, i / channels, h, i % channels);
-            }
-        }
-        return corners;
-    }
-
-    /**
      * Flux that arrives on some faces, weighted by {@link Faces#importance}, W.
      *
      * @param h      irradiance, channels per vertex, W/m²; not modified

@@ -39,15 +39,13 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
      *                  {@link radiosity.formfactor.RayCaster#sparing}; the rays are then not those of any other round
      * @param anew      weight in (0, 1] of the newly gathered light in its average with older light
      * @param marks     nodes that are divided even where their vertices show no error
-     * @param predicted irradiance that the shots cause, known from the coarse system, so that no vertex gathers: see
-     *                  {@link radiosity.prediction.CoarseIrradiance}; empty: vertices gather
      */
     public record Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack,
-                        boolean sparing, double anew, List<Mark> marks, double[] predicted) {
+                        boolean sparing, double anew, List<Mark> marks) {
 
         /** Rules under which every vertex casts a ray to every shooter. */
         public Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
-            this(tolerance, weight, meshError, ambient, givenBack, false, 1, List.of(), NONE);
+            this(tolerance, weight, meshError, ambient, givenBack, false, 1, List.of());
         }
 
         private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
@@ -61,17 +59,12 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
 
         /** These rules with other {@link #marks}. */
         Rules dividing(List<Mark> nodes) {
-            return new Rules(tolerance, weight, meshError, ambient, givenBack, sparing, anew, nodes, predicted);
+            return new Rules(tolerance, weight, meshError, ambient, givenBack, sparing, anew, nodes);
         }
 
         /** These rules with another {@link #givenBack}. */
         Rules givingBack(double[] part) {
-            return new Rules(tolerance, weight, meshError, ambient, part, sparing, anew, marks, predicted);
-        }
-
-        /** These rules with {@link #predicted}, and without ambient light, which is a part of that irradiance. */
-        Rules predicting(double[] irradiance) {
-            return new Rules(tolerance, weight, meshError, NONE, givenBack, sparing, anew, marks, irradiance);
+            return new Rules(tolerance, weight, meshError, ambient, part, sparing, anew, marks);
         }
     }
 
@@ -161,11 +154,6 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
     /** This order with {@link Rules#marks}. */
     public Order dividing(List<Mark> marks) {
         return new Order(kind, number, begun, more, shots, rules.dividing(marks), question);
-    }
-
-    /** This order with {@link Rules#predicted}. */
-    public Order predicting(double[] irradiance) {
-        return new Order(kind, number, begun, more, shots, rules.predicting(irradiance), question);
     }
 
     /** This order as round number {@code round}, with another {@link Rules#givenBack}. */
@@ -265,7 +253,6 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         out.writeBoolean(rules.sparing);
         out.writeDouble(rules.anew);
         Wire.writeMarks(out, rules.marks);
-        Wire.writeDoubles(out, rules.predicted);
         out.writeBoolean(begun);
         out.writeInt(isAnswered() ? most() : givesGhosts() ? GHOST_VALUES : NOTHING);
         out.writeDouble(question instanceof Question.Candidates asked ? asked.flux : 0);
@@ -281,8 +268,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         boolean more = in.readBoolean();
         List<Shot> shots = kind.gathersTotals() ? Wire.trees(in) : Wire.shots(in);
         Rules rules = new Rules(in.readDouble(), Wire.readDoubles(in), in.readDouble(), Wire.readDoubles(in),
-                Wire.readDoubles(in), in.readBoolean(), in.readDouble(), Wire.readMarks(in),
-                Wire.readDoubles(in));
+                Wire.readDoubles(in), in.readBoolean(), in.readDouble(), Wire.readMarks(in));
         return new Order(kind, number, in.readBoolean(), more, shots, rules, question(in));
     }
 

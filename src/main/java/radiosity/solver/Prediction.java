@@ -15,7 +15,6 @@ import java.util.stream.IntStream;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.prediction.AmbientLevel;
-import radiosity.prediction.CoarseIrradiance;
 import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Mark;
@@ -69,11 +68,6 @@ final class Prediction implements Planner {
      * much may the radiosity change by the light that is predicted to follow, as a mean without signs.
      */
     private static final double ENOUGH = 0.3;
-    /**
-     * The same change, per relative error, up to which vertices receive the predicted irradiance itself, see
-     * {@link CoarseIrradiance}, in place of the light of shots: the prediction errs by a small part of the change.
-     */
-    private static final double SMALL = 0.5;
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
     private static final double ENOUGH_ONE_SIDED = 0.05;
     /** Factor by which edits may let the error exceed the usual one before all vertices gather anew. */
@@ -172,9 +166,7 @@ final class Prediction implements Planner {
             return null;
         }
         boolean isShot = refined && (stage == Stage.SHOOT || stage == Stage.SPLIT || stage == Stage.GATHER);
-        CoarseSystem.Change change = isShot && h != null && wanted == StopRule.DEFAULT_UNSENT ? change(h) : null;
-        boolean isReceived = change != null && change.size() > 0 && change.size() <= SMALL * error();
-        boolean isEnough = isShot && (stage == Stage.SHOOT || !isReceived) && isEnough(last, unsent, change);
+        boolean isEnough = isShot && isEnough(last, unsent, h);
         if (isEnough || isShot && isWorse && mispredicted == MOST_MISPREDICTED) {
             left = isEnough ? Math.min(unsent, enough()) : 0;
             return isEnough && !loop.lacksRays() ? mend() : renew();
@@ -184,8 +176,7 @@ final class Prediction implements Planner {
             return null;
         }
         mispredicted += isWorse && mispredicted < MOST_MISPREDICTED ? 1 : 0;
-        Order order = shoot(shots, unsent);
-        return isReceived ? order.predicting(coarse.corners(h)) : order;
+        return shoot(shots, unsent);
     }
 
     /**
@@ -220,44 +211,39 @@ final class Prediction implements Planner {
      * asked for, or the user's own limit where that is lower than the default.
      */
     private double enough() {
-        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error());
+        double error = Math.max(loop.asked(), loop.found());
+        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error);
     }
 
-    /** The larger of the estimated error and the error asked for. */
-    private double error() {
-        return Math.max(loop.asked(), loop.found());
-    }
-
-    /** |Sum of unshot flux| over emitted flux at which shooting ends, see {@link #ENOUGH_ONE_SIDED}. */
+    /** |Sum of unshot flux| over emitted flux at which shooting ends. */
     private double oneSidedEnough() {
         return Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked());
     }
 
     /**
-     * Whether the unshot flux is a small part of the error: either the flux itself is, or the irradiance that the flux
-     * is predicted to cause. After new vertices have gathered, most unshot flux is their noise, of both signs, which
-     * cancels where it arrives.
+     * Whether the unshot flux is a small part of the error: either the flux itself is, or, unless the user sets a limit
+     * of unshot flux, the irradiance that the flux is predicted to cause. After new vertices have gathered, most unshot
+     * flux is their noise, of both signs, which cancels where it arrives.
      *
-     * @param change null where nothing is predicted, or the user sets a limit of unshot flux
+     * @param h predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
      */
-    private boolean isEnough(Answer last, double unsent, CoarseSystem.Change change) {
-        return unsent <= enough() && oneSided.applyAsDouble(last) <= oneSidedEnough()
-                || change != null && change.size() <= ENOUGH * error()
-                && change.bias() <= ENOUGH_ONE_SIDED * loop.asked();
-    }
-
-    /** The largest change, of any channel and without sign, that a predicted irradiance makes. */
-    private CoarseSystem.Change change(double[] h) throws IOException {
+    private boolean isEnough(Answer last, double unsent, double[] h) throws IOException {
+        if (unsent <= enough() && oneSided.applyAsDouble(last) <= oneSidedEnough()) {
+            return true;
+        }
+        if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
+            return false;
+        }
         double[] radiosity = coarse.unshot(world.totals());
         Weights weights = new Weights(world.mesh.rooms, world.channels(), weight);
-        double size = 0;
-        double bias = 0;
         for (int c = 0; c < world.channels(); c++) {
             CoarseSystem.Change change = coarse.change(h, radiosity, weights, c);
-            size = Math.max(size, change.size());
-            bias = Math.max(bias, Math.abs(change.bias()));
+            if (change.size() > ENOUGH * Math.max(loop.asked(), loop.found())
+                    || Math.abs(change.bias()) > ENOUGH_ONE_SIDED * loop.asked()) {
+                return false;
+            }
         }
-        return new CoarseSystem.Change(size, bias);
+        return true;
     }
 
     /** Irradiance that all unshot flux is predicted to cause; null where {@code goOn} ends the calculation. */
@@ -457,7 +443,7 @@ final class Prediction implements Planner {
                 && (changes > 0 || isOfAll && wanted >= StopRule.DEFAULT_UNSENT);
         return new Order(kind, shots,
                 new Order.Rules(isAnew ? loop.toleranceAnew() : loop.tolerance(), weight, loop.meshError(), even,
-                        new double[0], sparing, loop.weightAnew(), List.of(), new double[0]),
+                        new double[0], sparing, loop.weightAnew(), List.of()),
                 Order.Question.candidates(0));
     }
 
