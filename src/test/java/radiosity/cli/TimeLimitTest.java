@@ -168,7 +168,7 @@ class TimeLimitTest {
 
     /** Where the machine is too slow for the first calculation, light is the same; only the certificate is new. */
     @ParameterizedTest
-    @ValueSource(strings = {"-q --time 15s", "--time=15s --srgb -q"})
+    @ValueSource(strings = {"-q --time 8s", "--time=8s --srgb -q"})
     void sceneFile_isTheSameAsWithTheOptionsThatArePrinted(String options) throws Exception {
         Program program = new Program(directory);
         Path output = program.file("foobar.scene");
@@ -179,7 +179,7 @@ class TimeLimitTest {
         SavedState state = SavedCalculation.read(output).state();
         boolean isCutOff = told.contains("cut off after");
         String printed = isCutOff || !options.contains("=") ? same.group(1) : same.group(1).replace(' ', '=');
-        rendered(program, "-pa 20000 " + options.replaceFirst("--time.15s", printed) + FILES);
+        rendered(program, "-pa 20000 " + options.replaceFirst("--time.8s", printed) + FILES);
         assertEquals(state, SavedCalculation.read(output).state());
         if (!isCutOff) {
             assertArrayEquals(timed, Files.readAllBytes(output));

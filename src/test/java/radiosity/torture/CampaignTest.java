@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 class CampaignTest {
 
     private static final long SEED = 1;
-    private static final int RUNS = 20;
+    private static final int RUNS = 10;
 
     @TempDir
     Path directory;
