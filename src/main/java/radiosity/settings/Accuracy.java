@@ -1,9 +1,10 @@
 package radiosity.settings;
 
 /**
- * Converts the error that a user asks for into thresholds for rays and elements. The error is the expected error of the
- * radiosity: area-weighted root mean square relative to the mean. The constants were fitted to test scenes ({@code
- * scripts/accuracy --accuracy}); each solution's certificate says which error was reached.
+ * Converts the error that a user asks for into the thresholds for rays and elements with which a calculation begins.
+ * The error is that of the radiosity: area-weighted root mean square relative to the mean. The constants and powers are
+ * a guess from boxes of walls ({@code scripts/accuracy --accuracy}): points that look at each solution measure the
+ * error, and the solver's {@code AccuracyLoop} lowers the thresholds until it is the one asked for.
  */
 public final class Accuracy {
 
