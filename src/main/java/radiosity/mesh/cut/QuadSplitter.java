@@ -14,14 +14,17 @@ import radiosity.util.PointNumbers;
  * skirting board, would be meshed as finely across as along, or as coarsely along as across. A piece is about as long
  * as it is wide, or as a square patch where that is longer. The cuts depend on scene and patch area alone.
  *
- * <p>A quadrangle is two triangles of one surface in one plane with their longest edge in common.
+ * <p>A quadrangle is two triangles of one surface in one plane with an edge in common: for both the longest, where
+ * there is such a partner, else one of the longer two.
  */
 public final class QuadSplitter {
 
     /** Ratio of mean length to mean width from which a quadrangle is cut. */
     private static final double LONG = 2;
     /** Largest length of the difference between unit normals of two triangles in one plane. */
-    private static final double SAME_PLANE = 1e-5;
+    private static final double SAME_DIRECTION = 1e-5;
+    /** Largest distance of the fourth corner from the plane of the others, in lengths of the common edge. */
+    private static final double SAME_PLANE = 1e-6;
 
     private final Scene scene;
     /** Side of a square of the largest area of a patch, scene units: quadrangles that are no longer stay whole. */
@@ -36,6 +39,8 @@ public final class QuadSplitter {
     /** 1 per triangle: the triangle of the given scene that it is, or is a piece of. */
     private int[] origin;
     private int triangles;
+    /** 1 per triangle of the given scene: where it has a partner, the corner from which their common edge goes on. */
+    private final int[] shared;
 
     private QuadSplitter(Scene scene, double patchArea) {
         this.scene = scene;
@@ -46,6 +51,7 @@ public final class QuadSplitter {
         pointCount = points.length / 3;
         corners = new int[scene.corners().length];
         origin = new int[scene.triangles()];
+        shared = new int[scene.triangles()];
     }
 
     /**
@@ -63,15 +69,15 @@ public final class QuadSplitter {
     public static Cut cut(Scene scene, double patchArea) {
         QuadSplitter splitter = new QuadSplitter(scene, patchArea);
         int[] partner = splitter.partners();
-        if (Arrays.stream(partner).allMatch(t -> t < 0)) {
-            return new Cut(scene, IntStream.range(0, partner.length).toArray());
-        }
         for (int t = 0; t < partner.length; t++) {
             if (partner[t] < 0) {
                 splitter.add(splitter.corner(t, 0), splitter.corner(t, 1), splitter.corner(t, 2), t);
             } else if (partner[t] > t) {
                 splitter.cut(t, partner[t]);
             }
+        }
+        if (splitter.triangles == partner.length) {
+            return new Cut(scene, IntStream.range(0, partner.length).toArray());
         }
         return new Cut(splitter.made(), Arrays.copyOf(splitter.origin, splitter.triangles));
     }
@@ -80,21 +86,54 @@ public final class QuadSplitter {
     private int[] partners() {
         int[] partner = new int[scene.triangles()];
         Arrays.fill(partner, -1);
-        LongIndex edges = new LongIndex(16);
+        pair(partner, 0);
+        pair(partner, 1);
         for (int t = 0; t < partner.length; t++) {
-            int k = longest(t);
-            if (isPlain(t) && edge(t, k) > patchSide) {
-                int p = number[corner(t, k)];
-                int q = number[corner(t, k + 1)];
-                long key = Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]);
-                int u = edges.findOrAdd(Hash.mix(key, scene.hierarchy().of(t)), t);
-                if (u != t && partner[u] < 0 && areOne(t, u) && pieces(quadrangle(t, u)) > 1) {
-                    partner[t] = u;
-                    partner[u] = t;
-                }
+            if (partner[t] > t && pieces(quadrangle(t, shared[t], partner[t], shared[partner[t]])) == 1) {
+                partner[partner[t]] = -1;
+                partner[t] = -1;
             }
         }
         return partner;
+    }
+
+    /**
+     * Pairs triangles that have none yet with those on the other side of an edge.
+     *
+     * @param rank which edge: 0 for the longest of a triangle; 1 for its longest two, as a trapezium's diagonal may be
+     *             shorter than its longest side
+     */
+    private void pair(int[] partner, int rank) {
+        LongIndex edges = new LongIndex(16);
+        for (int t = 0; t < partner.length; t++) {
+            for (int r = 0; r <= rank && partner[t] < 0 && isPlain(t); r++) {
+                int k = longest(t, r);
+                int p = number[corner(t, k)];
+                int q = number[corner(t, k + 1)];
+                if (edge(t, k) > patchSide) {
+                    long key = Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]);
+                    int u = edges.findOrAdd(Hash.mix(key, scene.hierarchy().of(t)), t);
+                    int m = u == t || partner[u] >= 0 ? -1 : opposite(u, p, q);
+                    if (m >= 0 && isFlat(t, k, u, m)) {
+                        partner[t] = u;
+                        partner[u] = t;
+                        shared[t] = k;
+                        shared[u] = m;
+                    }
+                }
+            }
+        }
+    }
+
+    /** The corner of a triangle from which an edge goes from q to p; -1 where there is none. */
+    private int opposite(int t, int p, int q) {
+        int found = -1;
+        for (int k = 0; k < 3; k++) {
+            if (number[corner(t, k)] == q && number[corner(t, k + 1)] == p) {
+                found = k;
+            }
+        }
+        return found;
     }
 
     private boolean isPlain(int t) {
@@ -106,21 +145,30 @@ public final class QuadSplitter {
         return scene.corners()[3 * t + k % 3];
     }
 
-    /** The corner k from which a triangle's longest edge goes to corner k + 1. */
-    private int longest(int t) {
+    /** The corner k from which a triangle's longest (rank 0) or second longest edge (rank 1) goes to corner k + 1. */
+    private int longest(int t, int rank) {
         double[] length = {edge(t, 0), edge(t, 1), edge(t, 2)};
-        return length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
+        int first = length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
+        int next = (first + 1) % 3;
+        int last = (first + 2) % 3;
+        return rank == 0 ? first : length[next] >= length[last] ? next : last;
     }
 
     private double edge(int t, int k) {
         return scene.corner(t, (k + 1) % 3).minus(scene.corner(t, k)).length();
     }
 
-    /** Whether two triangles lie in one plane and have their longest edge in common, in opposite directions. */
-    private boolean areOne(int t, int u) {
-        return number[corner(t, longest(t))] == number[corner(u, longest(u) + 1)]
-                && number[corner(t, longest(t) + 1)] == number[corner(u, longest(u))]
-                && normal(t).minus(normal(u)).length() < SAME_PLANE;
+    /** Whether two triangles with an edge in common are a convex quadrangle in one plane. */
+    private boolean isFlat(int t, int k, int u, int m) {
+        int[] q = {corner(t, k), corner(u, m + 2), corner(t, k + 1), corner(t, k + 2)};
+        Vec3 normal = normal(t);
+        boolean isConvex = true;
+        for (int i = 0; i < 4; i++) {
+            Vec3 in = point(q[(i + 1) % 4]).minus(point(q[i]));
+            isConvex &= in.cross(point(q[(i + 2) % 4]).minus(point(q[(i + 1) % 4]))).dot(normal) > 0;
+        }
+        return isConvex && (normal.minus(normal(u)).length() < SAME_DIRECTION
+                || Math.abs(point(q[1]).minus(point(q[0])).dot(normal)) < SAME_PLANE * edge(t, k));
     }
 
     private Vec3 normal(int t) {
@@ -129,9 +177,8 @@ public final class QuadSplitter {
     }
 
     /** The four corners of a quadrangle, rotated so that the first and the third side are the long ones. */
-    private int[] quadrangle(int t, int u) {
-        int k = longest(t);
-        int[] q = {corner(t, k), corner(u, longest(u) + 2), corner(t, k + 1), corner(t, k + 2)};
+    private int[] quadrangle(int t, int k, int u, int m) {
+        int[] q = {corner(t, k), corner(u, m + 2), corner(t, k + 1), corner(t, k + 2)};
         return side(q, 0) + side(q, 2) >= side(q, 1) + side(q, 3) ? q : new int[] {q[1], q[2], q[3], q[0]};
     }
 
@@ -152,7 +199,7 @@ public final class QuadSplitter {
     }
 
     private void cut(int t, int u) {
-        int[] q = quadrangle(t, u);
+        int[] q = quadrangle(t, shared[t], u, shared[u]);
         int n = pieces(q);
         for (int i = 0; i < n; i++) {
             int a = between(q[0], q[1], i, n);

@@ -70,6 +70,37 @@ class QuadSplitterTest {
         assertEquals(2 * 2 * 4, QuadSplitter.cut(rectangles(12, 0.1), 9).scene().triangles());
     }
 
+    /** The side of a mitred frame: its diagonal is shorter than its longest side. */
+    @Test
+    void trapezium_isCutAlthoughItsDiagonalIsNotItsLongestEdge() {
+        double[] points = {0, 0, 0, 12, 0, 0, 11.9, 0.1, 0, 0.1, 0.1, 0};
+        Scene cut = QuadSplitter.cut(scene(points, 0, 1, 2, 0, 2, 3), 9).scene();
+        assertEquals(2 * 4, cut.triangles());
+    }
+
+    /** Coordinates of files are single precision numbers: a narrow strip between them is not quite flat. */
+    @Test
+    void narrowStripOfRoundedCoordinates_isCut() {
+        double tilt = 4e-7;
+        double[] points = {-3, 0.1, -5.6, 3, 0.1, -5.6, 3, 0.09, -5.59, -3, 0.09 + tilt, -5.59};
+        assertEquals(2 * 2, QuadSplitter.cut(scene(points, 0, 1, 2, 0, 2, 3), 10).scene().triangles());
+        points[10] += 1e-3;
+        assertEquals(2, QuadSplitter.cut(scene(points, 0, 1, 2, 0, 2, 3), 10).scene().triangles());
+    }
+
+    @Test
+    void bentAndConcavePairs_areLeftAsTheyAre() {
+        double[] concave = {0, 0, 0, 12, 0, 0, 6, 0.1, 0, 0, 1, 0};
+        assertEquals(2, QuadSplitter.cut(scene(concave, 0, 1, 2, 0, 2, 3), 1).scene().triangles());
+        double[] bent = {0, 0, 0, 12, 0, 0, 12, 1, 0, 0, 1, 1};
+        assertEquals(2, QuadSplitter.cut(scene(bent, 0, 1, 2, 0, 2, 3), 1).scene().triangles());
+    }
+
+    private static Scene scene(double[] points, int... corners) {
+        return new Scene("strip", points, corners, new int[corners.length / 3], List.of(GREY), List.of(),
+                Optional.empty());
+    }
+
     @Test
     void whatHasTextureCoordinates_isLeftAsItIs() {
         float[] texture = new float[24];
