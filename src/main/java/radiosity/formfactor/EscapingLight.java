@@ -53,7 +53,7 @@ public final class EscapingLight {
             x[a] = (float) (place[a] + LIFT * n[a]);
             d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n[a]);
         }
-        int t = bounds.nearest(x[0], x[1], x[2], d[0], d[1], d[2], FAR, new float[3]);
+        int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], FAR, true, new float[3]);
         return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
     }
 

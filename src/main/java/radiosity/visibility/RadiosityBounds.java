@@ -36,8 +36,13 @@ public final class RadiosityBounds {
     private static final float LEAST = 1e-18f;
     private static final int ONE = bits(1);
 
-    /** Distances whose quotient is at most this are the same: a front is preferred to a back in its place. */
+    /** Distances whose quotient is at most this are the same. */
     static final double SAME_PLACE = 1 + 1e-6;
+    /**
+     * Distance, in units of the scene's size, by which the front of a sheet may lie behind its back: where both are
+     * made of the same corners, these are rounded, and the diagonals may be others.
+     */
+    private static final double THIN = 1e-5;
 
     private final float[] corners;
     private final float[] data;
@@ -182,20 +187,29 @@ public final class RadiosityBounds {
      * @return the number of the triangle, or -1
      */
     public int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, float[] hit) {
-        return nearest(ox, oy, oz, dx, dy, dz, far, 1, hit);
+        return nearest(ox, oy, oz, dx, dy, dz, far, 0, hit);
+    }
+
+    /** As {@link #nearestFront(float, float, float, float, float, float, float, boolean, float[])}. */
+    public int nearestFront(Vec3 o, Vec3 d, double far, boolean backs, float[] hit) {
+        return nearestFront((float) o.x(), (float) o.y(), (float) o.z(), (float) d.x(), (float) d.y(), (float) d.z(),
+                (float) far, backs, hit);
     }
 
     /**
      * The nearest triangle that a ray meets from its front, the side on which its corners run counter-clockwise. Where
-     * a front and a back lie in the same place, the ray meets the front.
+     * a front and a back lie in the same place, as the sides of a sheet do, the ray meets the front.
      *
+     * @param ox    origin: ox, oy, oz
+     * @param dx    direction, of length 1: dx, dy, dz
+     * @param far   only hits nearer than this count
      * @param backs whether the ray meets backs, too; otherwise it passes through backs
-     * @param hit   modified where a triangle is hit: distance in units of |d|, and the weights of corners 1 and 2
+     * @param hit   modified where a triangle is hit: distance, and the weights of corners 1 and 2
      * @return the number of the triangle, or -1
      */
-    public int nearestFront(Vec3 o, Vec3 d, double far, boolean backs, float[] hit) {
-        return nearest((float) o.x(), (float) o.y(), (float) o.z(), (float) d.x(), (float) d.y(), (float) d.z(),
-                (float) far, backs ? SAME_PLACE : Double.POSITIVE_INFINITY, hit);
+    public int nearestFront(float ox, float oy, float oz, float dx, float dy, float dz, float far, boolean backs,
+                            float[] hit) {
+        return nearest(ox, oy, oz, dx, dy, dz, far, backs ? THIN : Double.POSITIVE_INFINITY, hit);
     }
 
     /** What is looked for among the triangles that a ray meets. */
@@ -291,8 +305,8 @@ public final class RadiosityBounds {
         return Arrays.copyOfRange(corners, 9 * triangle, 9 * triangle + 9);
     }
 
-    /** @param backs factor by which the distance of triangles met from behind is multiplied, 1 or more */
-    private int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, double backs,
+    /** @param behind length by which triangles that are met from behind count as farther away, 0 or more */
+    private int nearest(float ox, float oy, float oz, float dx, float dy, float dz, float far, double behind,
                         float[] hit) {
         double[] origin = {ox, oy, oz};
         double[] direction = {dx, dy, dz};
@@ -314,8 +328,8 @@ public final class RadiosityBounds {
             for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
                 int number = PackedTriangle.number(d, k);
                 if (PackedTriangle.cuts(corners, 9 * number, origin, direction, cut) && cut[0] > 0) {
-                    double counts = backs == 1 || PackedTriangle.faces(corners, 9 * number, direction) ? cut[0]
-                            : cut[0] * backs;
+                    double counts = behind == 0 || PackedTriangle.faces(corners, 9 * number, direction) ? cut[0]
+                            : cut[0] + behind;
                     if (counts < reach) {
                         found = number;
                         reach = (float) counts;

@@ -2,6 +2,7 @@ package radiosity.formfactor;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -11,6 +12,7 @@ import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.scene.SceneBuilder;
+import radiosity.scene.Vec3;
 import radiosity.testkit.Box;
 import radiosity.testkit.RoomScenes;
 import radiosity.visibility.RadiosityBounds;
@@ -48,5 +50,29 @@ class EscapingLightTest {
         assertTrue(error > 0 && error < .01, "standard error of " + error);
         assertEquals(3 * FACTOR, found[0], 4 * error);
         assertArrayEquals(new double[] {-found[0], found[1]}, light.flux(floor(-3), 1e-5), 1e-12, "light taken back");
+    }
+
+    /** A blind, a lampshade: two faces in one place with their fronts outside, whose corners a file has rounded. */
+    @Test
+    void escapes_notWhereASheetsFrontLiesBehindItsBackByRounding() {
+        Vec3[] below = {new Vec3(-1, -1, .5), new Vec3(-1, 1, .5), new Vec3(1, 1, .5), new Vec3(1, -1, .5 - 2e-6)};
+        Vec3[] above = {below[1], below[0], below[3], below[2]};
+        SceneBuilder builder = new SceneBuilder();
+        builder.polygon(RoomScenes.grey("floor", 0, .5), new Vec3(0, 0, 0), new Vec3(.1, 0, 0), new Vec3(0, .1, 0));
+        builder.polygon(RoomScenes.grey("sheet", 0, .5), below);
+        builder.polygon(RoomScenes.grey("sheet", 0, .5), above);
+        Faces faces = new Faces(builder.scene("a sheet over a floor"));
+        EscapingLight light = new EscapingLight(faces, new RadiosityBounds(faces.occluders()));
+        float[] middle = {0, 0, 0};
+        for (int k = 0; k < 3; k++) {
+            for (int a = 0; a < 3; a++) {
+                middle[a] += faces.corner(0, k, a) / 3;
+            }
+        }
+        for (int i = 0; i < 100; i++) {
+            double p = .05 * (i / 10 - 4.5) / 4.5;
+            double q = .05 * (i % 10 - 4.5) / 4.5;
+            assertFalse(light.escapes(middle, 0, p, q), "direction " + p + " " + q);
+        }
     }
 }

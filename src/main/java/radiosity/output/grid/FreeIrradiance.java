@@ -92,7 +92,7 @@ final class FreeIrradiance {
      */
     private Rgb look(Vec3 x, Vec3 d, boolean valued) {
         float[] hit = new float[3];
-        int t = bounds.nearest(x, d, FAR, hit);
+        int t = bounds.nearestFront(x, d, FAR, true, hit);
         if (t < 0 || fronts[3 * t] * d.x() + fronts[3 * t + 1] * d.y() + fronts[3 * t + 2] * d.z() > 0) {
             return null;
         }
