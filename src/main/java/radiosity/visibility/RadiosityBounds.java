@@ -42,7 +42,7 @@ public final class RadiosityBounds {
      * Distance, in units of the scene's size, by which the front of a sheet may lie behind its back: where both are
      * made of the same corners, these are rounded, and the diagonals may be others.
      */
-    private static final double THIN = 1e-5;
+    static final double THIN = 1e-5;
 
     private final float[] corners;
     private final float[] data;

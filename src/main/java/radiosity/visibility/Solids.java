@@ -5,7 +5,8 @@ import radiosity.scene.Vec3;
 /**
  * Tells which points of surfaces lie inside a solid, such as points of a floor that runs on below a block: all
  * triangles that rays from a point inside meet show their invisible side. Where the solid touches another surface, its
- * own triangle counts and not the other's in the same place.
+ * own triangle counts and not the other's in the same place. One ray at least has to meet what is no sheet, as the
+ * walls of a room may be modelled from both sides.
  */
 public final class Solids {
 
@@ -51,6 +52,7 @@ public final class Solids {
         float[] normal = {nx, ny, nz};
         float[] d = new float[3];
         float[] hit = new float[3];
+        boolean isInside = false;
         for (int i = 0; i < DIRECTIONS.length; i += 3) {
             for (int a = 0; a < 3; a++) {
                 d[a] = (float) (DIRECTIONS[i] * frame[a] + DIRECTIONS[i + 1] * frame[3 + a]
@@ -60,14 +62,38 @@ public final class Solids {
             if (t < 0 || !leaves(t, d) && !leavesAt(x, y, z, d, hit[0])) {
                 return false;
             }
+            isInside = isInside || !isSheet(t, x, y, z, d, hit[0]);
         }
-        return true;
+        return isInside;
     }
 
     /** Whether a ray leaves the visible side of a triangle behind in the same place as that of another triangle. */
     private boolean leavesAt(float x, float y, float z, float[] d, double place) {
         return bounds.meets(x, y, z, d[0], d[1], d[2], place / RadiosityBounds.SAME_PLACE,
                 place * RadiosityBounds.SAME_PLACE, t -> leaves(t, d), (t, distance) -> true);
+    }
+
+    /**
+     * Whether a ray meets the other side of another triangle in the place of a triangle, and both have two corners in
+     * common: the two sides of a sheet.
+     */
+    private boolean isSheet(int t, float x, float y, float z, float[] d, double place) {
+        return bounds.meets(x, y, z, d[0], d[1], d[2], place - RadiosityBounds.THIN, place + RadiosityBounds.THIN,
+                other -> leaves(other, d) != leaves(t, d),
+                (other, distance) -> haveEdge(bounds.corners(t), bounds.corners(other)));
+    }
+
+    /** Whether two triangles, given by x, y, z of their corners, have two corners in common. */
+    private static boolean haveEdge(float[] some, float[] others) {
+        int common = 0;
+        for (int i = 0; i < 9; i++) {
+            int k = 3 * (i / 3);
+            int m = 3 * (i % 3);
+            double apart = Math.max(Math.abs(some[k] - others[m]), Math.max(Math.abs(some[k + 1] - others[m + 1]),
+                    Math.abs(some[k + 2] - others[m + 2])));
+            common += apart < RadiosityBounds.THIN ? 1 : 0;
+        }
+        return common >= 2;
     }
 
     /** Whether a ray that meets a triangle leaves its visible side behind. */

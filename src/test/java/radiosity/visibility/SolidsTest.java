@@ -3,6 +3,7 @@ package radiosity.visibility;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.mesh.face.Faces;
@@ -50,5 +51,21 @@ class SolidsTest {
             assertTrue(solids.hold(faces.unit(new Vec3(x, .45, 0)), up), "at " + x);
         }
         assertFalse(solids.hold(faces.unit(new Vec3(.2, .45, 0)), up));
+    }
+
+    /** Walls that are modelled from both sides, as some programs write them: their backs are where their fronts are. */
+    @Test
+    void pointInRoomOfDoubleWalls_isNotInside() {
+        SceneBuilder builder = new SceneBuilder();
+        for (int side = 0; side < 6; side++) {
+            Vec3[] inside = Box.UNIT.inside(side);
+            builder.polygon(RoomScenes.grey("wall", 1, 0), inside);
+            builder.polygon(RoomScenes.grey("wall", 1, 0), inside[3], inside[2], inside[1], inside[0]);
+        }
+        Faces faces = new Faces(builder.scene("room of double walls"));
+        Solids solids = new Solids(new RadiosityBounds(faces.occluders()), faces.fronts());
+        for (double x = .05; x < 1; x += .1) {
+            assertFalse(solids.hold(faces.unit(new Vec3(x, .4, 0)), new Vec3(0, 0, 1)), "at " + x);
+        }
     }
 }
