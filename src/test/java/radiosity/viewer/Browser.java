@@ -105,9 +105,14 @@ final class Browser implements AutoCloseable, WebSocket.Listener {
         }
     }
 
-    JsonNode call(String method, Map<String, ?> parameters) throws Exception {
+    /** The browser's answer, which may be an error; null where none came in time. */
+    private JsonNode ask(String method, Map<String, ?> parameters) throws Exception {
         socket.sendText(JSON.writeValueAsString(Map.of("id", ++last, "method", method, "params", parameters)), true);
-        JsonNode answer = answers.poll(SECONDS, TimeUnit.SECONDS);
+        return answers.poll(SECONDS, TimeUnit.SECONDS);
+    }
+
+    JsonNode call(String method, Map<String, ?> parameters) throws Exception {
+        JsonNode answer = ask(method, parameters);
         if (answer == null || answer.has("error")) {
             throw new IllegalStateException(method + ": expected an answer, got " + answer + " " + errors);
         }
@@ -130,14 +135,26 @@ final class Browser implements AutoCloseable, WebSocket.Listener {
         return false;
     }
 
+    /** Opens a page and waits until it says that it is ready. */
     void open(URI page) throws Exception {
         call("Page.navigate", Map.of("url", page.toString()));
-        for (int i = 0; i < 10 * SECONDS && !value("document.body?.dataset.ready").asText().equals("yes"); i++) {
+        for (int i = 0; i < 10 * SECONDS; i++) {
             if (!errors.isEmpty()) {
                 throw new IllegalStateException(errors.toString());
             }
+            if (isReady()) {
+                return;
+            }
             Thread.sleep(100);
         }
+        throw new IllegalStateException(page + " is not ready after " + SECONDS + " s");
+    }
+
+    /** A question that is under way while the page before it goes is answered with an error: not ready. */
+    private boolean isReady() throws Exception {
+        JsonNode answer = ask("Runtime.evaluate",
+                Map.of("expression", "document.body?.dataset.ready", "returnByValue", true));
+        return answer != null && answer.at("/result/result/value").asText().equals("yes");
     }
 
     void tap(String code, String key) throws Exception {

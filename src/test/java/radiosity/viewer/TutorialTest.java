@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.net.ConnectException;
 import java.net.ServerSocket;
+import java.net.Socket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -81,6 +83,17 @@ class TutorialTest {
         }
     }
 
+    private static void awaitServer(int port) throws Exception {
+        for (int i = 0; i < 600; i++) {
+            try (Socket connection = new Socket("localhost", port)) {
+                return;
+            } catch (ConnectException e) {
+                Thread.sleep(100);
+            }
+        }
+        throw new IllegalStateException("the tutorial's server does not answer after 60 s");
+    }
+
     private void showsTheRoom(String command) throws Exception {
         int port;
         try (ServerSocket free = new ServerSocket(0)) {
@@ -91,6 +104,7 @@ class TutorialTest {
                 "document.body.dataset.ready = 'yes';</script>"));
         Process server = start("exec " + command.replace("8000", "" + port));
         try (Browser browser = new Browser(Files.createDirectory(folder.resolve("profile")), 300)) {
+            awaitServer(port);
             browser.open(URI.create("http://localhost:" + port + "/"));
             assertTrue(Rendered.black(browser.screenshot()) < .1, "the room is lit");
         } finally {
