@@ -75,6 +75,7 @@ public final class Audit {
     private final double asked;
     private final ParallelFor parallel;
     private final AuditPlaces places;
+    private final NearbyPoints nearby;
     private final boolean isBegun;
     private final int wanted;
     private final List<AuditPoint> points = new ArrayList<>();
@@ -102,6 +103,7 @@ public final class Audit {
         this.asked = asked;
         this.parallel = parallel;
         places = new AuditPlaces(mesh, this::nodes, reflected(), leaving(), parallel);
+        nearby = new NearbyPoints(faces, mesh.bounds(), places, mesh.blocks);
         isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
                 > MOSTLY * Arrays.stream(ledger.emitted()).sum();
         wanted = isBegun ? LEAST_POINTS
@@ -178,6 +180,8 @@ public final class Audit {
 
     private void look(List<AuditPoint> batch, UniformRadiosity ambient) {
         LightSources lights = new LightSources(faces, mesh.bounds());
+        List<NearbyPoints.Near> near = nearby.around(batch);
+        parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient));
         Escape escape = new Escape(faces, mesh.bounds());
         parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
@@ -185,7 +189,7 @@ public final class Audit {
             point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
                     : escape.from(point.place, point.face, point.number);
         });
-        mesh.blocks.forEach(block -> gather(batch, block, ambient));
+        mesh.blocks.forEach(block -> gather(batch, near, block, ambient));
         points.addAll(batch);
         batches++;
     }
@@ -212,7 +216,7 @@ public final class Audit {
     }
 
     /** Gathers the light leaving the elements of a block, and the form factors to these elements, at a batch. */
-    private void gather(List<AuditPoint> batch, Block block, UniformRadiosity ambient) {
+    private void gather(List<AuditPoint> batch, List<NearbyPoints.Near> near, Block block, UniformRadiosity ambient) {
         RadiosityNodes nodes = nodes(block.id());
         int corners = 3 * nodes.channels();
         ElementLight all = nodes.light();
@@ -224,6 +228,7 @@ public final class Audit {
         FormFactorCalculator coarse = new RayCaster(mesh.bounds(), 1, TO_POINT * Accuracy.tolerance(asked));
         FormFactorCalculator fine = new RayCaster(mesh.bounds(), 1, TO_VERTEX * Accuracy.tolerance(asked));
         FormFactorCalculator factors = factors();
+        parallel.run(near.size(), i -> near.get(i).point().gather(coarse, light, near.get(i).time()));
         parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
             if (!point.isBuried) {

@@ -180,6 +180,24 @@ final class AuditPlaces {
         return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, isDetailed, burial, bulges);
     }
 
+    /**
+     * Finds the elements of a block on which some places lie, and makes points of them that stand for no area.
+     *
+     * @param at     where the places lie
+     * @param number 1 per place: number from which the point's rays follow
+     * @param to     modified, 1 per place: the point, where the block has its element
+     */
+    void find(Block block, List<NearbyPoints.Place> at, int[] number, AuditPoint[] to) {
+        RadiosityNodes its = nodes.apply(block.id());
+        for (int i = 0; i < to.length; i++) {
+            int node = to[i] == null ? its.element(at.get(i).face(), at.get(i).path()) : -1;
+            if (node >= 0) {
+                to[i] = new AuditPoint(its, node, 0, at.get(i).weights(its.path(node)), number[i], false, burial,
+                        bulges);
+            }
+        }
+    }
+
     /** Returns the three corners of a node, x, y, z each, in coordinates of the scene scaled to size 1. */
     static float[] corners(Faces faces, int face, long path) {
         float[] corner = new float[9];

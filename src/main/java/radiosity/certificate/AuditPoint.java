@@ -21,7 +21,7 @@ import radiosity.util.Hash;
 final class AuditPoint {
 
     /** Number of times that light is gathered anew: the differences estimate the noise of the rays. */
-    private static final int TIMES = 2;
+    static final int TIMES = 2;
 
     final int face;
     /** Path of the element that contains the point, see {@link NodePath}. */
@@ -67,6 +67,8 @@ final class AuditPoint {
      */
     private final GatherSink.Irradiance[] anew = new GatherSink.Irradiance[TIMES];
     private final GatherSink.Irradiance[] anewAtVertex = new GatherSink.Irradiance[TIMES];
+    /** {@link #TIMES}: a point on a surface near by, whose error counts for that time; see {@link NearbyPoints}. */
+    private final AuditPoint[] near = new AuditPoint[TIMES];
     /** Sum of the form factors to all elements; 0 where the point is not detailed. */
     double factors;
     /** Part of the light leaving the point that arrives nowhere, from 0 to 1. */
@@ -129,8 +131,18 @@ final class AuditPoint {
     /** Adds the light of a shooter at the point. */
     void gather(FormFactorCalculator calculator, ShooterHierarchy shooter) {
         for (int i = 0; i < TIMES; i++) {
-            gather(calculator, shooter, place, 0, i, anew[i]);
+            gather(calculator, shooter, i);
         }
+    }
+
+    /** Adds the light of a shooter at the point, for one of {@link #TIMES}. */
+    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, int time) {
+        gather(calculator, shooter, place, 0, time, anew[time]);
+    }
+
+    /** Lets the error of a point near by count among the light that arrives here, for one of {@link #TIMES}. */
+    void setNear(int time, AuditPoint point) {
+        near[time] = point;
     }
 
     /** Adds the light of a shooter at the nearest corner of the element. */
@@ -192,12 +204,23 @@ final class AuditPoint {
 
     /** Error of the solution's radiosity, W/m²; positive: too bright. */
     double error(int colour) {
-        return sum(colour, c -> reflectance[c] * (shown[c] - mean(anew, c)));
+        return sum(colour, c -> reflectance[c] * (shown[c] - (corrected(0, c) + corrected(1, c)) / TIMES));
     }
 
     /** Noise that the rays of the audit leave in {@link #error}, W/m²; the square of it estimates the variance. */
     double noise(int colour) {
-        return sum(colour, c -> reflectance[c] * noise(anew, c));
+        return sum(colour, c -> reflectance[c] * (corrected(0, c) - corrected(1, c)) / TIMES);
+    }
+
+    /** Irradiance gathered anew less what of it is due to errors of surfaces near by, W/m². */
+    private double corrected(int time, int channel) {
+        return anew[time].value[channel] - (near[time] == null ? 0 : near[time].excess(time, channel));
+    }
+
+    /** Error of the radiosity that the solution gives off here, as one of {@link #TIMES} found it, W/m². */
+    private double excess(int time, int channel) {
+        return isBuried ? 0
+                : reflectance[channel] * (interpolated[channel] + bulge[channel] - corrected(time, channel));
     }
 
     /** Error of the radiosity at the nearest corner of the element, W/m²; 0 where that corner is buried. */

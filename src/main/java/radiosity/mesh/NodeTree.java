@@ -173,6 +173,22 @@ final class NodeTree {
         return node;
     }
 
+    /** The element with this face whose path begins the given one, which may be deeper, or -1. */
+    int element(int onFace, long deepPath) {
+        int levels = NodePath.level(deepPath);
+        int level = levels + 1;
+        int node = -1;
+        while (node < 0 && level > 0) {
+            level--;
+            node = rootOf.find(name(onFace, deepPath >> 2 * (levels - level)));
+        }
+        while (node >= 0 && child[node] >= 0 && level < levels) {
+            level++;
+            node = child[node] + NodePath.step(deepPath, level);
+        }
+        return node < 0 || child[node] >= 0 ? -1 : node;
+    }
+
     private static long name(int onFace, long atPath) {
         return Hash.mix(Hash.mix(4, onFace), atPath);
     }

@@ -217,6 +217,11 @@ public final class RadiosityNodes {
         }
     }
 
+    /** The element with this face whose path begins the given one, which may be deeper, or -1. */
+    public int element(int onFace, long deepPath) {
+        return tree.element(onFace, deepPath);
+    }
+
     /** The node with this face and path, or -1. */
     public int find(int onFace, long atPath) {
         return tree.find(onFace, atPath);

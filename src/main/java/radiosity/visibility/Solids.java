@@ -10,14 +10,22 @@ import radiosity.scene.Vec3;
  */
 public final class Solids {
 
-    /** 3 per direction of a ray: the normal, and five directions at 55 degrees to it; z is along the normal. */
+    /**
+     * 3 per direction of a ray: the normal, five directions at 55 degrees to it, and five nearly along the surface,
+     * which look out of a narrow gap below the back of a sheet; z is along the normal.
+     */
     private static final double[] DIRECTIONS = {
         0, 0, 1,
         0.819, 0, 0.574,
         0.253, 0.779, 0.574,
         -0.663, 0.481, 0.574,
         -0.663, -0.481, 0.574,
-        0.253, -0.779, 0.574};
+        0.253, -0.779, 0.574,
+        -1, 0, 0.002,
+        -0.309, -0.951, 0.002,
+        0.809, -0.588, 0.002,
+        0.809, 0.588, 0.002,
+        -0.309, 0.951, 0.002};
     /** Height above the surface at which rays begin, and length of the rays, in units of the scene's size. */
     private static final float LIFT = 1e-5f;
     private static final float FAR = 4;

@@ -68,4 +68,21 @@ class SolidsTest {
             assertFalse(solids.hold(faces.unit(new Vec3(x, .4, 0)), new Vec3(0, 0, 1)), "at " + x);
         }
     }
+
+    /** A panel close below a ceiling, whose back is not modelled: where it is all that the ceiling sees but a slit. */
+    @ParameterizedTest
+    @ValueSource(doubles = {.001, .01, .03})
+    void pointBehindTheBackOfASheet_isNotInside(double gap) {
+        SceneBuilder builder = new SceneBuilder();
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(RoomScenes.grey("wall", 0, .5), Box.UNIT.inside(side));
+        }
+        Vec3[] panel = square(.3, .7, 1 - gap);
+        builder.polygon(RoomScenes.grey("lamp", 1, 0), panel[3], panel[2], panel[1], panel[0]);
+        Faces faces = new Faces(builder.scene("room with a panel"));
+        Solids solids = new Solids(new RadiosityBounds(faces.occluders()), faces.fronts());
+        for (double x = .31; x < .7; x += .03) {
+            assertFalse(solids.hold(faces.unit(new Vec3(x, .45, 1)), new Vec3(0, 0, -1)), "at " + x);
+        }
+    }
 }

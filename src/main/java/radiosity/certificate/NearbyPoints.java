@@ -1,0 +1,200 @@
+package radiosity.certificate;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import radiosity.mesh.Block;
+import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
+import radiosity.mesh.face.Subdivision;
+import radiosity.util.Hash;
+import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
+
+/**
+ * Finds points on surfaces near the points of an audit, whose errors arrive there.
+ *
+ * <p>Where light is gathered anew from a solution, the difference is the residual r, and the error is the sum of r,
+ * K r, K^2 r and so on, with the operator K that reflects light once. Errors of surfaces far away have either sign and
+ * cancel, but for their mean, see {@link AuditBias}. Errors of surfaces that are nearer than an element is large do
+ * not: in the gap between a wall and the back of a cupboard both sides err alike. So the series is followed there, by
+ * random walks as in path tracing: from a point one ray with the distribution of diffuse light; where it meets a surface
+ * nearer than the point's element is large, the residual there counts among the light that arrives at the point.
+ */
+final class NearbyPoints {
+
+    /** Largest number of steps of a walk. */
+    private static final int STEPS = 3;
+    /** Height above the surface at which a ray begins, relative to the scene size. */
+    private static final float LIFT = 1e-5f;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final AuditPlaces places;
+    private final List<Block> blocks;
+    /** 1 per original triangle: one of the faces on it, or -1; 1 per face: another face on its triangle, or -1. */
+    private final int[] first;
+    private final int[] next;
+
+    /**
+     * A place on a face.
+     *
+     * @param face   the face
+     * @param weight 3: weights of the face's corners at the place, at least 0
+     * @param path   path of the smallest possible node around the place, see {@link NodePath}
+     */
+    record Place(int face, double[] weight, long path) {
+
+        static Place of(int face, double[] weight) {
+            double[] left = weight.clone();
+            long path = NodePath.FACE;
+            for (int level = 0; level < NodePath.MAX_LEVEL; level++) {
+                path = NodePath.child(path, Subdivision.enter(left));
+            }
+            return new Place(face, weight, path);
+        }
+
+        /** 3: weights of the corners of a node around the place. */
+        double[] weights(long node) {
+            double[] left = weight.clone();
+            for (int level = 0; level < NodePath.level(node); level++) {
+                Subdivision.enter(left);
+            }
+            return left;
+        }
+    }
+
+    /** A point from which a ray has met a place near by, for one of {@link AuditPoint#TIMES}. */
+    private record Step(AuditPoint from, int time, Place to) { }
+
+    /** A point at which light is to be gathered for one of {@link AuditPoint#TIMES}. */
+    record Near(AuditPoint point, int time) { }
+
+    NearbyPoints(Faces faces, RadiosityBounds bounds, AuditPlaces places, List<Block> blocks) {
+        this.faces = faces;
+        this.bounds = bounds;
+        this.places = places;
+        this.blocks = blocks;
+        first = new int[faces.fronts().length / 3];
+        next = new int[faces.count()];
+        Arrays.fill(first, -1);
+        for (int f = 0; f < next.length; f++) {
+            next[f] = first[faces.triangle(f)];
+            first[faces.triangle(f)] = f;
+        }
+    }
+
+    /** Walks from each of some points, once per time. Returns the points that the walks have met. */
+    List<Near> around(List<AuditPoint> points) {
+        List<Near> all = new ArrayList<>();
+        List<Step> steps = new ArrayList<>();
+        for (AuditPoint point : points) {
+            for (int time = 0; time < AuditPoint.TIMES; time++) {
+                add(point, time, steps);
+            }
+        }
+        for (int n = 0; n < STEPS && !steps.isEmpty(); n++) {
+            List<Near> met = meet(steps);
+            steps = new ArrayList<>();
+            for (Near near : met) {
+                add(near.point, near.time, steps);
+            }
+            all.addAll(met);
+        }
+        return all;
+    }
+
+    private void add(AuditPoint from, int time, List<Step> steps) {
+        Place place = from.isBuried || !from.reflects() ? null : met(from, time);
+        if (place != null) {
+            steps.add(new Step(from, time, place));
+        }
+    }
+
+    private List<Near> meet(List<Step> steps) {
+        AuditPoint[] point = new AuditPoint[steps.size()];
+        int[] number = steps.stream().mapToInt(step -> (int) Hash.mix(step.time, step.from.number)).toArray();
+        List<Place> to = steps.stream().map(Step::to).toList();
+        blocks.forEach(block -> places.find(block, to, number, point));
+        List<Near> met = new ArrayList<>();
+        for (int i = 0; i < point.length; i++) {
+            if (point[i] != null) {
+                steps.get(i).from.setNear(steps.get(i).time, point[i]);
+                met.add(new Near(point[i], steps.get(i).time));
+            }
+        }
+        return met;
+    }
+
+    /** The place that a ray meets nearer than the element of a point is large, or null. */
+    private Place met(AuditPoint from, int time) {
+        float nx = faces.normal(from.face, 0);
+        float ny = faces.normal(from.face, 1);
+        float nz = faces.normal(from.face, 2);
+        long key = Hash.mix(Hash.mix(11 + time, from.face), from.number);
+        double radius = Math.sqrt(Hash.unit(Hash.mix(key, 0)));
+        double angle = 2 * Math.PI * Hash.unit(Hash.mix(key, 1));
+        double p = radius * StrictMath.cos(angle);
+        double q = radius * StrictMath.sin(angle);
+        double up = Math.sqrt(Math.max(0, 1 - p * p - q * q));
+        double[] frame = Solids.frame(nx, ny, nz);
+        float dx = (float) (p * frame[0] + q * frame[3] + up * nx);
+        float dy = (float) (p * frame[1] + q * frame[4] + up * ny);
+        float dz = (float) (p * frame[2] + q * frame[5] + up * nz);
+        float[] x = from.place;
+        float[] hit = new float[3];
+        int t = bounds.nearestFront(x[0] + LIFT * nx, x[1] + LIFT * ny, x[2] + LIFT * nz, dx, dy, dz,
+                (float) Math.sqrt(2 * from.elementArea), true, hit);
+        return t < 0 ? null : place(t, new float[] {dx, dy, dz}, new double[] {x[0] + LIFT * nx + hit[0] * (double) dx,
+            x[1] + LIFT * ny + hit[0] * (double) dy, x[2] + LIFT * nz + hit[0] * (double) dz});
+    }
+
+    /** The place of a point on that face of a triangle which shows its front to a ray, or null. */
+    private Place place(int triangle, float[] d, double[] x) {
+        Place best = null;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int f = first[triangle]; f >= 0; f = next[f]) {
+            if (faces.normal(f, 0) * d[0] + faces.normal(f, 1) * d[1] + faces.normal(f, 2) * d[2] < 0) {
+                double[] weight = weights(f, x);
+                double least = Math.min(weight[0], Math.min(weight[1], weight[2]));
+                if (least > most) {
+                    most = least;
+                    best = Place.of(f, inside(weight));
+                }
+            }
+        }
+        return best;
+    }
+
+    /** 3: weights of a face's corners at a point in its plane; negative where the point lies outside. */
+    private double[] weights(int f, double[] x) {
+        double[] a = new double[3];
+        double[] b = new double[3];
+        double[] c = new double[3];
+        for (int i = 0; i < 3; i++) {
+            a[i] = (double) faces.corner(f, 1, i) - faces.corner(f, 0, i);
+            b[i] = (double) faces.corner(f, 2, i) - faces.corner(f, 0, i);
+            c[i] = x[i] - faces.corner(f, 0, i);
+        }
+        double aa = dot(a, a);
+        double ab = dot(a, b);
+        double bb = dot(b, b);
+        double whole = aa * bb - ab * ab;
+        double p = (bb * dot(a, c) - ab * dot(b, c)) / whole;
+        double q = (aa * dot(b, c) - ab * dot(a, c)) / whole;
+        return new double[] {1 - p - q, p, q};
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+    /** Weights without what is negative by rounding. */
+    private static double[] inside(double[] weight) {
+        double p = Math.max(0, weight[0]);
+        double q = Math.max(0, weight[1]);
+        double r = Math.max(0, weight[2]);
+        double sum = p + q + r;
+        return new double[] {p / sum, q / sum, r / sum};
+    }
+}
