@@ -18,8 +18,9 @@ import radiosity.visibility.Solids;
  * K r, K^2 r and so on, with the operator K that reflects light once. Errors of surfaces far away have either sign and
  * cancel, but for their mean, see {@link AuditBias}. Errors of surfaces that are nearer than an element is large do
  * not: in the gap between a wall and the back of a cupboard both sides err alike. So the series is followed there, by
- * random walks as in path tracing: from a point one ray with the distribution of diffuse light; where it meets a surface
- * nearer than the point's element is large, the residual there counts among the light that arrives at the point.
+ * random walks as in path tracing: from a point one ray with the distribution of diffuse light; where it meets a
+ * surface nearer than the point's element is large, the residual there counts among the light that arrives at the
+ * point.
  */
 final class NearbyPoints {
 
