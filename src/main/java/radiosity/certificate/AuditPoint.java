@@ -219,8 +219,7 @@ final class AuditPoint {
 
     /** Error of the radiosity that the solution gives off here, as one of {@link #TIMES} found it, W/m². */
     private double excess(int time, int channel) {
-        return isBuried ? 0
-                : reflectance[channel] * (interpolated[channel] + bulge[channel] - corrected(time, channel));
+        return reflectance[channel] * (interpolated[channel] + bulge[channel] - corrected(time, channel));
     }
 
     /** Error of the radiosity at the nearest corner of the element, W/m²; 0 where that corner is buried. */

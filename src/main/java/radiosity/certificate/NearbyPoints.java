@@ -85,7 +85,7 @@ final class NearbyPoints {
         }
     }
 
-    /** Walks from each of some points, once per time. Returns the points that the walks have met. */
+    /** Walks from each of some points, once per time. Returns the points at which light is to be gathered for it. */
     List<Near> around(List<AuditPoint> points) {
         List<Near> all = new ArrayList<>();
         List<Step> steps = new ArrayList<>();
@@ -106,10 +106,15 @@ final class NearbyPoints {
     }
 
     private void add(AuditPoint from, int time, List<Step> steps) {
-        Place place = from.isBuried || !from.reflects() ? null : met(from, time);
+        Place place = sends(from) ? met(from, time) : null;
         if (place != null) {
             steps.add(new Step(from, time, place));
         }
+    }
+
+    /** Whether an error of the light that arrives at a point is sent on from there. */
+    private static boolean sends(AuditPoint point) {
+        return !point.isBuried && point.reflects();
     }
 
     private List<Near> meet(List<Step> steps) {
@@ -119,7 +124,7 @@ final class NearbyPoints {
         blocks.forEach(block -> places.find(block, to, number, point));
         List<Near> met = new ArrayList<>();
         for (int i = 0; i < point.length; i++) {
-            if (point[i] != null) {
+            if (point[i] != null && sends(point[i])) {
                 steps.get(i).from.setNear(steps.get(i).time, point[i]);
                 met.add(new Near(point[i], steps.get(i).time));
             }

@@ -160,33 +160,33 @@ final class NodeTree {
 
     /** The node with this face and path, or -1. */
     int find(int onFace, long atPath) {
+        int node = rootAbove(onFace, atPath);
         int levels = NodePath.level(atPath);
-        int up = levels;
-        int node = rootOf.find(name(onFace, atPath));
-        while (node < 0 && up > 0) {
-            up--;
-            node = rootOf.find(name(onFace, atPath >> 2 * (levels - up)));
-        }
-        for (int l = up + 1; l <= levels && node >= 0; l++) {
-            node = child[node] < 0 ? -1 : child[node] + NodePath.step(atPath, l);
+        while (node >= 0 && level[node] < levels) {
+            node = child[node] < 0 ? -1 : child[node] + NodePath.step(atPath, level[node] + 1);
         }
         return node;
     }
 
     /** The element with this face whose path begins the given one, which may be deeper, or -1. */
     int element(int onFace, long deepPath) {
+        int node = rootAbove(onFace, deepPath);
         int levels = NodePath.level(deepPath);
-        int level = levels + 1;
-        int node = -1;
-        while (node < 0 && level > 0) {
-            level--;
-            node = rootOf.find(name(onFace, deepPath >> 2 * (levels - level)));
-        }
-        while (node >= 0 && child[node] >= 0 && level < levels) {
-            level++;
-            node = child[node] + NodePath.step(deepPath, level);
+        while (node >= 0 && child[node] >= 0 && level[node] < levels) {
+            node = child[node] + NodePath.step(deepPath, level[node] + 1);
         }
         return node < 0 || child[node] >= 0 ? -1 : node;
+    }
+
+    /** The root with this face whose path begins the given one, or -1. */
+    private int rootAbove(int onFace, long atPath) {
+        int up = 0;
+        int node = rootOf.find(name(onFace, atPath));
+        while (node < 0 && up < NodePath.level(atPath)) {
+            up++;
+            node = rootOf.find(name(onFace, atPath >> 2 * up));
+        }
+        return node;
     }
 
     private static long name(int onFace, long atPath) {
