@@ -3,7 +3,7 @@ package radiosity.mesh;
 import java.util.BitSet;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
-import radiosity.mesh.face.FlatTriangles;
+import radiosity.mesh.face.FlatTriangle;
 import radiosity.util.DisjointSets;
 import radiosity.visibility.RadiosityBounds;
 
@@ -71,8 +71,11 @@ public final class CoincidentFaces {
             low[i % 3] = (i < 3 ? corners[i] : Math.min(low[i % 3], corners[i])) - HEIGHT;
             high[i % 3] = (i < 3 ? corners[i] : Math.max(high[i % 3], corners[i])) + HEIGHT;
         }
-        return bounds.touches(low, high, t -> isBeside(t, f) && (comesFirst(t, faces.triangle(f)) || rises(t, f))
-                && !FlatTriangles.areApart(bounds.corners(t), corners));
+        FlatTriangle face = new FlatTriangle(corners);
+        int own = faces.triangle(f);
+        return bounds.touches(low, high, (t, all, at) -> region[t] != region[own] && !face.hasBeyondAnEdge(all, at)
+                && isBeside(t, f) && (comesFirst(t, own) || rises(t, f))
+                && !new FlatTriangle(bounds.corners(t)).hasBeyondAnEdge(corners, 0));
     }
 
     /** Whether an original triangle has a corner above a face's plane, or not clearly at the height of the plane. */
@@ -130,7 +133,7 @@ public final class CoincidentFaces {
 
     /** Whether an original triangle looks the same way as a face, and is of another region. */
     private boolean isBeside(int t, int f) {
-        return faceOf[t] >= 0 && looksAlong(t, f) && region[t] != region[faces.triangle(f)];
+        return faceOf[t] >= 0 && region[t] != region[faces.triangle(f)] && looksAlong(t, f);
     }
 
     /** Whether an original triangle's visible side faces as a face does. */

@@ -257,14 +257,20 @@ public final class RadiosityBounds {
         return false;
     }
 
+    /** Which triangles are looked for among those whose boxes meet a box. */
+    @FunctionalInterface
+    public interface Candidate {
+        /** @param corners x, y, z of the triangle's corners, 9 from {@code at}; not to be modified */
+        boolean counts(int triangle, float[] corners, int at);
+    }
+
     /**
      * Whether a triangle that counts may have a point in a box: whether such a triangle's own box meets the box.
      *
-     * @param low    least x, y, z of the box
-     * @param high   largest x, y, z of the box
-     * @param counts which triangles count
+     * @param low  least x, y, z of the box
+     * @param high largest x, y, z of the box
      */
-    public boolean touches(float[] low, float[] high, IntPredicate counts) {
+    public boolean touches(float[] low, float[] high, Candidate candidate) {
         float[] d = data;
         int at = root;
         while (at != BoundsLayout.END) {
@@ -280,7 +286,7 @@ public final class RadiosityBounds {
             int last = BoundsLayout.last(block);
             for (int k = BoundsLayout.first(block); k < last; k += PackedTriangle.SIZE) {
                 int t = PackedTriangle.number(d, k);
-                if (touches(t, low, high) && counts.test(t)) {
+                if (touches(t, low, high) && candidate.counts(t, corners, 9 * t)) {
                     return true;
                 }
             }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class FlatTrianglesTest {
+class FlatTriangleTest {
 
     private static final float[] TRIANGLE = {0, 0, 0, .3f, 0, 0, 0, .3f, 0};
 
@@ -20,7 +20,11 @@ class FlatTrianglesTest {
     void triangles_areApartWhereTheyShareNoArea(String where, boolean areApart, float ax, float ay, float bx, float by,
             float cx, float cy) {
         float[] other = {ax, ay, 0, bx, by, 0, cx, cy, 0};
-        assertEquals(areApart, FlatTriangles.areApart(TRIANGLE, other), where);
-        assertEquals(areApart, FlatTriangles.areApart(other, TRIANGLE), where);
+        assertEquals(areApart, areApart(TRIANGLE, other), where);
+        assertEquals(areApart, areApart(other, TRIANGLE), where);
+    }
+
+    private static boolean areApart(float[] a, float[] b) {
+        return new FlatTriangle(a).hasBeyondAnEdge(b, 0) || new FlatTriangle(b).hasBeyondAnEdge(a, 0);
     }
 }
