@@ -13,7 +13,6 @@ import radiosity.formfactor.PointSequence;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.Block;
-import radiosity.mesh.ElementLight;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
@@ -189,7 +188,9 @@ public final class Audit {
             point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
                     : escape.from(point.place, point.face, point.number);
         });
-        mesh.blocks.forEach(block -> gather(batch, near, block, ambient));
+        for (int cluster = 0; cluster < mesh.clusters.clusters.size(); cluster++) {
+            gather(batch, near, cluster, ambient);
+        }
         points.addAll(batch);
         batches++;
     }
@@ -215,15 +216,19 @@ public final class Audit {
         return new UniformRadiosity(mesh.rooms, channels, sum);
     }
 
-    /** Gathers the light leaving the elements of a block, and the form factors to these elements, at a batch. */
-    private void gather(List<AuditPoint> batch, List<NearbyPoints.Near> near, Block block, UniformRadiosity ambient) {
-        RadiosityNodes nodes = nodes(block.id());
-        int corners = 3 * nodes.channels();
-        ElementLight all = nodes.light();
-        ShooterHierarchy light = Shot.of(nodes, nodes.tops(), 0, all::leaving)
-                .shooter(faces, Weights.of(weight()), ambient);
-        ShooterHierarchy ones = Shot.of(nodes, nodes.tops(), 0,
-                (element, values, at) -> Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0))
+    /** Gathers the light leaving the elements of a cluster, and the form factors to these elements, at a batch. */
+    private void gather(List<AuditPoint> batch, List<NearbyPoints.Near> near, int cluster, UniformRadiosity ambient) {
+        int corners = 3 * faces.channels();
+        List<Shot> leaving = new ArrayList<>();
+        List<Shot> visible = new ArrayList<>();
+        for (Block block : mesh.clusters.blocks(cluster)) {
+            RadiosityNodes nodes = nodes(block.id());
+            leaving.add(Shot.of(nodes, nodes.tops(), 0, nodes.light()::leaving));
+            visible.add(Shot.of(nodes, nodes.tops(), 0, (element, values, at) ->
+                    Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0)));
+        }
+        ShooterHierarchy light = mesh.clusters.join(cluster, leaving).shooter(faces, Weights.of(weight()), ambient);
+        ShooterHierarchy ones = mesh.clusters.join(cluster, visible)
                 .shooter(faces, Weights.of(ones(faces.channels())));
         FormFactorCalculator coarse = new RayCaster(mesh.bounds(), 1, TO_POINT * Accuracy.tolerance(asked));
         FormFactorCalculator fine = new RayCaster(mesh.bounds(), 1, TO_VERTEX * Accuracy.tolerance(asked));

@@ -93,6 +93,19 @@ public final class Clusters {
         return sorted;
     }
 
+    /** The blocks of a cluster. */
+    public List<Block> blocks(int cluster) {
+        return blocks.subList(first[cluster], first[cluster + 1]);
+    }
+
+    /**
+     * @param parts one per block of the cluster, in the order of {@link #blocks}
+     * @return the joined shots of a cluster's blocks
+     */
+    public Shot join(int cluster, List<Shot> parts) {
+        return join(clusters.get(cluster), parts);
+    }
+
     private static Shot join(Block cluster, List<Shot> parts) {
         Queue<PatchTree> trees = new ArrayDeque<>();
         double flux = 0;
