@@ -204,20 +204,19 @@ final class AuditResult {
         double local = mean(some, p -> p.error(colour) / unit(p.radiosity(colour), mean));
         double square = Math.max(0, trimmedMean(some, p -> square(p.error(colour) / unit(p.radiosity(colour), mean)))
                 - noise);
-        double rays = rays(detailed(some), colour, mean);
-        double raysLeft = rays * mean(some, p -> p.spread);
+        double raysLeft = atCorners(detailed(some), colour, mean) * mean(some, p -> p.spread);
         double reflectance = mean(some, p -> p.reflectance(colour));
         double all = local + bias[colour].spread(reflectance) / mean;
         double uncertain = bias[colour].uncertainty(reflectance) / mean;
         sum[0] += Math.max(0, square - local * local) + Math.max(square(all), square(uncertain));
-        sum[1] += rays;
+        sum[1] += raysLeft;
         sum[2] += Math.max(0, square - raysLeft);
         sum[3] += all;
         sum[4] += square(uncertain);
     }
 
     /** Returns the mean square error at the corners of elements, relative to the mean radiosity. */
-    private static double rays(List<AuditPoint> detailed, int colour, double mean) {
+    private static double atCorners(List<AuditPoint> detailed, int colour, double mean) {
         return Math.max(0, trimmedMean(detailed, p -> square(p.errorAtVertex(colour) / unitAtVertex(p, colour, mean)))
                 - mean(detailed, p -> square(p.noiseAtVertex(colour) / unitAtVertex(p, colour, mean))));
     }

@@ -15,8 +15,10 @@ final class AccuracyLoop {
 
     /** Mean square error aimed at, over the mean square error asked for: the estimate is uncertain. */
     private static final double MARGIN = 0.9;
-    /** Least part of the mean square error aimed at that is left to mesh and bias; the rest is left to rays. */
+    /** Part of the mean square error aimed at that is left to mesh and bias where they need it; rays have the rest. */
     private static final double LEAST_FOR_MESH = 0.4;
+    /** Largest variance of a second sample over that of the first: with still fewer rays it takes as long. */
+    private static final double MOST_VARIANCE = 4;
     /** Largest reduction of a mean square error from one estimate to the next, as a factor. */
     private static final double STEP = 0.4;
     /**
@@ -89,12 +91,12 @@ final class AccuracyLoop {
     }
 
     /**
-     * Variance of the second sample over the variance of the first, at most 1, such that their average, weighted by
-     * inverse variance, has the variance of new vertices.
+     * Variance of the second sample over the variance of the first, such that their average, weighted by inverse
+     * variance, has the variance of new vertices; at most {@link #MOST_VARIANCE}.
      */
     private double varianceAnew() {
         double left = StrictMath.pow(tolerance / gathered, 2 / Accuracy.POWER);
-        return left < 1 ? Math.min(1, left / (1 - left)) : 1;
+        return left < 1 ? Math.min(MOST_VARIANCE, left / (1 - left)) : 1;
     }
 
     /** Irradiance that one ray may carry in the second sample, over the mean irradiance. */
@@ -143,7 +145,7 @@ final class AccuracyLoop {
         double wanted = MARGIN * asked * asked;
         double rays = square(certificate.sampling());
         double mesh = Math.max(0, square(certain) - rays);
-        double forRays = Math.min(rays, (1 - LEAST_FOR_MESH) * wanted);
+        double forRays = Math.min(rays, Math.max((1 - LEAST_FOR_MESH) * wanted, wanted - mesh));
         if (mesh > wanted - forRays) {
             double left = isBetter ? mesh * (1 - marked) : mesh;
             meshError *= Math.min(1, Math.max(STEP, (wanted - forRays) / left));

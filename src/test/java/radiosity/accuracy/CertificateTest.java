@@ -164,6 +164,15 @@ class CertificateTest {
         assertTrue(ajar > 2 * shut, ajar + " where light escapes, " + shut + " where none does");
     }
 
+    /** What the noise at vertices comes to at a point between them counts, not all of it. */
+    @Test
+    void raysAndMesh_makeUpTheError() {
+        Certificate noisy = Solve.byDefault().tolerance(0.8).certified(room(0.5), true).certificate();
+        double square = noisy.expected() * noisy.expected() - noisy.bias() * noisy.bias();
+        assertEquals(square, noisy.sampling() * noisy.sampling() + noisy.meshing() * noisy.meshing(), 0.05 * square,
+                noisy.toString());
+    }
+
     /** Few rays and a coarse mesh: each is found to be at fault. */
     @Test
     void sourceOfTheError_isFound() {

@@ -66,7 +66,7 @@ class AccuracyLoopTest {
         AccuracyLoop loop = loop();
         double tolerance = loop.tolerance();
         double meshError = loop.meshError();
-        assertEquals(Refine.RAYS, loop.refine(certificate(.04, .06, .01), 0, 1000));
+        assertEquals(Refine.RAYS, loop.refine(certificate(.04, .039, .01), 0, 1000));
         assertTrue(loop.tolerance() < .7 * tolerance, tolerance + " became " + loop.tolerance());
         assertEquals(meshError, loop.meshError());
     }
@@ -88,6 +88,18 @@ class AccuracyLoopTest {
                 1e-9 * old);
         loop.gatheredAnew();
         assertFalse(loop.lacksRays());
+    }
+
+    /** A mesh that is finer than it need be leaves more to the rays; little more light is then to be gathered. */
+    @Test
+    void rays_mayKeepWhatTheMeshLeaves() {
+        AccuracyLoop loop = loop();
+        double before = loop.tolerance();
+        assertEquals(Refine.RAYS, loop.refine(certificate(.0205, .02, .0045), 0, 1000));
+        double mesh = .0205 * .0205 - .02 * .02;
+        assertEquals((.9 * .02 * .02 - mesh) / (.02 * .02), variance(loop.tolerance()) / variance(before), 1e-9);
+        assertTrue(variance(loop.toleranceAnew()) > 3 * variance(before), "fewer rays than the first sample had");
+        assertTrue(loop.weightAnew() < .25, "weight " + loop.weightAnew());
     }
 
     private static double variance(double tolerance) {
