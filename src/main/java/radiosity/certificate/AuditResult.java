@@ -126,32 +126,48 @@ final class AuditResult {
     }
 
     /**
-     * Mean over the area except the share {@link #TAIL} of it where a value is largest. Errors have a heavy tail: a gap
-     * of millimetres beside a lamp may err by ten times the mean of the scene. A point that falls there by chance would
-     * be half of the mean square, and no affordable number of points tells how much area of this kind there is (R. R.
-     * Wilcox, Introduction to Robust Estimation and Hypothesis Testing, 2012, on trimmed means).
+     * Mean square of an error, less the square of the noise of the audit's rays: the mean product of two independent
+     * estimates of the error. The share {@link #TAIL} of the area where that product is largest by absolute value is
+     * left out. Errors have a heavy tail: a gap of millimetres beside a lamp may err by ten times the mean of the
+     * scene. A point that falls there by chance would be half of the mean square, and no affordable number of points
+     * tells how much area of this kind there is (R. R. Wilcox, Introduction to Robust Estimation and Hypothesis
+     * Testing, 2012, on trimmed means). Noise has such a tail, too: one estimate of a point may hold the error of a
+     * bright place near by, and the other not. Their product is far below 0 then.
      */
-    private static double trimmedMean(List<AuditPoint> some, ToDoubleFunction<AuditPoint> value) {
-        Trimmed left = Trimmed.of(some, some.stream().mapToDouble(value).toArray());
-        return left.whole == 0 ? 0 : left.sum / left.whole;
+    private static double meanSquare(List<AuditPoint> some, ToDoubleFunction<AuditPoint> error,
+                                     ToDoubleFunction<AuditPoint> noise) {
+        return Math.max(0, Trimmed.of(some, some.stream()
+                .mapToDouble(p -> square(error.applyAsDouble(p)) - square(noise.applyAsDouble(p))).toArray()).mean());
     }
 
     /**
-     * Areas that points represent, less the share {@link #TAIL} of their sum that has the largest values.
+     * Areas that points represent, less the share {@link #TAIL} of their sum that has the largest absolute values.
      *
      * @param whole sum of the areas left
      * @param sum   sum of these areas times the values
      */
-    private record Trimmed(double[] area, double whole, double sum) {
+    record Trimmed(double[] area, double whole, double sum) {
 
-        /** @param values 1 per point, not modified */
-        static Trimmed of(List<AuditPoint> some, double[] values) {
-            double[] area = trimmed(values, some.stream().mapToDouble(p -> p.area).toArray());
+        private static Trimmed of(List<AuditPoint> some, double[] values) {
+            return of(some.stream().mapToDouble(p -> p.area).toArray(), values);
+        }
+
+        /**
+         * @param areas  1 per point, not modified
+         * @param values 1 per point, of either sign; not modified
+         */
+        static Trimmed of(double[] areas, double[] values) {
+            double[] area = trimmed(Arrays.stream(values).map(Math::abs).toArray(), areas);
             double sum = 0;
             for (int i = 0; i < area.length; i++) {
                 sum += area[i] * values[i];
             }
             return new Trimmed(area, Arrays.stream(area).sum(), sum);
+        }
+
+        /** Mean of the values over the areas left; 0 where no area is left. */
+        double mean() {
+            return whole == 0 ? 0 : sum / whole;
         }
     }
 
@@ -200,10 +216,9 @@ final class AuditResult {
      * @param sum modified: 5, in the order of {@link Errors}
      */
     private void add(List<AuditPoint> some, int colour, double mean, double[] sum) {
-        double noise = mean(some, p -> square(p.noise(colour) / unit(p.radiosity(colour), mean)));
         double local = mean(some, p -> p.error(colour) / unit(p.radiosity(colour), mean));
-        double square = Math.max(0, trimmedMean(some, p -> square(p.error(colour) / unit(p.radiosity(colour), mean)))
-                - noise);
+        double square = meanSquare(some, p -> p.error(colour) / unit(p.radiosity(colour), mean),
+                p -> p.noise(colour) / unit(p.radiosity(colour), mean));
         double raysLeft = atCorners(detailed(some), colour, mean) * mean(some, p -> p.spread);
         double reflectance = mean(some, p -> p.reflectance(colour));
         double all = local + bias[colour].spread(reflectance) / mean;
@@ -217,8 +232,8 @@ final class AuditResult {
 
     /** Returns the mean square error at the corners of elements, relative to the mean radiosity. */
     private static double atCorners(List<AuditPoint> detailed, int colour, double mean) {
-        return Math.max(0, trimmedMean(detailed, p -> square(p.errorAtVertex(colour) / unitAtVertex(p, colour, mean)))
-                - mean(detailed, p -> square(p.noiseAtVertex(colour) / unitAtVertex(p, colour, mean))));
+        return meanSquare(detailed, p -> p.errorAtVertex(colour) / unitAtVertex(p, colour, mean),
+                p -> p.noiseAtVertex(colour) / unitAtVertex(p, colour, mean));
     }
 
     private static double unitAtVertex(AuditPoint point, int colour, double mean) {
@@ -230,7 +245,10 @@ final class AuditResult {
         return Math.max(mean, radiosity / Accuracy.BRIGHT);
     }
 
-    /** Standard error of the mean square error, relative to the mean square error; 0 where no point errs. */
+    /**
+     * Standard error of the mean square error, relative to the mean square error; 0 where no point errs, infinite where
+     * all of the error may be noise.
+     */
     double uncertainty() {
         List<AuditPoint> some = reflecting();
         double[] error = squares(some);
@@ -239,7 +257,7 @@ final class AuditResult {
         for (int i = 0; i < error.length; i++) {
             deviation += square(left.area[i] * error[i] - left.area[i] / left.whole * left.sum);
         }
-        return left.sum > 0 ? Math.sqrt(deviation) / left.sum : 0;
+        return deviation == 0 ? 0 : left.sum > 0 ? Math.sqrt(deviation) / left.sum : Double.POSITIVE_INFINITY;
     }
 
     /** @param meshError largest error times square root of the share of area that an element may have, above 0 */
@@ -256,7 +274,7 @@ final class AuditResult {
                 sum += left.area[i] * square[i];
             }
         }
-        return new Marked(List.copyOf(marks), left.sum > 0 ? sum / left.sum : 0);
+        return new Marked(List.copyOf(marks), left.sum > 0 ? Math.min(1, Math.max(0, sum / left.sum)) : 0);
     }
 
     /** How often an element is divided until an error times the root of its area has fallen by a factor above 1. */
@@ -281,13 +299,17 @@ final class AuditResult {
         return largest;
     }
 
-    /** Square error of each point, relative to the mean radiosity, summed over the colours that have light. */
+    /**
+     * Square error of each point less the square of its noise, relative to the mean radiosity, summed over the colours
+     * that have light.
+     */
     private double[] squares(List<AuditPoint> some) {
         double[] square = new double[some.size()];
         for (int c = 0; c < faces.colours(); c++) {
             for (int i = 0; i < square.length && means[c] > 0; i++) {
                 AuditPoint point = some.get(i);
-                square[i] += square(point.error(c) / unit(point.radiosity(c), means[c]));
+                double unit = unit(point.radiosity(c), means[c]);
+                square[i] += square(point.error(c) / unit) - square(point.noise(c) / unit);
             }
         }
         return square;

@@ -28,4 +28,17 @@ class AuditResultTest {
         assertEquals(.9, left[17], 1e-12);
         assertEquals(199.9, Arrays.stream(left).sum(), 1e-9);
     }
+
+    /** A point of which one of two estimates holds the error of a bright place near by, and the other does not. */
+    @Test
+    void oneNoisyPoint_doesNotOutweighTheErrorsOfAllOthers() {
+        double[] areas = new double[3000];
+        Arrays.fill(areas, 1);
+        double[] products = new double[3000];
+        Arrays.fill(products, .0013);
+        products[1234] = -13;
+        assertEquals(.0013, AuditResult.Trimmed.of(areas, products).mean(), 1e-12);
+        products[1234] = 13;
+        assertEquals(.0013, AuditResult.Trimmed.of(areas, products).mean(), 1e-12);
+    }
 }
