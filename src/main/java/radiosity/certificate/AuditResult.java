@@ -251,7 +251,7 @@ final class AuditResult {
      */
     double uncertainty() {
         List<AuditPoint> some = reflecting();
-        double[] error = squares(some);
+        double[] error = squares(some, 1);
         Trimmed left = Trimmed.of(some, error);
         double deviation = 0;
         for (int i = 0; i < error.length; i++) {
@@ -260,11 +260,17 @@ final class AuditResult {
         return deviation == 0 ? 0 : left.sum > 0 ? Math.sqrt(deviation) / left.sum : Double.POSITIVE_INFINITY;
     }
 
-    /** @param meshError largest error times square root of the share of area that an element may have, above 0 */
+    /**
+     * The elements to be divided, and their share of the mean square. That has the noise of all points in it, which
+     * makes the share smaller than it is: elements are marked where errors are clearly more than noise, so without the
+     * noise the share would be chosen by its own result, near 1 always.
+     *
+     * @param meshError largest error times square root of the share of area that an element may have, above 0
+     */
     Marked marked(double meshError) {
         List<AuditPoint> some = reflecting();
         Set<Mark> marks = new LinkedHashSet<>();
-        double[] square = squares(some);
+        double[] square = squares(some, 0);
         Trimmed left = Trimmed.of(some, square);
         double sum = 0;
         for (int i = 0; i < square.length; i++) {
@@ -274,7 +280,7 @@ final class AuditResult {
                 sum += left.area[i] * square[i];
             }
         }
-        return new Marked(List.copyOf(marks), left.sum > 0 ? Math.min(1, Math.max(0, sum / left.sum)) : 0);
+        return new Marked(List.copyOf(marks), left.sum > 0 ? sum / left.sum : 0);
     }
 
     /** How often an element is divided until an error times the root of its area has fallen by a factor above 1. */
@@ -300,16 +306,18 @@ final class AuditResult {
     }
 
     /**
-     * Square error of each point less the square of its noise, relative to the mean radiosity, summed over the colours
-     * that have light.
+     * Square error of each point less some of the square of its noise, relative to the mean radiosity, summed over the
+     * colours that have light.
+     *
+     * @param less 1 for the unbiased square of the error, of either sign; 0 for that of error and noise together
      */
-    private double[] squares(List<AuditPoint> some) {
+    private double[] squares(List<AuditPoint> some, double less) {
         double[] square = new double[some.size()];
         for (int c = 0; c < faces.colours(); c++) {
             for (int i = 0; i < square.length && means[c] > 0; i++) {
                 AuditPoint point = some.get(i);
                 double unit = unit(point.radiosity(c), means[c]);
-                square[i] += square(point.error(c) / unit) - square(point.noise(c) / unit);
+                square[i] += square(point.error(c) / unit) - less * square(point.noise(c) / unit);
             }
         }
         return square;
