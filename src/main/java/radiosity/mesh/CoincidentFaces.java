@@ -73,8 +73,8 @@ public final class CoincidentFaces {
         }
         FlatTriangle face = new FlatTriangle(corners);
         int own = faces.triangle(f);
-        return bounds.touches(low, high, (t, all, at) -> region[t] != region[own] && !face.hasBeyondAnEdge(all, at)
-                && isBeside(t, f) && (comesFirst(t, own) || rises(t, f))
+        return bounds.touches(low, high, (t, all, at) -> isBeside(t, f) && !face.hasBeyondAnEdge(all, at)
+                && (comesFirst(t, own) || rises(t, f))
                 && !new FlatTriangle(bounds.corners(t)).hasBeyondAnEdge(corners, 0));
     }
 
