@@ -17,7 +17,6 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.registry.Registry;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Tag;
@@ -94,12 +93,12 @@ class RegistryTest {
             Registry registry = LocateRegistry.getRegistry("localhost", port);
             registry.unbind(NAME);
             awaitName(registry);
-            assertEquals(List.of("the registry had lost the name Partition, which is bound again"), log);
+            awaitLine(log, 1, "the registry had lost the name Partition, which is bound again");
             rmiregistry.destroyForcibly().waitFor();
-            awaitLine(log, "the registry does not answer: masters cannot find this PartitionServer");
+            awaitLine(log, 2, "the registry does not answer: masters cannot find this PartitionServer");
             rmiregistry = rmiregistry(port);
             awaitName(registry);
-            assertEquals(3, log.size(), log::toString);
+            awaitLine(log, 3, "the registry had lost the name Partition, which is bound again");
         } finally {
             rmiregistry.destroyForcibly().waitFor();
         }
@@ -135,9 +134,12 @@ class RegistryTest {
         }
     }
 
-    private static void awaitLine(List<String> log, String line) throws InterruptedException {
-        while (!new ArrayList<>(log).contains(line)) {
+    /** A name is bound before the line that says so is written. */
+    private static void awaitLine(List<String> log, int lines, String last) throws InterruptedException {
+        while (log.size() < lines) {
             Thread.sleep(50);
         }
+        assertEquals(lines, log.size(), log::toString);
+        assertEquals(last, log.get(lines - 1));
     }
 }
