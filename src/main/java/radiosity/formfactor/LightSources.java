@@ -30,8 +30,6 @@ public final class LightSources {
     private static final int MOST_POINTS = 16;
     /** Approximate number of points at which the flux of lights is measured, on all faces together. */
     private static final int FLUX_POINTS = 1 << 16;
-    /** Length of rays towards the sun and skies, in units of the scene's size: the rays end outside the scene. */
-    private static final double FAR = 4;
 
     private final Faces faces;
     private final RadiosityBounds bounds;
@@ -146,15 +144,17 @@ public final class LightSources {
             case POINT, SPOT -> light.luminaire().isPresent() ? luminaire(light, light.luminaire().get(), x, n)
                     : point(light, x, n);
             case AREA -> area(light, x, n);
-            case SKY_UNIFORM, SKY_OVERCAST, SKY_CLEAR -> skies.computeIfAbsent(light, Sky::new)
-                    .irradiance(n, d -> sees(x, x.plus(d.times(FAR))));
+            case SKY_UNIFORM, SKY_OVERCAST, SKY_CLEAR -> {
+                RadiosityBounds.Blocker last = new RadiosityBounds.Blocker();
+                yield skies.computeIfAbsent(light, Sky::new).irradiance(n, d -> bounds.isFree(x, d, last));
+            }
         };
     }
 
     private double distant(Light light, Vec3 x, Vec3 n) {
         Vec3 towards = light.direction().times(-1);
         double cos = towards.dot(n);
-        return cos > 0 && sees(x, x.plus(towards.times(FAR))) ? cos : 0;
+        return cos > 0 && bounds.isFree(x, towards, new RadiosityBounds.Blocker()) ? cos : 0;
     }
 
     private double point(Light light, Vec3 x, Vec3 n) {

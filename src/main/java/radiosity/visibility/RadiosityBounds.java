@@ -20,7 +20,7 @@ public final class RadiosityBounds {
      * by comparing the bits of floats as integers, which have the order of the floats from 0 on, while the bits of
      * negative floats are below 0.
      *
-     * The box test is written out in the loop of `blocked`, which makes the method too large for the JVM to inline. If
+     * The box test is written out in the loop of `blocker`, which makes the method too large for the JVM to inline. If
      * the JVM inlined the method into a caller, the values of the loop would be in memory instead of registers, and all
      * rays would take 1.3 to 1.5 times as long. CompiledRaysTest checks that.
      */
@@ -28,6 +28,8 @@ public final class RadiosityBounds {
     /** Parts of a segment left out at each end: in units of the scene's size, and of the segment's length. */
     static final float END_ABSOLUTE = 4e-6f;
     static final float END_RELATIVE = 1e-5f;
+    /** Distance beyond all triangles at which a ray out of the scene ends, in units of the scene's size. */
+    private static final double BEYOND = 0.01;
     /** Margin of a box around its content, in units of the scene's size. */
     private static final float PAD = 2e-6f;
     /** Upper bound of the shift of a point by rounding, relative to the sum of coordinates in the computation. */
@@ -44,9 +46,20 @@ public final class RadiosityBounds {
      */
     static final double THIN = 1e-5;
 
+    /**
+     * A triangle that stood in the way of a ray: rays from one point are often stopped by the same one (E. Haines,
+     * D. Greenberg, The light buffer: a shadow-testing accelerator, 1986). Not for two threads at once.
+     */
+    public static final class Blocker {
+
+        private int place = -1;
+    }
+
     private final float[] corners;
     private final float[] data;
     private final int root;
+    /** Half the side of a cube around the origin; outside of it is no triangle. */
+    private final double cube;
 
     /** @param corners x, y, z of three corners, 9 per triangle; kept, so the caller must not modify the array */
     public RadiosityBounds(float[] corners) {
@@ -59,11 +72,14 @@ public final class RadiosityBounds {
         int n = corners.length / 9;
         float[] low = new float[3 * n];
         float[] high = new float[3 * n];
+        float farthest = 0;
         for (int i = 0; i < 3 * n; i++) {
             int k = 9 * (i / 3) + i % 3;
             low[i] = Math.min(corners[k], Math.min(corners[k + 3], corners[k + 6])) - PAD;
             high[i] = Math.max(corners[k], Math.max(corners[k + 3], corners[k + 6])) + PAD;
+            farthest = Math.max(farthest, Math.max(-low[i], high[i]));
         }
+        cube = farthest + BEYOND;
         BoundsTree tree = Reinsertion.improve(new BoundsBuilder(low, high).tree);
         data = new BoundsLayout(tree, corners, sparing).data;
         root = n == 0 ? BoundsLayout.END : BoundsLayout.ROOT;
@@ -85,8 +101,57 @@ public final class RadiosityBounds {
                 (float) to.z());
     }
 
+    /**
+     * Whether no triangle stands in the way of a ray out of the scene. The ray ends where it leaves the cube around the
+     * scene: the longer a segment, the farther from its beginning is a triangle that counts.
+     *
+     * @param direction length 1
+     * @param last      what stood in the way of an earlier ray is tried first; modified where this ray is stopped
+     */
+    public boolean isFree(Vec3 from, Vec3 direction, Blocker last) {
+        double way = Math.max(0, Math.min(outside(from.x(), direction.x()),
+                Math.min(outside(from.y(), direction.y()), outside(from.z(), direction.z()))));
+        float ox = (float) from.x();
+        float oy = (float) from.y();
+        float oz = (float) from.z();
+        float tx = (float) (from.x() + way * direction.x());
+        float ty = (float) (from.y() + way * direction.y());
+        float tz = (float) (from.z() + way * direction.z());
+        if (last.place >= 0 && isBlocker(last.place, ox, oy, oz, tx, ty, tz)) {
+            return false;
+        }
+        int found = blocker(ox, oy, oz, tx, ty, tz);
+        last.place = found >= 0 ? found : last.place;
+        return found < 0;
+    }
+
+    /** Whether the triangle at a place stands between the points o and t, as {@link #blocker} finds it. */
+    private boolean isBlocker(int k, float ox, float oy, float oz, float tx, float ty, float tz) {
+        float hx = 0.5f * (tx - ox);
+        float hy = 0.5f * (ty - oy);
+        float hz = 0.5f * (tz - oz);
+        float mx = ox + hx;
+        float my = oy + hy;
+        float mz = oz + hz;
+        float half = Math.abs(hx) + Math.abs(hy) + Math.abs(hz);
+        float slack = ROUNDING * (1 + Math.abs(mx) + Math.abs(my) + Math.abs(mz) + half);
+        float clear = slack + END_ABSOLUTE + END_RELATIVE * 2 * half;
+        int meets = PackedTriangle.meets(data, k, mx, my, mz, hx, hy, hz, slack, clear);
+        return meets > 0 || meets == 0 && isBetween(k, ox, oy, oz, tx, ty, tz);
+    }
+
+    /** Distance to a side of the cube in which one coordinate of a ray grows by {@code step} over a distance of 1. */
+    private double outside(double from, double step) {
+        return step == 0 ? Double.POSITIVE_INFINITY : (step > 0 ? cube - from : -cube - from) / step;
+    }
+
     /** Whether a triangle stands between the points o and t; a triangle that touches an end does not count. */
     public boolean blocked(float ox, float oy, float oz, float tx, float ty, float tz) {
+        return blocker(ox, oy, oz, tx, ty, tz) >= 0;
+    }
+
+    /** Where in {@code data} a triangle is that stands between the points o and t; below 0 where none does. */
+    private int blocker(float ox, float oy, float oz, float tx, float ty, float tz) {
         float hx = 0.5f * (tx - ox);
         float hy = 0.5f * (ty - oy);
         float hz = 0.5f * (tz - oz);
@@ -120,12 +185,12 @@ public final class RadiosityBounds {
             for (; k < last; k += PackedTriangle.SIZE) {
                 int meets = PackedTriangle.meets(d, k, mx, my, mz, hx, hy, hz, slack, clear);
                 if (meets > 0 || meets == 0 && isBetween(k, ox, oy, oz, tx, ty, tz)) {
-                    return true;
+                    return k;
                 }
             }
             at = block < 0 ? last : bits(d[at + BoundsLayout.NEXT]);
         }
-        return false;
+        return -1;
     }
 
     /** Whether the triangle at a place stands between two points, computed in double. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.accuracy.CieCase.Measured;
@@ -160,15 +159,9 @@ class CieSkyTest {
     @ParameterizedTest
     @MethodSource("cases")
     void everyPoint_isWithinTwoPerCentOfTheLargest(CieCase test) {
-        // below the slab the accuracy of the lit wall outside is minutes of work, and the room's own comes long before it
-        Solve solve = test.name().startsWith("5.13") ? Solve.byDefault().accurate(0.05) : Solve.byDefault();
+        // what is asked is part of the mean of the scene, which the wall outside has three times as much of as the room
+        Solve solve = test.name().startsWith("5.14") ? Solve.byDefault().accurate(0.01) : Solve.byDefault();
         CiePhotometryTest.check(test, solve, 0.02);
-    }
-
-    @Tag("thorough")
-    @Test
-    void everyPointBelowTheSlab_isWithinTwoPerCentByDefault() {
-        CiePhotometryTest.check(belowSlab(Light.Kind.SKY_OVERCAST), Solve.byDefault(), 0.02);
     }
 
     /** For hours. */

@@ -11,7 +11,6 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
-import radiosity.settings.Accuracy;
 import radiosity.testkit.Box;
 import radiosity.testkit.RoomScenes;
 import radiosity.testkit.Solve;
@@ -93,7 +92,7 @@ class HiddenSpotsTest {
 
     @Test
     void spots_areFound() {
-        double error = Solve.byDefault().certified(room(), true).certificate().expected();
-        assertTrue(error <= Accuracy.DEFAULT, "expected error of " + error);
+        double error = Solve.byDefault().accurate(.05).certified(room(), true).certificate().expected();
+        assertTrue(error <= .05, "expected error of " + error);
     }
 }

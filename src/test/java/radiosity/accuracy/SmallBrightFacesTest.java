@@ -38,7 +38,7 @@ class SmallBrightFacesTest {
             builder.polygon(wall, room.inside(side));
         }
         Surface tube = new Surface("tube", Rgb.BLACK, Rgb.grey(.82), true);
-        Surface lamp = new Surface("lamp", Rgb.grey(4000), Rgb.grey(.5), true);
+        Surface lamp = RoomScenes.grey("lamp", 4000, .5);
         for (int i = 0; i < FACETS; i++) {
             builder.polygon(tube, at(i, TOP), at(i, RIM), at(i + 1, RIM), at(i + 1, TOP));
             builder.polygon(lamp, new Vec3(1.5, height, 1.5), at(i, part, height), at(i + 1, part, height));

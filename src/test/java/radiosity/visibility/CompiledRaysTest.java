@@ -21,7 +21,7 @@ class CompiledRaysTest {
 
     @Test
     void raysOwnLoop_isNeverPutIntoACaller() {
-        int bytes = bytes(RadiosityBounds.class, "blocked(float");
+        int bytes = bytes(RadiosityBounds.class, "blocker(float");
         assertTrue(bytes > MOST, "" + bytes);
     }
 

@@ -1,6 +1,7 @@
 package radiosity.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
@@ -8,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import radiosity.scene.Vec3;
 
 /** The hierarchy against a test of every triangle in double precision, and rays aimed at where triangles meet. */
 class RadiosityBoundsTest {
@@ -157,5 +159,33 @@ class RadiosityBoundsTest {
         assertEquals(false, bounds.blocked(0, 1, 0, 0, 0, 0));
         assertEquals(false, bounds.blocked(0, 0, 0, 0.3f, 1, 0.2f));
         assertEquals(true, bounds.blocked(0, 1, 0, 0, -1, 0));
+    }
+
+    /** Floors end at walls, and a receiving point of a small element lies as near as this to a wall before the sky. */
+    @Test
+    void pointBesideAWall_doesNotSeeTheSkyBehindIt() {
+        RadiosityBounds wall = new RadiosityBounds(new float[] {.5f, -.5f, -.5f, .5f, .5f, -.5f, .5f, 0, .5f});
+        Vec3 beside = new Vec3(.5 - 1e-5, 0, 0);
+        for (Vec3 way : new Vec3[] {new Vec3(1, 0, 0), new Vec3(1, 1, -.5).unit(), new Vec3(1, -3, 1).unit()}) {
+            assertFalse(wall.isFree(beside, way, new RadiosityBounds.Blocker()), "" + way);
+            assertTrue(wall.isFree(beside, way.times(-1), new RadiosityBounds.Blocker()), "" + way);
+        }
+    }
+
+    @Test
+    void raysOutOfTheScene_areStoppedByWhatStopsSegments_whateverStoppedTheRayBefore() {
+        Random random = new Random(3);
+        RadiosityBounds bounds = new RadiosityBounds(strewn(600, random));
+        RadiosityBounds.Blocker last = new RadiosityBounds.Blocker();
+        int free = 0;
+        for (int i = 0; i < 20_000; i++) {
+            Vec3 from = new Vec3(random.nextFloat() - .5, random.nextFloat() - .5, random.nextFloat() - .5);
+            Vec3 way = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            boolean isFree = bounds.isFree(from, way, last);
+            assertEquals(bounds.isFree(from, way, new RadiosityBounds.Blocker()), isFree);
+            assertEquals(!bounds.blocked(from, from.plus(way.times(4))), isFree, from + " " + way);
+            free += isFree ? 1 : 0;
+        }
+        assertTrue(free > 2_000 && free < 18_000, free + " are free");
     }
 }
