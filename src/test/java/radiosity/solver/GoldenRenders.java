@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -54,22 +55,24 @@ final class GoldenRenders {
 
     private GoldenRenders() { }
 
-    /** Prints what {@link #lines} gives for one thread and one part. Its argument is a folder that exists. */
+    /** Prints what {@link #lines} gives for one thread and one part. Arguments: a folder that exists; renders. */
     public static void main(String[] arguments) throws IOException {
-        lines(Path.of(arguments[0]), 1, 1).forEach(System.out::println);
+        List<Render> renders = Arrays.stream(arguments).skip(1).map(Render::valueOf).toList();
+        lines(Path.of(arguments[0]), renders, 1, 1).forEach(System.out::println);
     }
 
     /**
      * A line for each render and each kind of light: both names, and the hash of the light at all vertices.
      *
      * @param folder  where scenes and scene files are written
+     * @param renders which to make
      * @param threads at least 1
      * @param parts   at least 1: partitions that the elements are dealt to
      */
-    static List<String> lines(Path folder, int threads, int parts) throws IOException {
+    static List<String> lines(Path folder, List<Render> renders, int threads, int parts) throws IOException {
         GoldenScenes.write(folder);
         List<String> lines = new ArrayList<>();
-        for (Render render : Render.values()) {
+        for (Render render : renders) {
             Path output = folder.resolve(render.name() + ".scene");
             Solution solution = solve(render, scene(folder.resolve(render.file)), threads, parts);
             SceneFile.write(output, solution, Map.of(), Optional.empty(), ToneMapping.automatic(solution));

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -45,13 +46,16 @@ class GoldenTest {
             "elsewhere", List.of("-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Pacific/Apia",
                     "-Dfile.encoding=ISO-8859-1"));
 
+    /** One of each schedule: an interpreter takes a minute for all. */
+    private static final List<String> INTERPRETED = List.of("PAPER", "WHOLE");
+
     @TempDir
     Path folder;
 
     @ParameterizedTest(name = "{0} threads, {1} partitions")
     @CsvSource({"1, 1", "2, 1", "1, 3", "2, 7"})
     void renders_haveTheHashesOfTheRepository(int threads, int parts) throws IOException {
-        List<String> lines = GoldenRenders.lines(folder, threads, parts);
+        List<String> lines = GoldenRenders.lines(folder, List.of(GoldenRenders.Render.values()), threads, parts);
         if (RENEW && threads == 1 && parts == 1) {
             Files.createDirectories(HASHES.getParent());
             Files.write(HASHES, lines);
@@ -79,10 +83,14 @@ class GoldenTest {
         command.addAll(List.of("-cp",
                 System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
                 GoldenRenders.class.getName(), folder.toString()));
+        List<String> renders = Arrays.stream(GoldenRenders.Render.values()).map(Enum::name)
+                .filter(render -> !name.equals("interpreter") || INTERPRETED.contains(render)).toList();
+        command.addAll(renders);
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);
-        assertEquals(hashes(), said.lines().toList(), "JDK " + version + " of " + home);
+        assertEquals(hashes().stream().filter(line -> renders.contains(line.split(" ")[0])).toList(),
+                said.lines().toList(), "JDK " + version + " of " + home);
     }
 
     @Test
