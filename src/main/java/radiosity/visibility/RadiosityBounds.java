@@ -117,27 +117,12 @@ public final class RadiosityBounds {
         float tx = (float) (from.x() + way * direction.x());
         float ty = (float) (from.y() + way * direction.y());
         float tz = (float) (from.z() + way * direction.z());
-        if (last.place >= 0 && isBlocker(last.place, ox, oy, oz, tx, ty, tz)) {
+        if (last.place >= 0 && isBetween(last.place, ox, oy, oz, tx, ty, tz)) {
             return false;
         }
         int found = blocker(ox, oy, oz, tx, ty, tz);
         last.place = found >= 0 ? found : last.place;
         return found < 0;
-    }
-
-    /** Whether the triangle at a place stands between the points o and t, as {@link #blocker} finds it. */
-    private boolean isBlocker(int k, float ox, float oy, float oz, float tx, float ty, float tz) {
-        float hx = 0.5f * (tx - ox);
-        float hy = 0.5f * (ty - oy);
-        float hz = 0.5f * (tz - oz);
-        float mx = ox + hx;
-        float my = oy + hy;
-        float mz = oz + hz;
-        float half = Math.abs(hx) + Math.abs(hy) + Math.abs(hz);
-        float slack = ROUNDING * (1 + Math.abs(mx) + Math.abs(my) + Math.abs(mz) + half);
-        float clear = slack + END_ABSOLUTE + END_RELATIVE * 2 * half;
-        int meets = PackedTriangle.meets(data, k, mx, my, mz, hx, hy, hz, slack, clear);
-        return meets > 0 || meets == 0 && isBetween(k, ox, oy, oz, tx, ty, tz);
     }
 
     /** Distance to a side of the cube in which one coordinate of a ray grows by {@code step} over a distance of 1. */

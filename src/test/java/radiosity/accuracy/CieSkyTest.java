@@ -159,9 +159,12 @@ class CieSkyTest {
     @ParameterizedTest
     @MethodSource("cases")
     void everyPoint_isWithinTwoPerCentOfTheLargest(CieCase test) {
-        // what is asked is part of the mean of the scene, which the wall outside has three times as much of as the room
-        Solve solve = test.name().startsWith("5.14") ? Solve.byDefault().accurate(0.01) : Solve.byDefault();
-        CiePhotometryTest.check(test, solve, 0.02);
+        CiePhotometryTest.check(test, accurate(test, 0.02), 0.02);
+    }
+
+    /** Half the error in 5.14: it is a part of the mean of the scene, and the wall outside is much brighter than the room. */
+    private static Solve accurate(CieCase test, double error) {
+        return Solve.byDefault().accurate(test.name().startsWith("5.14") ? error / 2 : error);
     }
 
     /** For hours. */
@@ -169,6 +172,6 @@ class CieSkyTest {
     @ParameterizedTest
     @MethodSource("cases")
     void everyPoint_isWithinHalfAPerCentWhereAFifthIsAsked(CieCase test) {
-        CiePhotometryTest.check(test, Solve.byDefault().accurate(0.002), 0.005);
+        CiePhotometryTest.check(test, accurate(test, 0.002), 0.005);
     }
 }
