@@ -83,13 +83,17 @@ public final class LightSources {
     public double[] sky(Vec3 d) {
         double[] sum = new double[faces.channels()];
         for (int i = 0; i < lights.size(); i++) {
-            double share = !lights.get(i).kind().isSky() ? 0
-                    : skies.computeIfAbsent(lights.get(i), Sky::new).towards(d);
+            double share = !lights.get(i).kind().isSky() ? 0 : luminance(lights.get(i), d);
             for (int c = 0; c < sum.length; c++) {
                 sum[c] += share * faces.power(i, c);
             }
         }
         return sum;
+    }
+
+    /** Luminance of a sky in unit direction d; if it were the same everywhere, the irradiance of a level place. */
+    double luminance(Light sky, Vec3 d) {
+        return skies.computeIfAbsent(sky, Sky::new).towards(d);
     }
 
     private void add(Vec3 x, Vec3 n, double[] to, int first, Predicate<Light.Kind> which) {

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.io.NumberOutput;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import radiosity.formfactor.EnteringLight;
 import radiosity.formfactor.EscapingLight;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.LightSources;
@@ -85,6 +86,8 @@ public final class InitialMesh {
     private RadiosityBounds bounds;
     /** Made when escaping light is looked for first; null before. */
     private EscapingLight escaping;
+    /** See {@link #lightFluxFromOutside}; null before its first call. */
+    private double[] fromOutside;
     /** Made by the first test whether a face lies inside a solid; null before. */
     private Solids solids;
 
@@ -177,6 +180,14 @@ public final class InitialMesh {
     /** Flux that arrives from sources without geometry but sun and sky, one per channel, W; the same for every mesh. */
     public double[] lightFlux() {
         return new LightSources(faces, bounds()).flux();
+    }
+
+    /** The same of the sun and skies; found at the first call. */
+    public synchronized double[] lightFluxFromOutside() {
+        if (fromOutside == null) {
+            fromOutside = new EnteringLight(faces, bounds()).flux();
+        }
+        return fromOutside.clone();
     }
 
     /**

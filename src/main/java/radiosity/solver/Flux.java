@@ -230,11 +230,26 @@ final class Flux {
         return missing;
     }
 
-    /** The ledger of the calculation, with one value per channel. */
+    /**
+     * The ledger of the calculation, with one value per channel. What enters from the sun and skies is what rays find:
+     * the first mesh is too coarse for the edges of sunlight on a floor.
+     */
     EnergyLedger byChannel(Answer answer) {
         double[] gone = mesh.predicts() ? Arrays.copyOf(escaped, shot.length) : new double[0];
-        return new EnergyLedger(emitted.clone(), shot.clone(), values(answer.received), values(answer.absorbed),
-                values(answer.unshot), gone);
+        double[] enters = emitted.clone();
+        double[] sent = shot.clone();
+        if (mesh.predicts() && mesh.isLitFromOutside()) {
+            double[] inside = mesh.lightFlux();
+            double[] fromOutside = mesh.lightFluxFromOutside();
+            double[] counted = lights();
+            for (int c = 0; c < sent.length; c++) {
+                double more = inside[c] + fromOutside[c] - counted[c];
+                enters[c] += more;
+                sent[c] += more;
+            }
+        }
+        return new EnergyLedger(enters, sent, values(answer.received), values(answer.absorbed), values(answer.unshot),
+                gone);
     }
 
     /**

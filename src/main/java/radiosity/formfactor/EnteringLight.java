@@ -1,0 +1,102 @@
+package radiosity.formfactor;
+
+import radiosity.mesh.face.Faces;
+import radiosity.scene.Light;
+import radiosity.scene.Vec3;
+import radiosity.visibility.RadiosityBounds;
+
+/**
+ * Finds by rays how much light of the sun and of skies arrives on visible sides. Parallel rays cover the rectangle that
+ * holds the scene as it is seen from where they come from; those of a sky come from all directions.
+ */
+public final class EnteringLight {
+
+    /** Number of rays for each light. */
+    private static final int RAYS = 1 << 20;
+    /** Its first four powers give points spread evenly in four dimensions (M. Roberts, 2018): x^-5 = x^-1 + 1. */
+    private static final double STEP = 1 / 1.1673039782614187;
+    /** Distance from the middle of the scene at which rays begin, and their length, in units of the scene's size. */
+    private static final double AWAY = 2;
+    private static final double FAR = 4;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final LightSources lights;
+    private final float[] front;
+    /** Half the extents of the scene, in units of its size. */
+    private final double[] extent = new double[3];
+
+    public EnteringLight(Faces faces, RadiosityBounds bounds) {
+        this.faces = faces;
+        this.bounds = bounds;
+        lights = new LightSources(faces, bounds);
+        front = faces.fronts();
+        for (int i = 0; i < 9 * faces.count(); i++) {
+            extent[i % 3] = Math.max(extent[i % 3], Math.abs(faces.corner(i / 9, i / 3 % 3, i % 3)));
+        }
+    }
+
+    /** Flux that arrives, one per channel, W; the same numbers for the same scene. */
+    public double[] flux() {
+        double[] flux = new double[faces.channels()];
+        for (int light = 0; light < faces.scene().lights().size(); light++) {
+            Light from = faces.scene().lights().get(light);
+            double arrives = from.kind().isSky() ? sky(from) : from.kind().isOutside() ? sun(from) : 0;
+            for (int c = 0; c < flux.length; c++) {
+                flux[c] += arrives * faces.power(light, c) * faces.size() * faces.size();
+            }
+        }
+        return flux;
+    }
+
+    /** Area at right angles to the sun whose light arrives, in squared units of the scene's size. */
+    private double sun(Light light) {
+        Vec3 towards = light.direction().unit().times(-1);
+        double sum = 0;
+        for (int i = 1; i <= RAYS; i++) {
+            sum += area(towards, i);
+        }
+        return sum / RAYS;
+    }
+
+    /** The same of a sky, relative to the irradiance of a level place in the open. */
+    private double sky(Light light) {
+        Vec3 up = light.up();
+        Vec3 u = up.perpendicular();
+        Vec3 v = up.cross(u);
+        double sum = 0;
+        for (int i = 1; i <= RAYS; i++) {
+            double height = fraction(i * STEP * STEP * STEP);
+            double angle = 2 * Math.PI * fraction(i * STEP * STEP * STEP * STEP);
+            double level = Math.sqrt(1 - height * height);
+            Vec3 towards = u.times(level * StrictMath.cos(angle)).plus(v.times(level * StrictMath.sin(angle)))
+                    .plus(up.times(height));
+            // irradiance is 1/pi of the luminance over all directions, of which there are 2 pi
+            sum += 2 * lights.luminance(light, towards) * area(towards, i);
+        }
+        return sum / RAYS;
+    }
+
+    /** Area of the rectangle at right angles to a direction where a ray of light arrives on a visible side, else 0. */
+    private double area(Vec3 towards, int number) {
+        Vec3 u = towards.perpendicular();
+        Vec3 v = towards.cross(u);
+        double width = 2 * half(u);
+        double height = 2 * half(v);
+        Vec3 from = towards.times(AWAY).plus(u.times(width * (fraction(number * STEP) - 0.5)))
+                .plus(v.times(height * (fraction(number * STEP * STEP) - 0.5)));
+        int t = bounds.nearestFront(from, towards.times(-1), FAR, true, new float[3]);
+        boolean arrives = t >= 0
+                && front[3 * t] * towards.x() + front[3 * t + 1] * towards.y() + front[3 * t + 2] * towards.z() >= 0;
+        return arrives ? width * height : 0;
+    }
+
+    private static double fraction(double x) {
+        return x - Math.floor(x);
+    }
+
+    /** Half the width of the scene along a unit vector. */
+    private double half(Vec3 along) {
+        return Math.abs(along.x()) * extent[0] + Math.abs(along.y()) * extent[1] + Math.abs(along.z()) * extent[2];
+    }
+}

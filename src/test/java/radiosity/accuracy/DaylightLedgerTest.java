@@ -1,0 +1,53 @@
+package radiosity.accuracy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import radiosity.scene.Light;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
+import radiosity.solution.EnergyLedger;
+import radiosity.testkit.Cells;
+import radiosity.testkit.RoomScenes;
+import radiosity.testkit.Solve;
+
+/**
+ * What enters a room through an opening of area A in its roof: E A of a sky that gives the open E, and E A cos of a sun
+ * at an angle to the zenith. Only the inner sides of the walls are there. The ledger says that, whatever the first mesh
+ * makes of a patch of sunlight that is smaller than its elements.
+ */
+@Tag("slow")
+class DaylightLedgerTest {
+
+    private static final Surface WALL = RoomScenes.grey("wall", 0, .5);
+    private static final Surface OPEN = RoomScenes.grey("opening", 0, 0);
+    private static final Vec3 UP = new Vec3(0, 0, 1);
+
+    private static EnergyLedger ledger(Light... lights) {
+        double[] x = {0, 1.8, 2.2, 4};
+        Scene room = CiePhotometryTest.without(OPEN, new Cells(x, x, new double[] {0, 3}).room("roof", (i, j, k) -> true,
+                (i, j, k, face) -> face == 5 && i == 1 && j == 1 ? OPEN : WALL));
+        return Solve.byDefault().accurate(.2).solution(room.with(room.surfaces(), List.of(lights))).ledger();
+    }
+
+    private static void assertEnters(double flux, EnergyLedger ledger) {
+        assertEquals(flux, ledger.emitted()[0], .01 * flux);
+        double found = ledger.absorbed()[0] + ledger.unshot()[0] + ledger.escaped()[0];
+        assertTrue(Math.abs(found - flux) < .1 * flux, found + " W of " + flux);
+        assertEquals(0, ledger.imbalance(0), 1e-12);
+    }
+
+    @Test
+    void skyThroughAnOpening_isWhatIsEmitted() {
+        assertEnters(100 * .16, ledger(Light.sky(Light.Kind.SKY_OVERCAST, 100, UP, UP)));
+    }
+
+    @Test
+    void sunThroughAnOpening_isWhatIsEmitted() {
+        assertEnters(100 * .16 * 2 / 3, ledger(Light.sun(new Vec3(1, 2, 2), 100)));
+    }
+}
