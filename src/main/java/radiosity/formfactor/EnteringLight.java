@@ -11,9 +11,13 @@ import radiosity.visibility.RadiosityBounds;
  */
 public final class EnteringLight {
 
-    /** Number of rays for each light. */
-    private static final int RAYS = 1 << 20;
-    /** Its first four powers give points spread evenly in four dimensions (M. Roberts, 2018): x^-5 = x^-1 + 1. */
+    /** Numbers of rays: where the direction is one, the rays' places alone are spread, and evenly. */
+    private static final int SUN_RAYS = 1 << 18;
+    private static final int SKY_RAYS = 1 << 20;
+    /**
+     * The multiples of the first four powers of this number are spread evenly in four dimensions (M. Roberts, The
+     * unreasonable effectiveness of quasirandom sequences, 2018); 1 over the root of x^5 = x + 1.
+     */
     private static final double STEP = 1 / 1.1673039782614187;
     /** Distance from the middle of the scene at which rays begin, and their length, in units of the scene's size. */
     private static final double AWAY = 2;
@@ -53,10 +57,10 @@ public final class EnteringLight {
     private double sun(Light light) {
         Vec3 towards = light.direction().unit().times(-1);
         double sum = 0;
-        for (int i = 1; i <= RAYS; i++) {
+        for (int i = 1; i <= SUN_RAYS; i++) {
             sum += area(towards, i);
         }
-        return sum / RAYS;
+        return sum / SUN_RAYS;
     }
 
     /** The same of a sky, relative to the irradiance of a level place in the open. */
@@ -65,7 +69,7 @@ public final class EnteringLight {
         Vec3 u = up.perpendicular();
         Vec3 v = up.cross(u);
         double sum = 0;
-        for (int i = 1; i <= RAYS; i++) {
+        for (int i = 1; i <= SKY_RAYS; i++) {
             double height = fraction(i * STEP * STEP * STEP);
             double angle = 2 * Math.PI * fraction(i * STEP * STEP * STEP * STEP);
             double level = Math.sqrt(1 - height * height);
@@ -74,7 +78,7 @@ public final class EnteringLight {
             // irradiance is 1/pi of the luminance over all directions, of which there are 2 pi
             sum += 2 * lights.luminance(light, towards) * area(towards, i);
         }
-        return sum / RAYS;
+        return sum / SKY_RAYS;
     }
 
     /** Area of the rectangle at right angles to a direction where a ray of light arrives on a visible side, else 0. */

@@ -1,6 +1,7 @@
 package radiosity.setup;
 
 import com.fasterxml.jackson.core.io.NumberOutput;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -86,8 +87,8 @@ public final class InitialMesh {
     private RadiosityBounds bounds;
     /** Made when escaping light is looked for first; null before. */
     private EscapingLight escaping;
-    /** See {@link #lightFluxFromOutside}; null before its first call. */
-    private double[] fromOutside;
+    /** See {@link #allLightFlux}; null before its first call. */
+    private double[] allLightFlux;
     /** Made by the first test whether a face lies inside a solid; null before. */
     private Solids solids;
 
@@ -182,12 +183,15 @@ public final class InitialMesh {
         return new LightSources(faces, bounds()).flux();
     }
 
-    /** The same of the sun and skies; found at the first call. */
-    public synchronized double[] lightFluxFromOutside() {
-        if (fromOutside == null) {
-            fromOutside = new EnteringLight(faces, bounds()).flux();
+    /** The same of all sources without geometry, the sun and skies among them; found at the first call. */
+    public synchronized double[] allLightFlux() {
+        if (allLightFlux == null) {
+            double[] inside = lightFlux();
+            double[] outside = new EnteringLight(faces, bounds()).flux();
+            allLightFlux = new double[inside.length];
+            Arrays.setAll(allLightFlux, c -> inside[c] + outside[c]);
         }
-        return fromOutside.clone();
+        return allLightFlux.clone();
     }
 
     /**

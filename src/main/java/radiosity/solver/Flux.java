@@ -239,11 +239,10 @@ final class Flux {
         double[] enters = emitted.clone();
         double[] sent = shot.clone();
         if (mesh.predicts() && mesh.isLitFromOutside()) {
-            double[] inside = mesh.lightFlux();
-            double[] fromOutside = mesh.lightFluxFromOutside();
+            double[] all = mesh.allLightFlux();
             double[] counted = lights();
             for (int c = 0; c < sent.length; c++) {
-                double more = inside[c] + fromOutside[c] - counted[c];
+                double more = all[c] - counted[c];
                 enters[c] += more;
                 sent[c] += more;
             }
