@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.DoubleBinaryOperator;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
@@ -251,7 +252,7 @@ final class AuditResult {
      */
     double uncertainty() {
         List<AuditPoint> some = reflecting();
-        double[] error = squares(some, 1);
+        double[] error = sums(some, (e, noise) -> square(e) - square(noise));
         Trimmed left = Trimmed.of(some, error);
         double deviation = 0;
         for (int i = 0; i < error.length; i++) {
@@ -270,7 +271,7 @@ final class AuditResult {
     Marked marked(double meshError) {
         List<AuditPoint> some = reflecting();
         Set<Mark> marks = new LinkedHashSet<>();
-        double[] square = squares(some, 0);
+        double[] square = sums(some, (e, noise) -> square(e));
         Trimmed left = Trimmed.of(some, square);
         double sum = 0;
         for (int i = 0; i < square.length; i++) {
@@ -306,21 +307,19 @@ final class AuditResult {
     }
 
     /**
-     * Square error of each point less some of the square of its noise, relative to the mean radiosity, summed over the
+     * What is made of the error and the noise of each point, both relative to the mean radiosity, summed over the
      * colours that have light.
-     *
-     * @param less 1 for the unbiased square of the error, of either sign; 0 for that of error and noise together
      */
-    private double[] squares(List<AuditPoint> some, double less) {
-        double[] square = new double[some.size()];
+    private double[] sums(List<AuditPoint> some, DoubleBinaryOperator ofErrorAndNoise) {
+        double[] sum = new double[some.size()];
         for (int c = 0; c < faces.colours(); c++) {
-            for (int i = 0; i < square.length && means[c] > 0; i++) {
+            for (int i = 0; i < sum.length && means[c] > 0; i++) {
                 AuditPoint point = some.get(i);
                 double unit = unit(point.radiosity(c), means[c]);
-                square[i] += square(point.error(c) / unit) - less * square(point.noise(c) / unit);
+                sum[i] += ofErrorAndNoise.applyAsDouble(point.error(c) / unit, point.noise(c) / unit);
             }
         }
-        return square;
+        return sum;
     }
 
     private static double square(double x) {

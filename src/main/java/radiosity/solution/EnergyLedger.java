@@ -5,7 +5,7 @@ import radiosity.util.NoNumberException;
 /**
  * Balance of the light, one number per channel, W: emitted = absorbed + unshot + deficit (see docs/ACCURACY.md).
  *
- * @param emitted  flux that elements emit: exitance times area
+ * @param emitted  flux that elements emit, exitance times area, and flux that arrives from lights without geometry
  * @param shot     flux that shooters have shot
  * @param received flux that has arrived on elements
  * @param absorbed part of the received flux that was not reflected

@@ -37,7 +37,7 @@ import radiosity.testkit.TestLink;
 class ClocksTest {
 
     /** Of each schedule: 1,000 in all. */
-    private static final int CLOCKS = 120;
+    private static final int CLOCKS = 200;
     /** One of this many worlds is on hosts, which takes longer. */
     private static final int HOSTS_EVERY = 2;
     private static final Scene SCENE = ColouredRoom.SCENE;

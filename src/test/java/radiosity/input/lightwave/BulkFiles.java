@@ -17,14 +17,14 @@ import java.util.Map;
 import java.util.function.IntFunction;
 
 /** Files of 15 MB of the smallest thing of a kind: what costs few bytes in a file must not cost many in memory. */
-final class BulkFiles {
+public final class BulkFiles {
 
     private static final int SIZE = 15_000_000;
 
     private BulkFiles() {
     }
 
-    static List<HostileCase> all() {
+    public static List<HostileCase> all() {
         return List.of(
                 object("tags", form("LWO2", chunk("TAGS", new byte[SIZE])), ERROR, ""),
                 object("polygons", form("LWO2", chunk("POLS", text("FACE"), new byte[SIZE])), ERROR, ""),
