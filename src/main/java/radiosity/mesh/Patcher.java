@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.IntPredicate;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
+import radiosity.visibility.RadiosityBounds;
 
 /**
  * Decides how deep the initial mesh goes, and where its receiving points lie (section 4.2.1 of the paper).
@@ -182,10 +183,18 @@ public final class Patcher {
         for (int k = 0; k < 3; k++) {
             if (weights[at + k] == 0 && (faces.border[face] >> k & 1) != 0) {
                 float[] inward = new float[3];
-                inward(face, k, PULL * faces.height(face) / (1L << depth), inward);
+                inward(face, k, inset(faces.height(face) / (1L << depth)), inward);
                 add(receiver, to, inward, 0);
             }
         }
+    }
+
+    /**
+     * Distance of a receiving point from the edge of a face, for elements of some height: so large that rays do not
+     * pass through a wall on the edge, unless the element is too small for that.
+     */
+    private static double inset(double height) {
+        return Math.max(PULL * height, Math.min(height / 3, RadiosityBounds.COUNTS));
     }
 
     private static void add(float[] to, int at, float[] what, int from) {

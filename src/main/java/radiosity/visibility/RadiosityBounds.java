@@ -28,6 +28,8 @@ public final class RadiosityBounds {
     /** Parts of a segment left out at each end: in units of the scene's size, and of the segment's length. */
     static final float END_ABSOLUTE = 4e-6f;
     static final float END_RELATIVE = 1e-5f;
+    /** Distance of a triangle from a ray's beginning, in units of the scene's size, from which on it always counts. */
+    public static final double COUNTS = END_ABSOLUTE + 2 * END_RELATIVE;
     /** Distance beyond all triangles at which a ray out of the scene ends, in units of the scene's size. */
     private static final double BEYOND = 0.01;
     /** Margin of a box around its content, in units of the scene's size. */

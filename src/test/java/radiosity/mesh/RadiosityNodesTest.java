@@ -2,17 +2,21 @@ package radiosity.mesh;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Vec3;
 import radiosity.testkit.RoomScenes;
+import radiosity.visibility.RadiosityBounds;
 
 class RadiosityNodesTest {
 
@@ -57,6 +61,30 @@ class RadiosityNodesTest {
             }
         }
         assertEquals(3, shared, "two corners and the middle between them");
+    }
+
+    /** The smallest have a side of 6e-5 of the scene. Rays begin at receiving points, which lie nearer to the wall. */
+    @ParameterizedTest
+    @ValueSource(ints = {4, 8, 10, 12, 14})
+    void receivingPointsBesideWall_seeNothingBeyondWall(int depth) {
+        Scene scene = new SceneBuilder()
+                .polygon(RoomScenes.grey("floor", 0, .5), Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(0, 1, 0))
+                .polygon(RoomScenes.grey("wall", 0, .5), Vec3.ZERO, new Vec3(0, 1, 0), new Vec3(0, 1, 1),
+                        new Vec3(0, 0, 1)).scene("a floor and a wall");
+        Faces faces = new Faces(scene);
+        Patcher patcher = new Patcher(faces, faces.area(), (f, small) -> null);
+        RadiosityBounds bounds = new RadiosityBounds(faces.occluders());
+        int[] middle = {NodePath.ONE / 2, 0, NodePath.ONE / 2};
+        float[] place = new float[3];
+        for (int a = 0; a < 3; a++) {
+            place[a] = (faces.corner(0, 0, a) + faces.corner(0, 2, a)) / 2;
+        }
+        float[] receiver = new float[3];
+
+        patcher.pull(0, middle, 0, depth, place, receiver, 0);
+
+        assertFalse(bounds.isFree(new Vec3(receiver[0], receiver[1], receiver[2]), new Vec3(-1, 1, 3).unit(),
+                new RadiosityBounds.Blocker()));
     }
 
     private static RadiosityNodes divided(Patcher patcher, int face) {

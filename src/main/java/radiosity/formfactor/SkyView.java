@@ -1,0 +1,300 @@
+package radiosity.formfactor;
+
+import java.util.function.Predicate;
+import radiosity.scene.Vec3;
+import radiosity.util.Hash;
+
+/**
+ * What a point sees of a sky: the mean of the luminance over the circle below its hemisphere (W. Nusselt, 1928).
+ *
+ * <p>The circle is mapped to a square (P. Shirley, K. Chiu, A low distortion map between disk and square, 1997), and
+ * rays go to the corners and middles of square cells. A cell with one edge is cut along that edge ({@link CutCell}).
+ * Other cells with edges are divided, until each part is cut by one edge, or so small that it counts by a random point.
+ * Where an edge crosses a side of a divided cell, the cell beyond that side is divided, too: so an opening less wide
+ * than a cell is followed to its ends. An opening smaller than a cell may be missed, such as one of 1 m from 24 m away.
+ */
+final class SkyView {
+
+    /** Cells along a side of the square. */
+    private static final int SIDE = 48;
+    /** Corners along a side of the square. A cell has the number of its first corner. */
+    private static final int ROW = SIDE + 1;
+    /** Parts along a side of a cell that is divided down to the smallest parts; a power of 2. */
+    private static final int PARTS = 16;
+    /** Standard deviation that divided cells may leave, relative to the luminance in all others. */
+    private static final double UNCERTAIN = 0.0005;
+    /** The same where more cells than lie along a side have several edges, as behind leaves: parts are not cut then. */
+    private static final double INTRICATE = 0.002;
+    /** Number of parts that all divided cells together may have, unless the view is intricate. */
+    private static final int MOST_PARTS = 2 * SIDE * SIDE;
+    /** Sine of an elevation up to which a direction is on the horizon. */
+    private static final double LEVEL = 1e-12;
+    /** 3 per corner of the cells, row by row: components of its direction along a point's two tangents and normal. */
+    private static final double[] CORNERS = directions(ROW, 0);
+    /** The same for the middles of the cells. */
+    private static final double[] MIDDLES = directions(SIDE, 0.5);
+
+    private final Sky sky;
+    private final Predicate<Vec3> free;
+    private final Vec3 n;
+    private final Vec3 u;
+    private final Vec3 v;
+    /** Components of the sky's zenith along u, v and n. */
+    private final double[] up;
+    /** 1 per corner: luminance that the point sees there. */
+    private final double[] seen = new double[ROW * ROW];
+    /** 1 per cell: whether what is seen in it counts as part of the cell beside it. */
+    private final boolean[] beyond = new boolean[ROW * SIDE];
+    private final boolean[] isDivided = new boolean[ROW * SIDE];
+    /** The divided cells, {@link #count} of them. */
+    private final int[] divided = new int[SIDE * SIDE];
+    private int count;
+    /** Side of the largest squares that are cut. */
+    private int most;
+    private boolean isIntricate;
+    /** Side of the smallest parts. */
+    private int least;
+
+    /**
+     * @param n    normal of the point, length 1
+     * @param free whether no triangle stands in the way in a direction from the point
+     */
+    SkyView(Sky sky, Vec3 n, Predicate<Vec3> free) {
+        this.sky = sky;
+        this.free = free;
+        this.n = n;
+        u = n.perpendicular();
+        v = n.cross(u);
+        up = new double[] {u.dot(sky.up()), v.dot(sky.up()), n.dot(sky.up())};
+    }
+
+    /** Directions of a place in every cell of some rows, row by row; offset is the place's distance from the corner. */
+    private static double[] directions(int side, double offset) {
+        double[] directions = new double[3 * side * side];
+        for (int i = 0; i < side * side; i++) {
+            double[] local = direction((i / side + offset) * PARTS, (i % side + offset) * PARTS);
+            System.arraycopy(local, 0, directions, 3 * i, 3);
+        }
+        return directions;
+    }
+
+    /** Direction of a point of the square: components along two tangents and the normal; row and column in parts. */
+    private static double[] direction(double row, double column) {
+        double a = 2 * row / (SIDE * PARTS) - 1;
+        double b = 2 * column / (SIDE * PARTS) - 1;
+        boolean byA = Math.abs(a) > Math.abs(b);
+        double r = byA ? a : b;
+        double angle = r == 0 ? 0 : byA ? Math.PI / 4 * (b / a) : Math.PI / 2 - Math.PI / 4 * (a / b);
+        return new double[] {r * StrictMath.cos(angle), r * StrictMath.sin(angle), Math.sqrt(Math.max(0, 1 - r * r))};
+    }
+
+    /** Mean over the circle of the luminance that the point sees. To be called once. */
+    double mean() {
+        for (int i = 0; i < seen.length; i++) {
+            seen[i] = at(CORNERS, 3 * i);
+        }
+        most = most();
+        double[] mean = new double[ROW * SIDE];
+        for (int i = 0; i < mean.length; i++) {
+            mean[i] = i % ROW == SIDE ? 0 : whole(i);
+        }
+        double sum = 0;
+        for (int i = 0; i < mean.length; i++) {
+            if (Double.isNaN(mean[i])) {
+                mean[i] = isAlike(i) ? seen[i] : 0;
+                divide(i);
+            }
+            sum += mean[i];
+        }
+        isIntricate = most == PARTS && count > SIDE;
+        least = isIntricate ? least(count, sum, INTRICATE)
+                : Math.min(PARTS / 2, Math.max(least(count, sum, UNCERTAIN), affordable(count)));
+        most = Math.max(most, least);
+        for (int k = 0; k < count; k++) {
+            int i = divided[k];
+            sum += parts(i / ROW * PARTS, i % ROW * PARTS, PARTS, seen[i], seen[i + 1], seen[i + ROW],
+                    seen[i + ROW + 1]) - mean[i];
+        }
+        return sum / (SIDE * SIDE);
+    }
+
+    /** Notes that a cell is to be divided, unless it counts as part of the cell beside it. */
+    private void divide(int cell) {
+        if (!isDivided[cell] && !(beyond[cell] && isAlike(cell))) {
+            isDivided[cell] = true;
+            divided[count++] = cell;
+        }
+    }
+
+    /**
+     * Side of parts so small that they leave little uncertain: each half its luminance, the errors of any two
+     * independent. An edge passes twice as many parts of half the side.
+     *
+     * @param cells     number of cells that are to be divided
+     * @param sum       luminance seen in all other cells
+     * @param uncertain standard deviation that may be left, relative to that luminance
+     */
+    private static int least(int cells, double sum, double uncertain) {
+        int size = PARTS / 2;
+        while (size > 1 && Math.sqrt((double) cells * PARTS / size) * size * size / (2 * PARTS * PARTS)
+                > uncertain * sum) {
+            size /= 2;
+        }
+        return size;
+    }
+
+    /** Side of the smallest parts into which some cells may be divided, with no more than {@link #MOST_PARTS}. */
+    private static int affordable(int cells) {
+        int size = 1;
+        while (size < PARTS && (long) cells * PARTS * PARTS > (long) MOST_PARTS * size * size) {
+            size *= 2;
+        }
+        return size;
+    }
+
+    /**
+     * Side of squares that are less wide than openings, whose area is half their edge times their width. Narrow
+     * openings differ more in width from end to end.
+     */
+    private int most() {
+        int open = 0;
+        int edges = 0;
+        for (int i = 0; i < ROW * SIDE; i++) {
+            open += seen[i] > 0 ? 1 : 0;
+            edges += i % ROW == SIDE || isAlike(i) ? 0 : 1;
+        }
+        int size = PARTS;
+        while (size > 1 && open * PARTS < edges * size) {
+            size /= 2;
+        }
+        return Math.max(size < PARTS / 2 ? Math.max(1, size / 2) : size, affordable(edges));
+    }
+
+    private boolean isAlike(int cell) {
+        return isAlike(seen[cell], seen[cell + 1], seen[cell + ROW], seen[cell + ROW + 1]);
+    }
+
+    private static boolean isAlike(double a, double b, double c, double d) {
+        return a > 0 == b > 0 && b > 0 == c > 0 && c > 0 == d > 0;
+    }
+
+    /** Mean luminance over a cell; NaN where it is to be divided. */
+    private double whole(int cell) {
+        int row = cell / ROW * PARTS;
+        int column = cell % ROW * PARTS;
+        double mean = undivided(row, column, PARTS, seen[cell], seen[cell + 1], seen[cell + ROW], seen[cell + ROW + 1]);
+        if (!isAlike(cell)) {
+            return mean;
+        }
+        double middle = at(MIDDLES, 3 * (cell / ROW * SIDE + cell % ROW));
+        // exact where luminance is a square polynomial: on a line the same as Simpson's rule
+        return middle > 0 == mean > 0 ? (mean + 2 * middle) / 3 : Double.NaN;
+    }
+
+    /** Mean luminance over a square whose corners have the luminances a to d; NaN where it is to be divided. */
+    private double undivided(int row, int column, int size, double a, double b, double c, double d) {
+        if (isAlike(a, b, c, d)) {
+            return (a + b + c + d) / 4;
+        }
+        if (isBelowHorizon(row, column, size)) {
+            return 0;
+        }
+        boolean[] isSeen = {a > 0, b > 0, d > 0, c > 0};
+        CutCell.Part part = isIntricate || size > most ? null
+                : new CutCell(row, column, size, isSeen, (r, s) -> at(r, s) > 0).seen();
+        if (part == null) {
+            return Double.NaN;
+        }
+        if (part.beyond() != null && size == PARTS) {
+            int r = (int) Math.floor(part.beyond()[0] / PARTS);
+            int s = (int) Math.floor(part.beyond()[1] / PARTS);
+            if (r >= 0 && r < SIDE && s >= 0 && s < SIDE) {
+                beyond[r * ROW + s] = true;
+            }
+        }
+        return part.share() * luminance(part);
+    }
+
+    /** Mean luminance over a square that is divided into four. */
+    private double parts(int row, int column, int size, double a, double b, double c, double d) {
+        int half = size / 2;
+        double middle = at(row + half, column + half);
+        double above = at(row, column + half);
+        double left = at(row + half, column);
+        double right = at(row + half, column + size);
+        double below = at(row + size, column + half);
+        follow(row - 1, column + half, above > 0);
+        follow(row + half, column - 1, left > 0);
+        follow(row + half, column + size, right > 0);
+        follow(row + size, column + half, below > 0);
+        return (part(row, column, half, a, above, left, middle)
+                + part(row, column + half, half, above, b, middle, right)
+                + part(row + half, column, half, left, middle, c, below)
+                + part(row + half, column + half, half, middle, right, below, d)) / 4;
+    }
+
+    /** Divides the cell at row and column where a place on its side does not see what its corners see. */
+    private void follow(int row, int column, boolean isSeen) {
+        boolean isInside = row >= 0 && row < SIDE * PARTS && column >= 0 && column < SIDE * PARTS;
+        int cell = row / PARTS * ROW + column / PARTS;
+        if (isInside && isAlike(cell) && isSeen != seen[cell] > 0) {
+            divide(cell);
+        }
+    }
+
+    /** Mean luminance over a part of a divided cell. */
+    private double part(int row, int column, int size, double a, double b, double c, double d) {
+        double mean = size > most ? Double.NaN : undivided(row, column, size, a, b, c, d);
+        if (!Double.isNaN(mean)) {
+            return mean;
+        }
+        if (size == least) {
+            long key = Hash.mix(row, column);
+            return at(row + size * Hash.unit(Hash.mix(key, 0)), column + size * Hash.unit(Hash.mix(key, 1)));
+        }
+        return parts(row, column, size, a, b, c, d);
+    }
+
+    /** Mean luminance of the sky, seen or not, over a part of a cell. */
+    private double luminance(CutCell.Part part) {
+        double sum = 0;
+        for (int i = 0; i < part.row().length; i++) {
+            double[] local = direction(part.row()[i], part.column()[i]);
+            sum += sky.luminance(global(local, 0), Math.max(0, height(local, 0)));
+        }
+        return sum / part.row().length;
+    }
+
+    /** Whether no corner of a square is above the horizon, though some may be on it, which count as sky. */
+    private boolean isBelowHorizon(int row, int column, int size) {
+        return height(row, column) <= LEVEL && height(row, column + size) <= LEVEL
+                && height(row + size, column) <= LEVEL && height(row + size, column + size) <= LEVEL;
+    }
+
+    private double height(int row, int column) {
+        return height(direction(row, column), 0);
+    }
+
+    /** Sine of the elevation of a direction: 3 components from {@code from}, as in {@link #CORNERS}. */
+    private double height(double[] local, int from) {
+        return local[from] * up[0] + local[from + 1] * up[1] + local[from + 2] * up[2];
+    }
+
+    private double at(double row, double column) {
+        return at(direction(row, column), 0);
+    }
+
+    /** Luminance that the point sees in a direction: 3 components from {@code from}, as in {@link #CORNERS}. */
+    private double at(double[] local, int from) {
+        double height = height(local, from);
+        if (height < -LEVEL) {
+            return 0;
+        }
+        Vec3 d = global(local, from);
+        return free.test(d) ? sky.luminance(d, height) : 0;
+    }
+
+    private Vec3 global(double[] local, int from) {
+        return u.times(local[from]).plus(v.times(local[from + 1])).plus(n.times(local[from + 2]));
+    }
+}
