@@ -53,6 +53,7 @@ public final class VisibilityChange extends ShadowTest {
     /**
      * Whether a sphere around a changed object meets the convex hull of the point and the shooter's sphere. At a part t
      * of the way from the point to the shooter's middle, the hull contains a sphere of t times the shooter's radius.
+     * The hull of a point in the shooter's sphere is that sphere.
      */
     @Override
     boolean matters(float px, float py, float pz, float[] sphere, int at) {
@@ -69,7 +70,7 @@ public final class VisibilityChange extends ShadowTest {
             double b = wx * dx + wy * dy + wz * dz + r * wide;
             double c = wx * wx + wy * wy + wz * wz - wide * wide;
             double t = a > 0 ? Math.max(0, Math.min(1, b / a)) : 1;
-            if (a <= 0 || t * (t * a - 2 * b) + c <= 0) {
+            if (c <= 0 || t * (t * a - 2 * b) + c <= 0) {
                 return true;
             }
         }

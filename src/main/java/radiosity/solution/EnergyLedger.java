@@ -3,7 +3,7 @@ package radiosity.solution;
 import radiosity.util.NoNumberException;
 
 /**
- * Balance of the light, one number per channel, W: emitted = absorbed + unshot + deficit (see docs/ACCURACY.md).
+ * Balance of the light, one number per channel, W: emitted = absorbed + unshot + deficit (see docs/CERTIFICATE.md).
  *
  * @param emitted  flux that elements emit, exitance times area, and flux that arrives from lights without geometry
  * @param shot     flux that shooters have shot

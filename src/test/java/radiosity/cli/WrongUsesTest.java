@@ -79,7 +79,7 @@ class WrongUsesTest {
             RadiosityRenderer --grid white @/g.csv @/a.lws @/o.scene | 2 | --grid: expected with --spacing, got it without
             RadiosityRenderer --spacing 5 @/a.lws @/o.scene        | 2 | --spacing: expected with --grid, got it without
             RadiosityRenderer --grid floor @/g.csv --spacing 50 @/a.lws @/o.scene | 2 | --grid: expected a surface of the scene (white, green, red, light) or a plane like y=0.85, got floor
-            RadiosityRenderer --grid y=900 @/g.csv --spacing 50 @/a.lws @/o.scene | 2 | --grid: expected a plane from y=0.0 to 548.7999877929688, got y=900
+            RadiosityRenderer --grid y=900 @/g.csv --spacing 50 @/a.lws @/o.scene | 2 | --grid: expected a plane from y=0.00000 to 548.800, got y=900
             RadiosityRenderer --grid white @/a.lws @/o.scene       | 2 | --grid: expected a surface or plane and a table to write, got white @/a.lws
             RadiosityRenderer --grid white @/g.csv --spacing 1e-3 @/a.lws @/o.scene | 2 | --grid: expected a spacing that gives at most 1000000 points, got 0.001
             RadiosityRenderer --false-colour @/o.jpg @/a.lws @/o.scene | 2 | --false-colour: expected a name that ends in .png, got @/o.jpg

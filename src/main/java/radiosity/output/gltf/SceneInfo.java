@@ -35,6 +35,10 @@ public final class SceneInfo {
     private static final Set<String> SHOWN = Set.of("formatVersion", "program", "shots", "rounds", "unshotFlux",
             "ledger", "state", "channels", "lamps", "certificate", "units");
 
+    /** Figures of a certificate that are parts of a mean: they are shown in per cent. */
+    private static final Set<String> RELATIVE = Set.of("expected", "sampling", "meshing", "bias", "uncertainty",
+            "reciprocity");
+
     /** Labels of a certificate's figures, in the order of the lines. */
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
 
@@ -48,6 +52,7 @@ public final class SceneInfo {
         NAMES.put("sampling", "error of rays");
         NAMES.put("meshing", "error of mesh");
         NAMES.put("bias", "bias of rays");
+        NAMES.put("uncertainty", "uncertainty of the error");
         NAMES.put("points", "at points");
         NAMES.put("missingFlux", "upper bound on missing flux");
         NAMES.put("factors", "mean form-factor sum");
@@ -199,6 +204,8 @@ public final class SceneInfo {
                 Object value = whole.remove(key);
                 if (value instanceof Number flux && key.equals("missingFlux")) {
                     line(name, flux(flux.doubleValue()));
+                } else if (value instanceof Number part && RELATIVE.contains(key)) {
+                    line(name, number(100 * part.doubleValue()) + " %");
                 } else if (value != null) {
                     line(name, value(value));
                 }

@@ -65,8 +65,8 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
         double low = box.low().coordinate(axis);
         double high = box.high().coordinate(axis);
         if (!(at >= low && at <= high)) {
-            throw new IllegalArgumentException(String.format(Locale.ROOT, "expected a plane from %s=%s to %s, got %s",
-                    plane.group(2), low, high, plane.group()));
+            throw new IllegalArgumentException(String.format(Locale.ROOT,
+                    "expected a plane from %s=%.6g to %.6g, got %s", plane.group(2), low, high, plane.group()));
         }
         int u = (axis + 1) % 3;
         int v = (axis + 2) % 3;

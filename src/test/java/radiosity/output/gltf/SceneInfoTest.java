@@ -124,7 +124,7 @@ class SceneInfoTest {
         assertHas(lines, "upper bound on missing flux 20.32 W");
         assertHas(lines, "mean form-factor sum        0.9987");
         assertHas(lines, "largest form-factor sum     1.01");
-        assertHas(lines, "reciprocity error           0.015");
+        assertHas(lines, "reciprocity error           1.5 %");
     }
 
     @Test
