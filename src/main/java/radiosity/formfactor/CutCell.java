@@ -15,8 +15,9 @@ final class CutCell {
     private static final int STEPS = 7;
     /** Distance between a smooth edge and the line between its ends, over the length of that line, at most. */
     private static final double SMOOTH = 0.125;
-    /** The same of any edge, that of a corner of 53 degrees, and of half an edge, that of a corner of 67 degrees. */
+    /** The same of any edge: that of a corner of 53 degrees. */
     private static final double HIGHEST = 1;
+    /** The same of half an edge: that of a corner of 67 degrees. */
     private static final double HIGHEST_HALF = 0.75;
     /** Largest share that a part may have with what lies beyond a side; what seems larger is no single edge. */
     private static final double MOST_SHARE = 1.5;
