@@ -35,6 +35,11 @@ public final class Relight {
 
     /** Margin around a changed object's box in which vertices of recut faces gather anew, part of the diagonal. */
     private static final double AROUND = 0.1;
+    /**
+     * Light that a ray may carry which compares both scenes, over the light of other rays: nearly all such rays see the
+     * same in both scenes, and only the others add noise.
+     */
+    private static final double COMPARED = 4;
 
     private final InitialMesh before;
     private final InitialMesh now;
@@ -153,28 +158,37 @@ public final class Relight {
         FormFactorCalculator[] whole = new FormFactorCalculator[differences.length];
         for (int slack = 0; slack < differences.length; slack++) {
             double tolerance = rules.tolerance() * (1 << slack);
-            differences[slack] = new RayCaster(visibility, now.rays(), tolerance);
+            differences[slack] = new RayCaster(visibility, now.rays(), COMPARED * tolerance);
             whole[slack] = new RayCaster(before.bounds(), now.rays(), tolerance);
         }
         double[] irradiance = nodes.light().irradiance();
         parallel.run(vertices.length, LitMesh.RUN, (from, to) -> {
             checkWanted();
-            for (int i = from; i < to; i++) {
-                int v = vertices[i];
-                int slack = now.patcher.slack(nodes.points().face(v));
-                GatherSink.Irradiance come = new GatherSink.Irradiance(channels);
-                for (ShooterHierarchy shooter : kept) {
-                    lit.gatherer.gather(differences[slack], shooter, nodes, v, 0, come);
-                }
-                GatherSink.Irradiance back = new GatherSink.Irradiance(channels);
-                for (ShooterHierarchy shooter : vanished) {
-                    lit.gatherer.gather(whole[slack], shooter, nodes, v, 0, back);
-                }
-                for (int c = 0; c < channels; c++) {
-                    irradiance[channels * v + c] += come.value[c] - back.value[c];
-                }
+            int[] run = Arrays.copyOfRange(vertices, from, to);
+            double[] come = gather(differences, kept, run);
+            double[] back = gather(whole, vanished, run);
+            for (int i = 0; i < channels * run.length; i++) {
+                irradiance[channels * run[i / channels] + i % channels] += come[i] - back[i];
             }
         });
+    }
+
+    /**
+     * Returns the light that some neighbouring vertices receive of some shooters, channels per vertex. Shooter by
+     * shooter: rays from neighbours to one shooter run alike.
+     *
+     * @param calculators one per {@link Patcher#slack}
+     */
+    private double[] gather(FormFactorCalculator[] calculators, ShooterHierarchy[] shooters, int[] run) {
+        GatherSink.Irradiance[] sums = new GatherSink.Irradiance[run.length];
+        Arrays.setAll(sums, i -> new GatherSink.Irradiance(channels));
+        for (ShooterHierarchy shooter : shooters) {
+            for (int i = 0; i < run.length; i++) {
+                int slack = now.patcher.slack(nodes.points().face(run[i]));
+                lit.gatherer.gather(calculators[slack], shooter, nodes, run[i], 0, sums[i]);
+            }
+        }
+        return Arrays.stream(sums).flatMapToDouble(sum -> Arrays.stream(sum.value)).toArray();
     }
 
     /** Returns shooters with all radiosity shot so far, restricted to the wanted trees. */
