@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -217,6 +218,7 @@ class RenderTest {
 
     /** One ray of the paper's is too few for any accuracy. All is saved, and nothing is left to go on from. */
     @Test
+    @Tag("slow")
     void accuracyThatIsNotReached_isExitCode5AndTheRenderIsDone() throws IOException {
         Path report = directory.resolve("report.json");
         Path journal = Files.writeString(directory.resolve("box.scene.journal"), "what another render left behind");

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.util.OptionalDouble;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
@@ -41,6 +42,7 @@ class AimTest {
 
     /** The aim is a part of the state. */
     @Test
+    @Tag("slow")
     void stoppedOnTheWay_endsWithTheSameBits() throws IOException {
         SavedState whole = state(true, null);
         SavedState part = state(false, null);

@@ -125,6 +125,7 @@ class DiscontinuityMesherTest {
 
     /** Window panes let into a wall, and so many small feet on the floor that not all contacts can be cut. */
     @Test
+    @Tag("slow")
     void longContacts_areCutWhereShortOnesAreTooMany() {
         SceneBuilder room = new SceneBuilder();
         room.polygon(GREY, new Vec3(0, 0, 0), new Vec3(0, 0, 8), new Vec3(8, 0, 8), new Vec3(8, 0, 0));
