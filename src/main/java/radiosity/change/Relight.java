@@ -165,8 +165,8 @@ public final class Relight {
         parallel.run(vertices.length, LitMesh.RUN, (from, to) -> {
             checkWanted();
             int[] run = Arrays.copyOfRange(vertices, from, to);
-            double[] come = gather(differences, kept, run);
-            double[] back = gather(whole, vanished, run);
+            double[] come = received(differences, kept, run);
+            double[] back = received(whole, vanished, run);
             for (int i = 0; i < channels * run.length; i++) {
                 irradiance[channels * run[i / channels] + i % channels] += come[i] - back[i];
             }
@@ -179,7 +179,7 @@ public final class Relight {
      *
      * @param calculators one per {@link Patcher#slack}
      */
-    private double[] gather(FormFactorCalculator[] calculators, ShooterHierarchy[] shooters, int[] run) {
+    private double[] received(FormFactorCalculator[] calculators, ShooterHierarchy[] shooters, int[] run) {
         GatherSink.Irradiance[] sums = new GatherSink.Irradiance[run.length];
         Arrays.setAll(sums, i -> new GatherSink.Irradiance(channels));
         for (ShooterHierarchy shooter : shooters) {
