@@ -35,12 +35,9 @@ import radiosity.solver.World;
  */
 public final class Radiosity {
 
-    /** Unshot part of the emitted flux at which a calculation stops by default. */
-    private static final double UNSHOT = 0.01;
-
     private final Scene scene;
     private RadiositySettings settings = RadiositySettings.defaults();
-    private StopRule stop = new StopRule(Integer.MAX_VALUE, UNSHOT);
+    private StopRule stop = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT);
     private int threads = Runtime.getRuntime().availableProcessors();
     private List<HostAddress> hosts = List.of();
     private HostKey key;
@@ -117,7 +114,7 @@ public final class Radiosity {
     }
 
     /**
-     * Sets when to stop; the default is when 1 % of the emitted flux is unshot.
+     * Sets when to stop; the default is a thousandth of the emitted flux unshot, or the accuracy asked for.
      *
      * @return this calculation
      */

@@ -91,7 +91,7 @@ public final class Summary {
         double asked = result.asked().orElse(Double.POSITIVE_INFINITY);
         return result.certificate().filter(c -> c.expected() > asked).map(c -> String.format(Locale.ROOT,
                 "accuracy not reached: expected an error of %s, got %s%s", ProgressText.perCent(asked),
-                ProgressText.perCent(c.expected()), worst(c)));
+                ProgressText.perCent(c.expected(), 3), worst(c)));
     }
 
     private static String worst(Certificate certificate) {

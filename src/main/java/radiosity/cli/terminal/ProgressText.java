@@ -110,8 +110,13 @@ public final class ProgressText {
 
     /** A part of 1 as a percentage with two significant digits; rounding errors become "0 %". */
     public static String perCent(double part) {
+        return perCent(part, 2);
+    }
+
+    /** A part of 1 as a percentage with some significant digits; rounding errors become "0 %". */
+    public static String perCent(double part, int digits) {
         double value = 100 * part;
-        int decimals = value >= LEAST ? (int) Math.max(0, 1 - Math.floor(StrictMath.log10(value))) : 0;
+        int decimals = value >= LEAST ? (int) Math.max(0, digits - 1 - Math.floor(StrictMath.log10(value))) : 0;
         return String.format(Locale.ROOT, "%." + decimals + "f %%", value);
     }
 
