@@ -156,9 +156,14 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         return new Order(kind, number, begun, more, shots, rules.dividing(marks), question);
     }
 
-    /** This order as round number {@code round}, with another {@link Rules#givenBack}. */
-    public Order numbered(int round, double[] lost) {
-        return new Order(kind, round, begun, more, shots, rules.givingBack(lost), question);
+    /** This order with {@link Rules#givenBack}. */
+    public Order givingBack(double[] part) {
+        return new Order(kind, number, begun, more, shots, rules.givingBack(part), question);
+    }
+
+    /** This order as round number {@code round}. */
+    public Order numbered(int round) {
+        return new Order(kind, round, begun, more, shots, rules, question);
     }
 
     /** The part of this order with its first shots; only the last part of a round asks for candidates. */

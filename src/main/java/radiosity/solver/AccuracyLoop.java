@@ -75,6 +75,13 @@ final class AccuracyLoop {
         reached = Double.NaN;
     }
 
+    /** Forgets earlier estimates, which were those of another scene. */
+    void forget() {
+        reached = Double.POSITIVE_INFINITY;
+        work = 0;
+        inVain = 0;
+    }
+
     double tolerance() {
         return tolerance;
     }

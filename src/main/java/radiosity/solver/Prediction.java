@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
@@ -39,7 +38,8 @@ import radiosity.solution.Certificate;
  * with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Estimator} finds
  * the error and marks elements that err too much between their vertices, and {@link AccuracyLoop} decides between a
  * finer mesh (SPLIT again), more rays (RENEW, REGATHER and
- * AVERAGE: all vertices gather a second, independent sample) and the end (DONE).
+ * AVERAGE: all vertices gather a second, independent sample) and the end (DONE). Before shots are chosen, the flux that
+ * rays have lost is given back, by an order without a stage of its own.
  */
 final class Prediction implements Planner {
 
@@ -61,7 +61,10 @@ final class Prediction implements Planner {
 
     /** {@link #changes} is counted up to this number. */
     private static final int MOST_CHANGES = 3;
-    /** Unshot flux over emitted flux in an edited scene above which the coarse system is set up for a prediction. */
+    /**
+     * Unshot flux over emitted flux in an edited scene above which the coarse system is set up for a prediction, and
+     * down to which light is shot before the mesh is divided.
+     */
     private static final double PREDICTED = 0.1;
     /**
      * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
@@ -70,7 +73,7 @@ final class Prediction implements Planner {
     private static final double ENOUGH = 0.3;
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
     private static final double ENOUGH_ONE_SIDED = 0.05;
-    /** Factor by which edits may let the error exceed the usual one before all vertices gather anew. */
+    /** Factor by which edits may let the error exceed the usual one before mesh or rays are refined. */
     private static final double WORSE = 1.15;
     /** Part of the unshot flux that a round in an edited scene may leave to later rounds. */
     private static final double LEFT = 0.05;
@@ -78,8 +81,7 @@ final class Prediction implements Planner {
     private final World world;
     /** Unshot flux over emitted flux at which the calculation may end. */
     private final double wanted;
-    /** {@link Flux#oneSided} of an answer. */
-    private final ToDoubleFunction<Answer> oneSided;
+    private final SolveCounters counters;
     private final FirstWeights firstWeights;
     /** Null where the scene has more than {@link #MOST_PREDICTED} patches. */
     private final CoarseSystem coarse;
@@ -102,13 +104,23 @@ final class Prediction implements Planner {
     private double left = Double.POSITIVE_INFINITY;
     /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */
     private int mispredicted;
+    /**
+     * Whether flux that rays lost has been given back since light was received last. This is done before shots are
+     * chosen: what is given back is light, too, and is shot with the rest.
+     */
+    private boolean balanced = true;
+    /** Whether the last edit has left so much flux unshot that rounds shoot what the coarse system predicts, too. */
+    private boolean isLargeChange;
     /** Number of edits since all vertices gathered anew. Above 0 the light is that of an earlier scene, edited. */
     private int changes;
 
-    /** @param wanted unshot flux over emitted flux at which the calculation may end */
-    Prediction(World world, double wanted, ToDoubleFunction<Answer> oneSided, Estimator estimator) {
+    /**
+     * @param wanted   unshot flux over emitted flux at which the calculation may end
+     * @param counters shots and flux of the calculation so far
+     */
+    Prediction(World world, double wanted, SolveCounters counters, Estimator estimator) {
         this.estimator = estimator;
-        this.oneSided = oneSided;
+        this.counters = counters;
         this.wanted = wanted;
         this.world = world;
         firstWeights = new FirstWeights(world.mesh, world.channels());
@@ -146,7 +158,7 @@ final class Prediction implements Planner {
             case GATHER -> refined ? distribute(last, unsent, goOn) : split(last, List.of());
             case RENEW -> regather();
             case REGATHER -> average();
-            case AVERAGE, MEND -> balance();
+            case AVERAGE, MEND -> balance(last);
             case BALANCE -> refine(last, unsent, goOn);
         };
     }
@@ -171,6 +183,9 @@ final class Prediction implements Planner {
             left = isEnough ? Math.min(unsent, enough()) : 0;
             return isEnough && !loop.lacksRays() ? mend() : renew();
         }
+        if (!balanced) {
+            return giveBack(last, true);
+        }
         List<Shot> shots = isPredicted ? withPrediction(last, h) : withoutPrediction(last);
         if (shots.isEmpty()) {
             return null;
@@ -188,15 +203,10 @@ final class Prediction implements Planner {
         AccuracyLoop.Refine refine = estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
                 last.elements)).orElse(AccuracyLoop.Refine.NOTHING);
         return switch (refine) {
-            case MESH -> {
-                left = Double.POSITIVE_INFINITY;
-                splits = 0;
-                mispredicted = 0;
-                yield split(last, estimate.get().marked().marks());
-            }
+            case MESH -> divide(last, estimate.get());
             case RAYS -> renew();
             case NOTHING -> {
-                if (mispredicted < MOST_MISPREDICTED && oneSided.applyAsDouble(last) > 2 * oneSidedEnough()) {
+                if (mispredicted < MOST_MISPREDICTED && counters.flux.oneSided(last) > 2 * oneSidedEnough()) {
                     mispredicted++;
                     yield distribute(last, unsent, goOn);
                 }
@@ -204,6 +214,14 @@ final class Prediction implements Planner {
                 yield null;
             }
         };
+    }
+
+    /** Divides the elements that an estimate has marked. */
+    private Order divide(Answer last, Estimator.Estimate estimate) {
+        left = Double.POSITIVE_INFINITY;
+        splits = 0;
+        mispredicted = 0;
+        return split(last, estimate.marked().marks());
     }
 
     /**
@@ -228,7 +246,7 @@ final class Prediction implements Planner {
      * @param h predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
      */
     private boolean isEnough(Answer last, double unsent, double[] h) throws IOException {
-        if (unsent <= enough() && oneSided.applyAsDouble(last) <= oneSidedEnough()) {
+        if (unsent <= enough() && counters.flux.oneSided(last) <= oneSidedEnough()) {
             return true;
         }
         if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
@@ -261,26 +279,37 @@ final class Prediction implements Planner {
         if (stage == Stage.SPLIT) {
             refined = last.elements == elements || splits == MOST_SPLITS;
             left = Double.POSITIVE_INFINITY;
-            if (last.elements > elements) {
-                return gather();
-            }
         }
-        if (stage == Stage.MEND) {
-            return balance();
+        return switch (stage) {
+            case SPLIT -> last.elements > elements ? gather() : distributeChange(last, unsent, goOn);
+            case GATHER -> refined ? distributeChange(last, unsent, goOn) : split(last, List.of());
+            case MEND -> balance(last);
+            case BALANCE -> endOfChange(last, unsent);
+            default -> distributeChange(last, unsent, goOn);
+        };
+    }
+
+    /**
+     * Shoots the difference until little flux is unshot, then divides the mesh, then shoots until what is unshot would
+     * change little. A round of shots takes long here, as the mesh is fine from the beginning.
+     */
+    private Order distributeChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        isLargeChange |= unsent > PREDICTED;
+        boolean isPredicted = coarse != null && isLargeChange;
+        if (isPredicted && !coarse.isMade()) {
+            return rows();
         }
-        if (stage == Stage.BALANCE) {
-            return endOfChange(unsent);
+        double[] h = isPredicted ? predict(goOn) : null;
+        if (isPredicted && h == null) {
+            return null;
         }
-        if (unsent > enough() && unsent < left) {
-            if (unsent > PREDICTED && coarse != null && !coarse.isMade()) {
-                return rows();
-            }
-            List<Shot> shots = unsent > PREDICTED && coarse != null ? withPrediction(last, predict(goOn)) : largest();
-            if (!shots.isEmpty()) {
-                return shoot(shots, unsent);
-            }
+        boolean isEnough = refined ? isEnough(last, unsent, h) : unsent <= PREDICTED;
+        boolean isShooting = !isEnough && unsent < left;
+        if (isShooting && !balanced) {
+            return giveBack(last, true);
         }
-        return refined ? mend() : split(last, List.of());
+        List<Shot> shots = !isShooting ? List.of() : isPredicted ? withPrediction(last, h) : largest();
+        return !shots.isEmpty() ? shoot(shots, unsent) : refined ? mend() : split(last, List.of());
     }
 
     /** Estimates the error; empty where there is no light, or the user lets much flux be unshot. */
@@ -289,27 +318,33 @@ final class Prediction implements Planner {
     }
 
     /**
-     * Ends the calculation after an edit, unless the estimated error is clearly above the {@link #usual} one: then all
-     * vertices gather anew. The noise that one edit adds is small, but the noise of many edits adds up.
+     * Ends the calculation after an edit, unless the estimated error is not {@linkplain #isUsual usual}: then mesh or
+     * rays are refined as in a scene that is no edit. The noise that one edit adds is small, but the noise of many
+     * edits adds up: where the error is still the one asked for, all vertices gather anew.
      */
-    private Order endOfChange(double unsent) throws IOException {
-        Optional<Certificate> certificate = estimate().map(Estimator.Estimate::certificate);
-        if (certificate.isPresent() && certificate.get().expected() > WORSE * usual(certificate.get())) {
-            changes = 0;
-            left = unsent <= enough() ? unsent : 0;
-            return renew();
+    private Order endOfChange(Answer last, double unsent) throws IOException {
+        Optional<Estimator.Estimate> estimate = estimate();
+        if (estimate.isEmpty() || isUsual(estimate.get().certificate())) {
+            stage = Stage.DONE;
+            return null;
         }
-        stage = Stage.DONE;
-        return null;
+        changes = 0;
+        left = unsent <= enough() ? unsent : 0;
+        loop.forget();
+        AccuracyLoop.Refine refine = loop.refine(estimate.get().certificate(), estimate.get().marked().share(),
+                last.elements);
+        return refine == AccuracyLoop.Refine.MESH ? divide(last, estimate.get()) : renew();
     }
 
     /**
-     * Estimated error that an edited scene may have: the error asked for, or the last estimate where that was larger;
-     * after several edits, where most of the error is noise, the last estimate alone.
+     * Whether the estimated error is one that an edited scene may have: not clearly above the error asked for, or above
+     * the last estimate where that was larger; after several edits, where most of the error is noise, not clearly above
+     * the last estimate alone.
      */
-    private double usual(Certificate now) {
+    private boolean isUsual(Certificate now) {
         boolean isNoise = 2 * now.sampling() * now.sampling() > now.expected() * now.expected();
-        return changes == MOST_CHANGES && isNoise ? loop.found() : Math.max(loop.asked(), loop.found());
+        double usual = changes == MOST_CHANGES && isNoise ? loop.found() : Math.max(loop.asked(), loop.found());
+        return now.expected() <= WORSE * usual;
     }
 
     /** The patches with most unshot flux, as many as have all but {@link #LEFT} of the unshot flux together. */
@@ -368,20 +403,29 @@ final class Prediction implements Planner {
         return order;
     }
 
-    /** Scales the irradiance of all vertices by {@link Flux#missing}, without a shot. */
-    private Order balance() {
+    /** Gives lost flux back after the last shots, before the error is estimated. */
+    private Order balance(Answer last) {
         stage = Stage.BALANCE;
-        return order(Order.Kind.BALANCE, List.of(), new double[0]);
+        return giveBack(last, false);
+    }
+
+    /** Scales the irradiance of all vertices by {@link Flux#missing}, without a shot. */
+    private Order giveBack(Answer last, boolean isShotLater) {
+        balanced = true;
+        return order(Order.Kind.BALANCE, List.of(), new double[0])
+                .givingBack(counters.flux.missing(last, isShotLater));
     }
 
     private Order gather() throws IOException {
         stage = Stage.GATHER;
+        balanced = false;
         List<Shot> totals = world.totals();
         return order(Order.Kind.GATHER, totals, AmbientLevel.of(world.mesh, totals));
     }
 
     private Order shoot(List<Shot> shots, double unsent) {
         stage = Stage.SHOOT;
+        balanced = false;
         left = unsent;
         return order(Order.Kind.SHOOT, shots, AmbientLevel.of(world.mesh, shots));
     }
@@ -482,6 +526,8 @@ final class Prediction implements Planner {
         out.writeDouble(left);
         out.writeDouble(wanted);
         out.writeByte(mispredicted);
+        out.writeBoolean(balanced);
+        out.writeBoolean(isLargeChange);
         for (double w : weight) {
             out.writeDouble(w);
         }
@@ -498,6 +544,8 @@ final class Prediction implements Planner {
         left = in.readDouble();
         double before = in.readDouble();
         mispredicted = in.readByte();
+        balanced = in.readBoolean();
+        isLargeChange = in.readBoolean();
         for (int c = 0; c < weight.length; c++) {
             weight[c] = in.readDouble();
         }
@@ -523,6 +571,8 @@ final class Prediction implements Planner {
         in.readDouble();
         in.readDouble();
         in.readByte();
+        in.readBoolean();
+        in.readBoolean();
         double[] old = new double[Weights.count(earlier.rooms, world.channels())];
         for (int c = 0; c < old.length; c++) {
             old[c] = in.readDouble();

@@ -184,7 +184,7 @@ public final class ProgressiveRadiosity {
 
     private Planner planner() {
         return switch (world.settings().schedule()) {
-            case PREDICT -> new Prediction(world, stop.unsent(), counters.flux::oneSided, this::estimate);
+            case PREDICT -> new Prediction(world, stop.unsent(), counters, this::estimate);
             case PAPER -> new ShootAndSort(world.patches(), world.channels());
             case SHOOTING -> new CyclicSchedule(world.channels(), false);
             case GATHERING -> new CyclicSchedule(world.channels(), true);
@@ -261,8 +261,7 @@ public final class ProgressiveRadiosity {
             sizer.rest();
         }
         Order next = queue.round();
-        queue.begin(next.changes() ? next.numbered(counters.nextRound(next.shots()), missing(next.kind())) : next,
-                planner.looksAhead());
+        queue.begin(next.changes() ? next.numbered(counters.nextRound(next.shots())) : next, planner.looksAhead());
     }
 
     private void carryOut(Order now) throws IOException {
@@ -286,13 +285,6 @@ public final class ProgressiveRadiosity {
             last.ask(now);
         }
         sizer.took(now.shots().size(), (world.now() - begin) * 1e-9);
-    }
-
-    /** {@link Flux#missing} for orders that correct the received flux, one per channel; else empty. */
-    private double[] missing(Order.Kind kind) {
-        boolean gives = world.mesh.predicts() && (kind == Order.Kind.BALANCE || kind == Order.Kind.SHOOT);
-        return gives && counters.shots() > 0
-                ? counters.flux.missing(last.afterRound(), kind == Order.Kind.SHOOT) : new double[0];
     }
 
     /**
