@@ -122,9 +122,9 @@ final class AccuracyLoop {
     }
 
     /**
-     * Chooses what to refine and lowers its tolerance: the mesh where mesh and bias hold more than their part of the
-     * mean square error, else the rays; nothing where the error is at most the one asked for, but for what may be the
-     * estimate's own, or no longer falls.
+     * Chooses what to refine and lowers its tolerance: of rays and mesh, to which the bias is counted, the one whose
+     * mean square error is the larger multiple of its part of the one aimed at; nothing where the error is at most the
+     * one asked for, but for what may be the estimate's own, or no longer falls.
      *
      * <p>At shadow edges the mean square error of a mesh is proportional to {@link #meshError}; elsewhere the mean
      * square error falls faster: where light is smooth, N elements have an error of 1 / N, and each adds 1 / N^3 to its
@@ -153,9 +153,10 @@ final class AccuracyLoop {
         double rays = square(certificate.sampling());
         double mesh = Math.max(0, square(certain) - rays);
         double forRays = Math.min(rays, Math.max((1 - LEAST_FOR_MESH) * wanted, wanted - mesh));
-        if (mesh > wanted - forRays) {
+        double forMesh = wanted - forRays;
+        if (rays == 0 || mesh * forRays > rays * forMesh) {
             double left = isBetter ? mesh * (1 - marked) : mesh;
-            meshError *= Math.min(1, Math.max(STEP, (wanted - forRays) / left));
+            meshError *= Math.min(1, Math.max(STEP, forMesh / left));
             return Refine.MESH;
         }
         tolerance *= StrictMath.pow(Math.max(STEP, forRays / rays), Accuracy.POWER / 2);

@@ -71,6 +71,13 @@ class AccuracyLoopTest {
         assertEquals(meshError, loop.meshError());
     }
 
+    /** Elements divided while rays carry most of the error would all have to gather anew. */
+    @Test
+    void whatExceedsItsPartMore_isRefinedFirst() {
+        assertEquals(Refine.RAYS, loop().refine(certificate(.05, .045, .022), 0, 1000));
+        assertEquals(Refine.MESH, loop().refine(certificate(.05, .022, .045), 0, 1000));
+    }
+
     /** What is gathered anew is averaged with what there is: together they are as exact as new vertices. */
     @Test
     void raysAreAdded_notReplaced() {
