@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 import radiosity.Radiosity;
 import radiosity.edit.LightDifference;
+import radiosity.output.gltf.SceneFile;
+import radiosity.output.image.ToneMapping;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
@@ -193,12 +195,23 @@ public final class ChangeTable {
         double[] c = truth > 0 ? LightDifference.radiosity(run(scene, RadiositySettings.defaults().accurate(truth),
                 Optional.empty()).solution, places) : null;
         double error = truth > 0 ? LightDifference.of(c, b) : Double.NaN;
+        keep(name, changed);
+        keep(name + "-anew", anew);
         System.out.printf("| %s | %.2f | %.2f | %.1f %% | %.2f | %d | %d | %.2f %% | %.2f %% | %.2f %% | %.2f %%"
                 + " | %.2f %% | %.2f |%n", name + changed.anew, anew.seconds, changed.seconds,
                 100 * changed.seconds / anew.seconds, changed.certifying, anew.solution.elements(),
                 changed.solution.elements(), 100 * anew.certificate.expected(), 100 * changed.certificate.expected(),
                 100 * LightDifference.of(a, b),
                 truth > 0 ? 100 * LightDifference.of(c, a) : Double.NaN, 100 * error, changed.certificate.expected() / error);
+    }
+
+    /** Writes a scene file to the directory of the system property {@code keep}, where it is set. */
+    private static void keep(String name, Run run) throws IOException {
+        String directory = System.getProperty("keep", "");
+        if (!directory.isEmpty()) {
+            SceneFile.write(Path.of(directory, name + ".scene"), run.solution, Map.of("certificate", run.certificate),
+                    run.solution.scene().camera(), ToneMapping.automatic(run.solution));
+        }
     }
 
     private Run run(Scene scene, RadiositySettings how, Optional<SavedState> from) throws IOException {
