@@ -42,7 +42,7 @@ final class Animation {
      * @throws Failure after the last frame, where frames missed the accuracy that {@code --accuracy} asks for
      */
     void render(RendererOptions options) throws IOException {
-        int[] frames = options.scene.frames.all();
+        int[] frames = options.file.frames.all();
         List<Exception> inexact = new ArrayList<>();
         Path before = options.file.change;
         for (int i = 0; i < frames.length && !stop.everMade(); i++) {

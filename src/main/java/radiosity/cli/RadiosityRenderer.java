@@ -94,7 +94,7 @@ public final class RadiosityRenderer {
                     options.check();
                     Animation.Renderer renderer =
                             frame -> new RadiosityRenderer(frame, List.of(arguments), stop).render(ending);
-                    if (options.scene.frames != null) {
+                    if (options.file.frames != null) {
                         new Animation(List.of(arguments), stop, renderer).render(options);
                     } else {
                         renderer.render(options);
@@ -123,7 +123,7 @@ public final class RadiosityRenderer {
 
     private Scene scene() throws IOException {
         user.phase("reading " + options.input().getFileName());
-        Scene scene = options.scene.daylight(SceneReader.read(options.input(), options.scene.readOptions(),
+        Scene scene = options.daylight.around(SceneReader.read(options.input(), options.scene.readOptions(),
                 warnings::print));
         options.scene.check(scene);
         files.check(scene);

@@ -130,9 +130,9 @@ class WrongUsesTest {
             ViewSceneFile --source                                 | 2 | --source: expected <file>, got nothing
             ViewSceneFile --source @/no.lws @/lit.scene            | 3 | @/no.lws: expected a readable file, got none
             ViewSceneFile --source @/a.lws --web @/lit.scene       | 2 | --source: expected without -lw and --web, got one of them
-            ViewSceneFile -lw --frames 0-3 @/a.lws                 | 2 | --frames: expected without -lw, got both
-            ViewSceneFile -lw --sky uniform @/a.lws                | 2 | --sky: expected without -lw, got both
-            ViewSceneFile -lw --sun 0,1,0 9 @/a.lws                | 2 | --sun: expected without -lw, got both
+            ViewSceneFile -lw --frames 0-3 @/a.lws                 | 2 | --frames: expected an option that --help lists, got an unknown one; did you mean --frame?
+            ViewSceneFile -lw --sky uniform @/a.lws                | 2 | --sky: expected an option that --help lists, got an unknown one
+            ViewSceneFile -lw --sun 0,1,0 9 @/a.lws                | 2 | --sun: expected an option that --help lists, got an unknown one
             PartitionServer --second-port                          | 2 | --second-port: expected a port from 1 to 65535, got nothing
             PartitionServer --second-port 0                        | 2 | --second-port: expected a port from 1 to 65535, got 0
             PartitionServer --second-prot 1098                     | 2 | --second-prot: expected an option that --help lists, got an unknown one; did you mean --second-port?

@@ -33,6 +33,11 @@ public final class FileOptions {
                     + " objects, materials and lamps takes away or brings is calculated. With --schedule predict.")
     public Path change;
 
+    @Option(names = "--frames", paramLabel = "<a-b[:n]>", converter = FrameRange.Parser.class,
+            description = "LightWave: every n:th frame from a to b, each calculated from the one before (see --change);"
+                    + " the names of all outputs get its number: out-0012.scene.")
+    public FrameRange frames;
+
     @Option(names = "--points", paramLabel = "<in.csv> <out.csv>", arity = "2", hideParamSyntax = true,
             parameterConsumer = PointsConsumer.class,
             description = "Write radiosity and irradiance at points: in.csv has x, y, z, nx, ny, nz per line.")

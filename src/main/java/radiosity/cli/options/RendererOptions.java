@@ -43,6 +43,9 @@ public final class RendererOptions {
     @Mixin(name = "How to read the scene")
     public final SceneOptions scene = new SceneOptions();
 
+    @Mixin(name = "Daylight")
+    public final DaylightOptions daylight = new DaylightOptions();
+
     @Mixin(name = "Distributed mode")
     public final HostOptions host = new HostOptions();
 
@@ -89,7 +92,7 @@ public final class RendererOptions {
                     : "; hosts are " + host.hosts.stream().map(HostAddress::toString).collect(joining(", "))));
         }
         checkOutput(output().toString());
-        if (scene.frames != null) {
+        if (file.frames != null) {
             checkFrames();
         }
     }

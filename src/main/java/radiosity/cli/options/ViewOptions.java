@@ -55,9 +55,6 @@ public final class ViewOptions {
                     !window.lightWave && command.commandLine().getParseResult().hasMatchedOption(option));
         }
         scene.check();
-        Failure.excludes("--frames", "-lw", scene.frames != null);
-        Failure.excludes("--sky", "-lw", scene.sky != null);
-        Failure.excludes("--sun", "-lw", scene.sun != null);
         if (window.web && (window.size != null || window.lightWave || window.wireframe || window.textures
                 || window.screenshot != null)) {
             throw Failure.commandLine("--web",

@@ -42,12 +42,12 @@ public final class SceneSource {
         List<String> commandLine = words.stream().map(String::valueOf).toList();
         RendererOptions options = new RendererOptions();
         new CommandLineParser(options).parse(commandLine.toArray(String[]::new));
-        if (options.files.size() != 2 || options.scene.frames != null) {
+        if (options.files.size() != 2 || options.file.frames != null) {
             throw new SceneFormatException(file.toString(), "", "a scene file of one render",
-                    options.scene.frames != null ? "a frame of an animation" : "another");
+                    options.file.frames != null ? "a frame of an animation" : "another");
         }
         Path found = model.orElseGet(() -> near(options.input(), file));
-        Scene scene = options.scene.daylight(SceneReader.read(found, options.scene.readOptions(), warnings));
+        Scene scene = options.daylight.around(SceneReader.read(found, options.scene.readOptions(), warnings));
         return new EditSource(found, options.scene.readOptions(), SurfaceMaps.read(scene, options.scene.srgb, warnings),
                 file, saved.state(), saved.settings(), (Map<?, ?>) extras.get("settings"), commandLine);
     }
