@@ -291,7 +291,8 @@ final class Prediction implements Planner {
 
     /**
      * Shoots the difference until little flux is unshot, then divides the mesh, then shoots until what is unshot would
-     * change little. A round of shots takes long here, as the mesh is fine from the beginning.
+     * change little. A round of shots takes long here, as the mesh is fine from the beginning; so after a small change
+     * unshot flux of one sign is no reason for another one: the next change goes on with the flux.
      */
     private Order distributeChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         isLargeChange |= unsent > PREDICTED;
@@ -303,7 +304,8 @@ final class Prediction implements Planner {
         if (isPredicted && h == null) {
             return null;
         }
-        boolean isEnough = refined ? isEnough(last, unsent, h) : unsent <= PREDICTED;
+        boolean isEnough = !refined ? unsent <= PREDICTED : isPredicted ? isEnough(last, unsent, h)
+                : unsent <= enough();
         boolean isShooting = !isEnough && unsent < left;
         if (isShooting && !balanced) {
             return giveBack(last, true);
