@@ -1,5 +1,6 @@
 #version 120
-// From radiosity to what the screen shows, as radiosity.output.image.ToneMapping does it.
+// From radiosity to what the screen shows, as radiosity.output.image.ToneMapping does it. What varies is taken inside the
+// triangle (centroid): at the middle of a pixel that a thin triangle touches, beside the triangle, it may be negative.
 uniform float exposure;
 uniform int curve;        // ToneMapping.Operator, by its number
 uniform int falseColour;  // 1: luminance in colours, see FalseColour
@@ -7,9 +8,9 @@ uniform int falseColour;  // 1: luminance in colours, see FalseColour
 uniform sampler2D image;       // radiosity as bakedCurve and bakedExposure made it, sRGB
 uniform float bakedExposure;
 uniform int bakedCurve;
-varying vec2 place;
+centroid varying vec2 place;
 #else
-varying vec3 radiosity;
+centroid varying vec3 radiosity;
 #endif
 
 const float WHITE = 4.0;

@@ -1,6 +1,6 @@
 #version 120
 // Radiosity of the vertex, W/m2: not clamped on its way to the pixels, as a colour would be.
-varying vec3 radiosity;
+centroid varying vec3 radiosity;
 
 void main() {
     radiosity = gl_Color.rgb;

@@ -1,6 +1,6 @@
 #version 120
 // Where in the texture the vertex lies.
-varying vec2 place;
+centroid varying vec2 place;
 
 void main() {
     place = gl_MultiTexCoord0.st;

@@ -10,10 +10,10 @@ const DRAG = 1.5, NOTCH = 0.02, STEEPEST = 89 * Math.PI / 180;
 const CURVES = ['linear', 'reinhard', 'filmic'];
 const VERTEX = `
 #ifdef TEXTURES
-varying vec2 place;
+centroid varying vec2 place;
 #else
 attribute vec3 shown;
-varying vec3 radiosity;
+centroid varying vec3 radiosity;
 #endif
 void main() {
 #ifdef TEXTURES
