@@ -41,7 +41,7 @@ public final class ChangeTable {
     private static final int FRAMES = 20;
     /** Of which so many are rendered anew. */
     private static final int ANEW = 4;
-    /** A look that takes less than this part of another one is the same. */
+    /** A certificate that takes less than this part of what a run does after its last round is that of the run. */
     private static final double KNOWN = 0.1;
 
     private final RadiositySettings settings;
@@ -221,32 +221,23 @@ public final class ChangeTable {
                     new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT));
             String anew = from.isEmpty() ? "" : radiosity.change(from.get()).map(why -> " (anew: " + why + ")")
                     .orElse("");
+            double[] last = {begin};
             radiosity.run(progress -> {
+                last[0] = TruthTable.cpuSeconds();
                 if (Boolean.getBoolean("rounds")) {
-                    System.out.printf("  %s %.2f CPU s%n", progress, TruthTable.cpuSeconds() - begin);
+                    System.out.printf("  %s %.2f CPU s%n", progress, last[0] - begin);
                 }
                 return true;
             });
+            double ran = TruthTable.cpuSeconds();
             Solution solution = radiosity.solution();
             double done = TruthTable.cpuSeconds();
             Certificate certificate = radiosity.certificate(threads).orElseThrow();
             double certifying = TruthTable.cpuSeconds() - done;
-            double look = look(scene, how, solution.state());
-            boolean isKnown = certifying < KNOWN * look;
-            return new Run(solution, certificate, done - begin - (isKnown ? look : 0), isKnown ? look : certifying,
+            double ofRun = ran - last[0];
+            boolean isKnown = certifying < KNOWN * ofRun;
+            return new Run(solution, certificate, done - begin - (isKnown ? ofRun : 0), isKnown ? ofRun : certifying,
                     anew);
-        }
-    }
-
-    /** CPU-seconds that it takes to look at a solution that nobody has looked at. */
-    private double look(Scene scene, RadiositySettings how, SavedState state) throws IOException {
-        try (LocalWorld world = new LocalWorld(scene, how, threads)) {
-            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world,
-                    new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT));
-            radiosity.resume(state);
-            double begin = TruthTable.cpuSeconds();
-            radiosity.certificate(threads);
-            return TruthTable.cpuSeconds() - begin;
         }
     }
 }
