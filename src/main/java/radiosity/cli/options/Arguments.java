@@ -36,6 +36,12 @@ final class Arguments {
         return arguments.pop();
     }
 
+    /** The next two arguments, as {@link #next} returns each. */
+    static String[] two(Stack<String> arguments, ArgSpec option, String expected) {
+        String first = next(arguments, option, expected);
+        return new String[] {first, next(arguments, option, expected, first)};
+    }
+
     /** Whether a text is or resembles an option; {@code -1,2,3} and {@code -y=0.85} do not. */
     private static boolean isOption(String text, ArgSpec other) {
         return text.startsWith("--") || other.command().optionsMap().containsKey(text.replaceFirst("=.*", ""));

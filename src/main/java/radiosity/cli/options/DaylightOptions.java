@@ -76,14 +76,14 @@ public final class DaylightOptions {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
-            String direction = Arguments.next(arguments, option, TWO);
-            String lux = Arguments.next(arguments, option, TWO, direction);
-            double[] x = Arrays.stream(direction.split(",", -1)).mapToDouble(Values::decimal).toArray();
+            String[] two = Arguments.two(arguments, option, TWO);
+            double[] x = Arrays.stream(two[0].split(",", -1)).mapToDouble(Values::decimal).toArray();
+            double lux = Values.decimal(two[1]);
             Vec3 towards = x.length == 3 ? new Vec3(x[0], x[1], x[2]) : Vec3.ZERO;
-            if (!towards.isFinite() || !(towards.length() > 0) || !(Values.decimal(lux) > 0)) {
-                throw Arguments.wrong(option, "expected " + TWO + ", got " + direction + " " + lux);
+            if (!towards.isFinite() || !(towards.length() > 0) || !(lux > 0)) {
+                throw Arguments.wrong(option, "expected " + TWO + ", got " + String.join(" ", two));
             }
-            option.setValue(Light.sun(towards, Values.decimal(lux)));
+            option.setValue(Light.sun(towards, lux));
         }
     }
 }

@@ -110,13 +110,12 @@ public final class FileOptions {
 
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
-            String where = Arguments.next(arguments, option, TWO);
-            String out = Arguments.next(arguments, option, TWO, where);
-            if (out.startsWith("-") || Arguments.isModel(out)) {
-                throw Arguments.wrong(option, "expected " + TWO + ", got " + where + " " + out);
+            String[] two = Arguments.two(arguments, option, TWO);
+            if (two[1].startsWith("-") || Arguments.isModel(two[1])) {
+                throw Arguments.wrong(option, "expected " + TWO + ", got " + String.join(" ", two));
             }
             List<GridFile> all = new ArrayList<>(option.<List<GridFile>>getValue());
-            all.add(new GridFile(where, Arguments.path(out, option)));
+            all.add(new GridFile(two[0], Arguments.path(two[1], option)));
             option.setValue(all);
         }
     }
@@ -143,14 +142,13 @@ public final class FileOptions {
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
             Arguments.once(option);
-            String in = Arguments.next(arguments, option, TWO);
-            String out = Arguments.next(arguments, option, TWO, in);
-            for (String file : List.of(in, out)) {
+            String[] two = Arguments.two(arguments, option, TWO);
+            for (String file : two) {
                 if (file.startsWith("-") || Arguments.isModel(file)) {
-                    throw Arguments.wrong(option, "expected " + TWO + ", got " + in + " " + out);
+                    throw Arguments.wrong(option, "expected " + TWO + ", got " + String.join(" ", two));
                 }
             }
-            option.setValue(new PointFiles(Arguments.path(in, option), Arguments.path(out, option)));
+            option.setValue(new PointFiles(Arguments.path(two[0], option), Arguments.path(two[1], option)));
         }
     }
 }
