@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.DoubleFunction;
 import radiosity.Radiosity;
 import radiosity.cli.render.SavedCalculation;
 import radiosity.edit.Edit;
@@ -17,8 +17,18 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 
-/** Prints how fast light follows edits, see {@code scripts/change --help}: a line per edit. */
+/**
+ * Prints how fast light follows edits, see {@code scripts/change --help}: a line per edit. Edits come as from a user in
+ * the window: the object, and the slider of the colour, are dragged for a second and let go; before each edit the user
+ * looks at the picture for two seconds.
+ */
 public final class FollowTable {
+
+    /** Number of mouse movements of a drag. */
+    private static final int MOVEMENTS = 30;
+    private static final long MOVEMENT_MILLIS = 33;
+    private static final long LOOK_MILLIS = 2000;
+    private static final Rgb PAINT = new Rgb(.6, .15, .1);
 
     private FollowTable() { }
 
@@ -32,24 +42,26 @@ public final class FollowTable {
         Vec3 by = new Vec3(Double.parseDouble(arguments[4]), Double.parseDouble(arguments[5]),
                 Double.parseDouble(arguments[6]));
         BlockingQueue<LightFollower.Rest> rests = new ArrayBlockingQueue<>(1);
-        AtomicReference<Double> first = new AtomicReference<>();
         try (LightFollower follower = new LightFollower(saved.state(), saved.settings(),
-                Integer.parseInt(arguments[7]), solution -> {
-                    LitScene.of(solution, DefaultCamera.of(solution)); // what the window does before it draws
-                    first.compareAndSet(null, TruthTable.cpuSeconds());
-                }, rests::add, System.out::println)) {
-            follow(follower, rests, first, "opened", scene);
+                Integer.parseInt(arguments[7]),
+                solution -> LitScene.of(solution, DefaultCamera.of(solution)), // what the window does before it draws
+                rests::add, System.out::println)) {
+            Rests seen = new Rests(follower, rests);
+            seen.follow("opened", scene);
+            Rgb before = scene.surfaces().get(surface).reflectance();
             for (int round = 0; round < 2; round++) {
-                history.add(new Edit.Moved(node, Vec3.ZERO, 0, by));
-                follow(follower, rests, first, history.edits().get(0).text(scene), history.scene());
+                seen.drag(history, part -> new Edit.Moved(node, Vec3.ZERO, 0, by.times(part)));
                 history.undo();
-                follow(follower, rests, first, "undone", history.scene());
-                history.add(new Edit.Painted(surface, new Rgb(.6, .15, .1)));
-                follow(follower, rests, first, history.edits().get(0).text(scene), history.scene());
+                seen.follow("undone", history.scene());
+                seen.drag(history, part -> new Edit.Painted(surface, mean(before, PAINT, part)));
                 history.undo();
-                follow(follower, rests, first, "undone", history.scene());
+                seen.follow("undone", history.scene());
             }
         }
+    }
+
+    private static Rgb mean(Rgb from, Rgb to, double part) {
+        return from.times(1 - part).plus(to.times(part));
     }
 
     private static int indexOf(List<String> names, String name) {
@@ -60,13 +72,31 @@ public final class FollowTable {
         return index;
     }
 
-    private static void follow(LightFollower follower, BlockingQueue<LightFollower.Rest> rests,
-            AtomicReference<Double> first, String what, Scene scene) throws InterruptedException {
-        first.set(null);
-        double begin = TruthTable.cpuSeconds();
-        follower.follow(scene);
-        LightFollower.Rest rest = rests.take();
-        System.out.printf("%s: %s; first light %.2f CPU s, all %.2f CPU s%n", what, rest.text(), first.get() - begin,
-                TruthTable.cpuSeconds() - begin);
+    /** The follower, and what it says when the light is at rest. */
+    private record Rests(LightFollower follower, BlockingQueue<LightFollower.Rest> rests) {
+
+        /** Drags for a second and lets go; {@code part} makes the edit of a part of the way, in (0, 1]. */
+        void drag(EditHistory history, DoubleFunction<Edit> part) throws InterruptedException {
+            Thread.sleep(LOOK_MILLIS);
+            for (int i = 1; i < MOVEMENTS; i++) {
+                follower.follow(part.apply((double) i / MOVEMENTS).of(history.scene()), true);
+                Thread.sleep(MOVEMENT_MILLIS);
+            }
+            Edit edit = part.apply(1);
+            history.add(edit);
+            await(edit.text(history.original()), history.scene());
+        }
+
+        void follow(String what, Scene scene) throws InterruptedException {
+            Thread.sleep(LOOK_MILLIS);
+            await(what, scene);
+        }
+
+        private void await(String what, Scene scene) throws InterruptedException {
+            double begin = TruthTable.cpuSeconds();
+            follower.follow(scene);
+            LightFollower.Rest rest = rests.take();
+            System.out.printf("%s: %s; %.2f CPU s%n", what, rest.text(), TruthTable.cpuSeconds() - begin);
+        }
     }
 }

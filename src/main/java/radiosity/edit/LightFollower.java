@@ -34,6 +34,8 @@ public final class LightFollower implements AutoCloseable {
     public static final double CLOSE = 0.1;
     /** Least pause between pictures, relative to the time from the edit to the last picture. */
     private static final double PAUSE = 0.5;
+    /** A picture comes without a pause where the unshot flux is less than this part of that of the last picture. */
+    private static final double LESS = 0.25;
     /** Unshot flux, relative to the emitted flux, above which a render from the beginning shows no pictures yet. */
     private static final double DARK = 0.3;
     /** Unshot flux, relative to the emitted flux, above which the exact solution lacks more than the quick solution. */
@@ -62,8 +64,17 @@ public final class LightFollower implements AutoCloseable {
      */
     private record Target(Scene scene, boolean isMoving, long since) { }
 
-    /** @param seconds time from the edit to the picture */
-    private record Seen(Solution solution, double seconds) { }
+    /**
+     * @param seconds time from the edit to the picture
+     * @param unsent  unshot flux, relative to the emitted flux
+     */
+    private record Seen(Solution solution, double seconds, double unsent) {
+
+        /** Whether the next picture may be shown. */
+        boolean isOld(Target goal, double unsentNow) {
+            return unsentNow < LESS * unsent || LightFollower.seconds(goal) > (1 + PAUSE) * seconds;
+        }
+    }
 
     /**
      * Result of an edit whose render was completed.
@@ -226,9 +237,10 @@ public final class LightFollower implements AutoCloseable {
         return (System.nanoTime() - goal.since) * 1e-9;
     }
 
-    private void show(Target goal, Solution solution, List<Seen> pictures) {
+    private void show(Target goal, ProgressiveRadiosity radiosity, List<Seen> pictures) throws IOException {
+        Solution solution = radiosity.solution();
         shown.accept(solution);
-        pictures.add(new Seen(solution, seconds(goal)));
+        pictures.add(new Seen(solution, seconds(goal), radiosity.progress().unsent()));
     }
 
     /** The solutions of one accuracy, each calculated from an earlier solution. */
@@ -253,29 +265,28 @@ public final class LightFollower implements AutoCloseable {
                         : radiosity.change(base, baseMesh, () -> isFirstWanted(goal)).orElse("");
                 double most = !pictures.isEmpty() ? FOLLOWED : anew.isEmpty() ? Double.POSITIVE_INFINITY : DARK;
                 if (anew.isEmpty() && pictures.isEmpty() && isFirstWanted(goal)) {
-                    show(goal, radiosity.solution(), pictures);
+                    show(goal, radiosity, pictures);
                 }
                 radiosity.run(progress -> {
-                    double last = pictures.isEmpty() ? 0 : pictures.get(pictures.size() - 1).seconds;
-                    if (isWanted(goal) && progress.unsent() <= most && !progress.gathers()
-                            && seconds(goal) > (1 + PAUSE) * last) {
-                        show(goal, solution(radiosity), pictures);
+                    if (isWanted(goal) && progress.unsent() <= most && !progress.gathers() && (pictures.isEmpty()
+                            || pictures.get(pictures.size() - 1).isOld(goal, progress.unsent()))) {
+                        showUnchecked(goal, radiosity, pictures);
                     }
                     return isWanted(goal);
                 });
                 if (!isWanted(goal)) {
                     return Optional.empty();
                 }
-                show(goal, radiosity.solution(), pictures);
+                show(goal, radiosity, pictures);
                 keep(pictures.get(pictures.size() - 1).solution, world.mesh, !anew.isEmpty());
                 return this == quick ? Optional.empty()
                         : Optional.of(Rest.of(radiosity.certificate(threads), pictures, anew));
             }
         }
 
-        private static Solution solution(ProgressiveRadiosity radiosity) {
+        private void showUnchecked(Target goal, ProgressiveRadiosity radiosity, List<Seen> pictures) {
             try {
-                return radiosity.solution();
+                show(goal, radiosity, pictures);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }

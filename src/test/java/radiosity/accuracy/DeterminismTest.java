@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.scene.Scene;
@@ -13,6 +14,7 @@ import radiosity.testkit.SharedData;
 import radiosity.testkit.Solve;
 
 /** The same calculation gives the same bits: sample points belong to receiver and shooter, and sums have no order. */
+@Tag("slow")
 class DeterminismTest {
 
     @Test

@@ -67,6 +67,7 @@ class EnergyLedgerTest {
     }
 
     /** A block goes through the floor, so that not all that is shot must be received. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({".1, false", ".08, false", ".05, false", ".03, false", ".1, true", ".05, true"})
     void roomWithOverlappingBlock_receivesNoMoreThanWasShot(double error, boolean isBulb) {

@@ -3,6 +3,7 @@ package radiosity.accuracy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
@@ -17,6 +18,7 @@ import radiosity.testkit.Solve;
  * of its own. With the paper's schedule the discrete system is linear too, as its form factors do not depend on what is
  * shot; only what is left unshot differs from run to run, 1e-7 here. With prediction, mesh and rays follow the light.
  */
+@Tag("slow")
 class LinearityTest {
 
     private static final double TOLERANCE = 2e-6;

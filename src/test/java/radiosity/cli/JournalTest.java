@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,6 +51,7 @@ class JournalTest {
         return new ProgressiveRadiosity(new LocalWorld(SCENE, settings(schedule), 1), STOP);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource(Schedule.class)
     void journalAtEveryCall_changesNothingAndIsGoneOnFromToTheSameBits(Schedule schedule) throws IOException {

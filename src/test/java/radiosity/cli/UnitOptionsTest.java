@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,6 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.testkit.ProgramRun;
 
 /** {@code --unit} and {@code --photometric}: the numbers and the names of their units in all that a render says. */
+@Tag("slow")
 class UnitOptionsTest {
 
     private static final Path BOX = Path.of("scenes/cornell-box.lws");

@@ -3,6 +3,7 @@ package radiosity.extremes;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import radiosity.testkit.Claim;
@@ -12,6 +13,7 @@ import radiosity.testkit.Solve;
 import radiosity.testkit.Spread;
 
 /** Radiosity is in proportion to emission over 78 powers of ten, as far as floats of a file go. */
+@Tag("slow")
 public class EmissionTest {
 
     public static Stream<Claim> claims() {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -24,6 +25,7 @@ import radiosity.testkit.Spread;
 /**
  * Broken and odd meshes: every radiosity is a number, none below what is emitted, the mean not above a closed room's.
  */
+@Tag("slow")
 public class GeometryTest {
 
     private static final double REFLECTANCE = 0.5;

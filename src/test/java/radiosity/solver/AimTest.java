@@ -26,6 +26,7 @@ class AimTest {
     private static final StopRule STOP = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT);
     private static final RadiositySettings COARSE = RadiositySettings.defaults().accurate(.2);
 
+    @Tag("slow")
     @Test
     void smallerError_isReachedFromWhatThereIs() throws IOException {
         try (LocalWorld world = new LocalWorld(ROOM, COARSE, 2)) {
@@ -78,6 +79,7 @@ class AimTest {
     }
 
     /** The unshot flux that is left may exceed what the last estimate, which is lower than those before, would allow. */
+    @Tag("slow")
     @Test
     void resumedAfterTheEnd_isLeftAsItIs() throws IOException {
         SavedState before = null;

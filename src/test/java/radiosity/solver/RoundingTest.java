@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -20,6 +21,7 @@ import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.RoomScenes;
 
 /** A calculation that is to leave nothing unshot ends where only rounding is left, on every schedule. */
+@Tag("slow")
 class RoundingTest {
 
     /** More than any schedule needs here. */

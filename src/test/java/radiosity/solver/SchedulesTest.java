@@ -6,6 +6,7 @@ import static radiosity.solver.SameBitsTest.SCENE;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -33,6 +34,7 @@ class SchedulesTest {
         }
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource(value = Schedule.class, names = {"SHOOTING", "GATHERING", "MATRIX"})
     void converged_allSchedulesGiveOneSolution(Schedule schedule) {
@@ -52,6 +54,7 @@ class SchedulesTest {
     }
 
     /** The mean over the room: what is near to a wall errs most with the paper's rays, and weighs little. */
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource(FormFactors.class)
     void everyKindOfFormFactor_findsTheSameFlux(FormFactors factors) {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -28,6 +29,7 @@ class ReferenceTest {
     /** Least x of the points of the second room, m. */
     private static final double BEHIND_DOORWAY = 3.2;
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"blocks,0.05", "blocks,0.02", "doorway,0.05", "doorway,0.02"})
     void error_isAtMostWhatWasAskedFor(String room, double asked) throws IOException {
