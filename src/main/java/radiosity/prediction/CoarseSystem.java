@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import radiosity.mesh.Block;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
+import radiosity.mesh.RepresentativeFaces;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
@@ -169,7 +170,10 @@ public final class CoarseSystem {
     }
 
     /**
-     * Adds to the radiosity of shots the part of an irradiance that their patches reflect, linear between vertices.
+     * Adds to the radiosity of shots the part of an irradiance that their patches reflect, linear between vertices. A
+     * face that another face {@linkplain RepresentativeFaces represents} gets its part in the first shots only. Later,
+     * the light that the face itself has received is known better: beside a bulb, one of two neighbours may be lit and
+     * the other one in shadow.
      *
      * @param shots of elements none of which is larger than a patch of the coarse mesh; not modified
      * @param h     irradiance, channels per vertex, W/m²; not modified
@@ -180,8 +184,13 @@ public final class CoarseSystem {
     }
 
     private Shot with(Shot shot, double[] h, boolean first) {
-        Shot made = new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
+        Shot made = new Shot(shot.trees().stream().map(tree -> first || !isRepresented(tree) ? with(tree, h) : tree)
+                .toList(), shot.flux());
         return first ? mesh.rounding.finely(made) : mesh.rounding.of(made);
+    }
+
+    private boolean isRepresented(PatchTree tree) {
+        return mesh.representatives.leader(tree.face()) != tree.face();
     }
 
     private PatchTree with(PatchTree tree, double[] h) {

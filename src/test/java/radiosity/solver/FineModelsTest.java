@@ -5,11 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.testkit.ColouredRoom.assertSame;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.RepresentativeFaces;
+import radiosity.prediction.CoarseSystem;
+import radiosity.protocol.Shot;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
@@ -19,6 +23,7 @@ import radiosity.settings.Schedule;
 import radiosity.setup.InitialMesh;
 import radiosity.solution.Solution;
 import radiosity.testkit.RoomScenes;
+import radiosity.util.ParallelFor;
 
 /** A ball of 8192 triangles in a cube: modelled finer than light needs. */
 @Tag("slow")
@@ -105,6 +110,35 @@ class FineModelsTest {
             }
             assertTrue(alike > -1e-6, "they look the same way");
         }
+    }
+
+    @Test
+    void representedFace_isPredictedByTheFirstShotsOnly() {
+        InitialMesh mesh = new InitialMesh(ball(LAMP, DULL), settings());
+        CoarseSystem system = new CoarseSystem(mesh, new ParallelFor(1));
+        double[] h = new double[mesh.faces.channels()
+                * new RadiosityNodes(mesh.coarse, mesh.clusters.clusters).vertices()];
+        Arrays.fill(h, 100);
+        List<Shot> shots = system.importance();
+        List<PatchTree> before = trees(shots);
+        List<PatchTree> first = trees(system.with(shots, h, true));
+        List<PatchTree> later = trees(system.with(shots, h, false));
+        for (int i = 0; i < before.size(); i++) {
+            if (before.get(i).child()[0] >= 0) {
+                continue; // a wall: more than one patch
+            }
+            int f = before.get(i).face();
+            double reflected = 100 * mesh.faces.reflectance(f, 0);
+            double radiosity = before.get(i).radiosity()[0];
+            boolean isRepresented = mesh.representatives.leader(f) != f;
+            assertEquals(radiosity + reflected, first.get(i).radiosity()[0], 0.01 * reflected + 1e-9);
+            assertEquals(radiosity + (isRepresented ? 0 : reflected), later.get(i).radiosity()[0],
+                    0.01 * reflected + 1e-9);
+        }
+    }
+
+    private static List<PatchTree> trees(List<Shot> shots) {
+        return shots.stream().flatMap(shot -> shot.trees().stream()).toList();
     }
 
     @Test
