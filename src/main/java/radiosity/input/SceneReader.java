@@ -52,6 +52,9 @@ public final class SceneReader {
         if (format.get() == SceneFormat.GLTF && options.srgb()) {
             notes.note("", "--srgb is for LightWave and OBJ only; glTF says itself what is sRGB");
         }
+        if (format.get() != SceneFormat.OBJ && options.twoSided()) {
+            notes.note("", "--two-sided is for OBJ only; LightWave and glTF say which surfaces have two sides");
+        }
         notes.flush();
         return Luminaires.place(switch (format.get()) {
             case LIGHTWAVE -> LightWaveReader.read(file, options, warnings).with(options.units());

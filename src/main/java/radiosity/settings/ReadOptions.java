@@ -16,6 +16,7 @@ import radiosity.scene.Units;
  * @param map          directories that replace the beginnings of paths in files: {@code D:/projects} -> a directory
  * @param lights       use of the scene's lights
  * @param srgb         whether colours in files are sRGB, which are made linear; else colours are taken as linear
+ * @param twoSided     OBJ, whose files do not say: whether surfaces that do not emit reflect on both sides
  * @param strict       whether every warning is an error
  * @param maxBytes     largest size of a file, bytes
  * @param maxTriangles largest number of triangles of a scene, those of all instances counted
@@ -23,8 +24,8 @@ import radiosity.scene.Units;
  * @param luminaires   files (IES, EULUMDAT) by the name of the lights that get the file's distribution, or by x,y,z
  */
 public record ReadOptions(OptionalDouble frame, Emission emission, List<Path> content, Map<String, Path> map,
-                               Lights lights, boolean srgb, boolean strict, long maxBytes, int maxTriangles,
-                               Units units, Map<String, Path> luminaires) {
+                               Lights lights, boolean srgb, boolean twoSided, boolean strict, long maxBytes,
+                               int maxTriangles, Units units, Map<String, Path> luminaires) {
 
     /** Property that makes a surface emit: LightWave's luminosity, or the specular value as in the paper (B.2). */
     public enum Emission { LUMINOSITY, SPECULAR }
@@ -45,72 +46,79 @@ public record ReadOptions(OptionalDouble frame, Emission emission, List<Path> co
 
     /** First frame, luminosity, lights as the format means them, linear colours, 256 MiB per file, 20e6 triangles. */
     public static ReadOptions defaults() {
-        return new ReadOptions(OptionalDouble.empty(), Emission.LUMINOSITY, List.of(), Map.of(), Lights.AUTO,
+        return new ReadOptions(OptionalDouble.empty(), Emission.LUMINOSITY, List.of(), Map.of(), Lights.AUTO, false,
                 false, false, 256L << 20, 20_000_000, Units.UNKNOWN, Map.of());
     }
 
     /** These options with another frame. */
     public ReadOptions withFrame(double value) {
-        return new ReadOptions(OptionalDouble.of(value), emission, content, map, lights, srgb, strict, maxBytes,
-                maxTriangles, units, luminaires);
+        return new ReadOptions(OptionalDouble.of(value), emission, content, map, lights, srgb, twoSided, strict,
+                maxBytes, maxTriangles, units, luminaires);
     }
 
     /** These options with another property that makes surfaces emit. */
     public ReadOptions withEmission(Emission value) {
-        return new ReadOptions(frame, value, content, map, lights, srgb, strict, maxBytes, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, value, content, map, lights, srgb, twoSided, strict, maxBytes, maxTriangles,
+                units, luminaires);
     }
 
     /** These options with other directories to search. */
     public ReadOptions withContent(List<Path> value) {
-        return new ReadOptions(frame, emission, value, map, lights, srgb, strict, maxBytes, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, emission, value, map, lights, srgb, twoSided, strict, maxBytes, maxTriangles,
+                units, luminaires);
     }
 
     /** These options with other directories for the beginnings of paths. */
     public ReadOptions withMap(Map<String, Path> value) {
-        return new ReadOptions(frame, emission, content, value, lights, srgb, strict, maxBytes, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, emission, content, value, lights, srgb, twoSided, strict, maxBytes,
+                maxTriangles, units, luminaires);
     }
 
     /** These options with another use of the lights. */
     public ReadOptions withLights(Lights value) {
-        return new ReadOptions(frame, emission, content, map, value, srgb, strict, maxBytes, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, emission, content, map, value, srgb, twoSided, strict, maxBytes, maxTriangles,
+                units, luminaires);
     }
 
     /** These options with colours taken as sRGB or as linear. */
     public ReadOptions withSrgb(boolean value) {
-        return new ReadOptions(frame, emission, content, map, lights, value, strict, maxBytes, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, emission, content, map, lights, value, twoSided, strict, maxBytes, maxTriangles,
+                units, luminaires);
+    }
+
+    /** These options with surfaces of OBJ that have two sides, or one. */
+    public ReadOptions withTwoSided(boolean value) {
+        return new ReadOptions(frame, emission, content, map, lights, srgb, value, strict, maxBytes, maxTriangles,
+                units, luminaires);
     }
 
     /** These options with or without warnings as errors. */
     public ReadOptions withStrict(boolean value) {
-        return new ReadOptions(frame, emission, content, map, lights, srgb, value, maxBytes, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, emission, content, map, lights, srgb, twoSided, value, maxBytes, maxTriangles,
+                units, luminaires);
     }
 
     /** These options with another largest size of a file, bytes. */
     public ReadOptions withMaxBytes(long value) {
-        return new ReadOptions(frame, emission, content, map, lights, srgb, strict, value, maxTriangles, units,
-                luminaires);
+        return new ReadOptions(frame, emission, content, map, lights, srgb, twoSided, strict, value, maxTriangles,
+                units, luminaires);
     }
 
     /** These options with another largest number of triangles. */
     public ReadOptions withMaxTriangles(int value) {
-        return new ReadOptions(frame, emission, content, map, lights, srgb, strict, maxBytes, value, units, luminaires);
+        return new ReadOptions(frame, emission, content, map, lights, srgb, twoSided, strict, maxBytes, value, units,
+                luminaires);
     }
 
     /** These options with other units for files that do not say theirs. */
     public ReadOptions withUnits(Units value) {
-        return new ReadOptions(frame, emission, content, map, lights, srgb, strict, maxBytes, maxTriangles, value,
-                luminaires);
+        return new ReadOptions(frame, emission, content, map, lights, srgb, twoSided, strict, maxBytes, maxTriangles,
+                value, luminaires);
     }
 
     /** These options with other files of luminaires. */
     public ReadOptions withLuminaires(Map<String, Path> value) {
-        return new ReadOptions(frame, emission, content, map, lights, srgb, strict, maxBytes, maxTriangles, units,
-                value);
+        return new ReadOptions(frame, emission, content, map, lights, srgb, twoSided, strict, maxBytes, maxTriangles,
+                units, value);
     }
 }

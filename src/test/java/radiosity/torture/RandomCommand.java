@@ -25,7 +25,7 @@ final class RandomCommand {
             "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info",
             "--change", "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size",
             "--exposure", "--tone-mapping", "--final-gather", "--frame", "--frames", "--content", "--map", "--emission",
-            "--lights", "--srgb", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
+            "--lights", "--srgb", "--two-sided", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
             "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
@@ -108,6 +108,9 @@ final class RandomCommand {
         }
         if (is("--srgb", .1)) {
             light("--srgb");
+        }
+        if (is("--two-sided", .1)) {
+            light("--two-sided");
         }
         if (is("--photometric", .1)) {
             light("--photometric");

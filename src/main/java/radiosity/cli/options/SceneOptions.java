@@ -43,6 +43,11 @@ public final class SceneOptions {
             description = "Colours of LightWave and OBJ are sRGB and made linear. Default: as written.")
     public boolean srgb;
 
+    @Option(names = "--two-sided",
+            description = "Surfaces of OBJ that do not emit have two sides. Default: the side from which corners run"
+                    + " counter-clockwise.")
+    boolean twoSided;
+
     @Option(names = "--unit", paramLabel = "<unit>", converter = UnitParser.class,
             description = "Length of a unit of LightWave and OBJ: mm, cm, m, in or ft (glTF: metres). Flux is in W or"
                     + " lm where it is known.")
@@ -124,7 +129,7 @@ public final class SceneOptions {
 
     public ReadOptions readOptions() {
         ReadOptions options = ReadOptions.defaults().withEmission(emission).withContent(content).withMap(map)
-                .withLights(lights).withSrgb(srgb).withStrict(strict).withLuminaires(luminaires)
+                .withLights(lights).withSrgb(srgb).withTwoSided(twoSided).withStrict(strict).withLuminaires(luminaires)
                 .withUnits(new Units(unit == null ? Double.NaN : unit, photometric));
         return frame == null ? options : options.withFrame(frame);
     }

@@ -64,7 +64,10 @@ final class Materials {
         return known;
     }
 
-    /** The surface of a material; it reflects and emits on the side from which corners run counter-clockwise. */
+    /**
+     * The surface of a material. It reflects and emits on the side from which corners run counter-clockwise, or on both
+     * sides where the options say so and the surface does not emit: a lamp that emits inward, too, has twice the flux.
+     */
     Surface surface(Material material) {
         Rgb diffuse = options.srgb() ? Srgb.linear(material.diffuse()) : material.diffuse();
         if (material.transparent) {
@@ -82,7 +85,9 @@ final class Materials {
         } else {
             image(light).ifPresent(image -> maps.add(map(ImageMap.Target.EXITANCE, image, material.emitted(), light)));
         }
-        return new Surface(material.name, material.emitted(), diffuse.atMost(Surface.MAX_REFLECTANCE), false, maps);
+        boolean isTwoSided = options.twoSided() && light == null && material.emitted().max() == 0;
+        return new Surface(material.name, material.emitted(), diffuse.atMost(Surface.MAX_REFLECTANCE), isTwoSided,
+                maps);
     }
 
     private Optional<ImageSource> image(TextureImage of) {

@@ -103,6 +103,14 @@ class ObjReaderTest {
     }
 
     @Test
+    void twoSided_isWhatDoesNotEmit_whereTheOptionsSaySo() throws IOException {
+        library("ROOM MATERIALS.MTL", "newmtl paint\nKd .1 .2 .3\nnewmtl glow\nKd 0\nKe 17 12 4\n");
+        assertEquals(List.of(false, false), read(SQUARES).surfaces().stream().map(Surface::twoSided).toList());
+        assertEquals(List.of(true, false), read(SQUARES, ReadOptions.defaults().withTwoSided(true)).surfaces().stream()
+                .map(Surface::twoSided).toList());
+    }
+
+    @Test
     void missingLibrary_isOneLine_andSoAreItsMaterials() throws IOException {
         Scene scene = read(SQUARES);
         assertEquals(List.of("room.obj: material libraries that are not found leave a light grey: Room (2 times)",
