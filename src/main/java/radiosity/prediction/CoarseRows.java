@@ -160,22 +160,23 @@ public final class CoarseRows {
     /**
      * The system H = D + K rho H, with irradiances at representative vertices as unknowns instead of patches' corners.
      *
-     * @param enough see {@link GaussSeidel}
+     * @param reflectance colours per node of the coarse mesh, used for patches; not modified
+     * @param enough      see {@link GaussSeidel}
      */
-    GaussSeidel equations(double enough) {
+    GaussSeidel equations(double[] reflectance, double enough) {
         int[][] columns = new int[column.length][];
         float[][] value = new float[column.length][];
         parallel.run(column.length, EQUATIONS, (from, to) -> {
             int[] place = new int[column.length];
             for (int v = from; v < to; v++) {
-                equation(v, place, columns, value);
+                equation(v, reflectance, place, columns, value);
             }
         });
         return new GaussSeidel(channels, faces.colours(), columns, value, enough);
     }
 
     /** @param place scratch, 1 per vertex: its place in the equation of v; the initial content does not matter */
-    private void equation(int v, int[] place, int[][] columns, float[][] value) {
+    private void equation(int v, double[] reflectance, int[] place, int[][] columns, float[][] value) {
         int colours = faces.colours();
         int[] vertices = new int[3 * column[v].length];
         float[] sum = new float[colours * vertices.length];
@@ -190,7 +191,7 @@ public final class CoarseRows {
                     vertices[size++] = at;
                 }
                 for (int c = 0; c < colours; c++) {
-                    sum[colours * place[at] + c] += weight * (float) nodes.reflectance(patch, c);
+                    sum[colours * place[at] + c] += weight * (float) reflectance[colours * patch + c];
                 }
             }
         }

@@ -16,6 +16,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
 import radiosity.mesh.room.ClosedRooms;
 import radiosity.protocol.Shot;
+import radiosity.scene.Surface;
 import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
@@ -32,6 +33,8 @@ public final class CoarseSystem {
     /** Relative change that ends the sweeps: where rows err by some per cent, and where any remainder would show. */
     private static final double ROUGHLY = 1e-5;
     private static final double EXACTLY = 1e-9;
+    /** Most light that a patch may reflect, as a multiple of what it reflects of the light by the rows. */
+    private static final double MOST_REBALANCED = 4;
 
     private final InitialMesh mesh;
     private final ParallelFor parallel;
@@ -42,7 +45,14 @@ public final class CoarseSystem {
     private final boolean single;
     private final int channels;
     private final CoarseRows rows;
-    /** The system with reflectances; null until it is first solved. */
+    /** Whether the rows of closed rooms add up to 1. */
+    private boolean isClosed;
+    /**
+     * Colours per node, used for patches: what a patch reflects of the irradiance by the rows. That is the patch's
+     * reflectance before anything was shot, see {@link #rebalance}.
+     */
+    private final double[] reflectance;
+    /** The system with reflectances; null until it is solved with the present ones. */
     private GaussSeidel equations;
 
     public CoarseSystem(InitialMesh mesh, ParallelFor parallel) {
@@ -55,6 +65,12 @@ public final class CoarseSystem {
         single = mesh.solvesAtOnce();
         nodes = new RadiosityNodes(mesh.coarse, blocks);
         rows = new CoarseRows(nodes, mesh.representatives, parallel);
+        reflectance = new double[faces.colours() * nodes.nodes()];
+        for (int p = 0; p < nodes.patches(); p++) {
+            for (int c = 0; c < faces.colours(); c++) {
+                reflectance[faces.colours() * nodes.patch(p) + c] = nodes.reflectance(nodes.patch(p), c);
+            }
+        }
     }
 
     /**
@@ -94,15 +110,70 @@ public final class CoarseSystem {
      * @throws radiosity.util.NoNumberException where the irradiance is not finite
      */
     public double[] irradiance(double[] unshot, BooleanSupplier goOn) {
+        closeRows();
         if (equations == null) {
-            rows.close(rooms);
-            equations = rows.equations(isRough() ? ROUGHLY : EXACTLY);
+            equations = rows.equations(reflectance, isRough() ? ROUGHLY : EXACTLY);
         }
         return equations.solve(rows.direct(unshot), goOn);
     }
 
+    private void closeRows() {
+        if (!isClosed) {
+            rows.close(rooms);
+            isClosed = true;
+        }
+    }
+
     private boolean isRough() {
         return !single && !mesh.rounding.exact();
+    }
+
+    /**
+     * Lets each patch reflect as much of the light by the rows as it has reflected of all light so far, so that the
+     * system has the light of the fine mesh as its solution (K. Smith, Nodal method storage reduction by non-linear
+     * iteration, 1983, for neutrons). Corners of patches see less than their middles where surfaces meet, and of two
+     * neighbours with one row, one may lie in the shadow of a bulb: without this, each round would leave the same part
+     * of its light to the next.
+     *
+     * <p>Rows of closed rooms are balanced already; there a face that another one
+     * {@linkplain RepresentativeFaces represents} may reflect less than that one. Where lights without geometry shine,
+     * their part of the irradiance is not known here, and nothing changes.
+     *
+     * @param totals radiosity that every patch has shot so far; not modified
+     * @param unshot channels per node of the coarse mesh, used for patches, W/m²; not modified
+     */
+    public void rebalance(List<Shot> totals, double[] unshot) {
+        if (!isRough() || !mesh.scene.lights().isEmpty()) {
+            return;
+        }
+        closeRows();
+        double[] shot = unshot(totals);
+        double[] h = rows.direct(shot);
+        parallel.run(nodes.patches(), p -> rebalance(nodes.patch(p), shot, unshot, h));
+        equations = null;
+    }
+
+    private void rebalance(int patch, double[] shot, double[] unshot, double[] h) {
+        int face = nodes.face(patch);
+        double most = rooms.room(face) < 0 ? MOST_REBALANCED : mesh.representatives.leader(face) != face ? 1 : 0;
+        int colours = faces.colours();
+        for (int colour = 0; colour < colours && most > 0; colour++) {
+            double own = nodes.reflectance(patch, colour);
+            double reflected = 0;
+            double byRows = 0;
+            for (int c = colour; c < channels; c += colours) {
+                reflected += shot[channels * patch + c] + unshot[channels * patch + c] - nodes.exitance(patch, c);
+                for (int k = 0; k < 3; k++) {
+                    byRows += own * corner(patch, k, h, c) / 3;
+                }
+            }
+            double ratio = byRows > 0 ? Math.max(0, Math.min(most, reflected / byRows)) : 1;
+            reflectance[colours * patch + colour] = Math.min(Surface.MAX_REFLECTANCE, own * ratio);
+        }
+    }
+
+    private double reflectance(int patch, int channel) {
+        return reflectance[faces.colours() * patch + channel % faces.colours()];
     }
 
     /** Irradiance at corner k of a patch, W/m²; at a buried corner the mean of the patch's other corners, or 0. */
@@ -159,7 +230,7 @@ public final class CoarseSystem {
             double weight = weights.at(nodes.face(patch), c);
             double reflected = 0;
             for (int k = 0; k < 3; k++) {
-                reflected += nodes.reflectance(patch, c) * corner(patch, k, h, c) / 3;
+                reflected += reflectance(patch, c) * corner(patch, k, h, c) / 3;
             }
             double brightness = radiosity[channels * patch + c] * weight / Accuracy.BRIGHT;
             area += nodes.area(patch);
@@ -170,10 +241,7 @@ public final class CoarseSystem {
     }
 
     /**
-     * Adds to the radiosity of shots the part of an irradiance that their patches reflect, linear between vertices. A
-     * face that another face {@linkplain RepresentativeFaces represents} gets its part in the first shots only. Later,
-     * the light that the face itself has received is known better: beside a bulb, one of two neighbours may be lit and
-     * the other one in shadow.
+     * Adds to the radiosity of shots the part of an irradiance that their patches reflect, linear between vertices.
      *
      * @param shots of elements none of which is larger than a patch of the coarse mesh; not modified
      * @param h     irradiance, channels per vertex, W/m²; not modified
@@ -184,13 +252,8 @@ public final class CoarseSystem {
     }
 
     private Shot with(Shot shot, double[] h, boolean first) {
-        Shot made = new Shot(shot.trees().stream().map(tree -> first || !isRepresented(tree) ? with(tree, h) : tree)
-                .toList(), shot.flux());
+        Shot made = new Shot(shot.trees().stream().map(tree -> with(tree, h)).toList(), shot.flux());
         return first ? mesh.rounding.finely(made) : mesh.rounding.of(made);
-    }
-
-    private boolean isRepresented(PatchTree tree) {
-        return mesh.representatives.leader(tree.face()) != tree.face();
     }
 
     private PatchTree with(PatchTree tree, double[] h) {
@@ -210,7 +273,7 @@ public final class CoarseSystem {
         if (patch) {
             here = new double[3 * channels];
             for (int i = 0; i < here.length; i++) {
-                here[i] = nodes.reflectance(coarse, i % channels) * corner(coarse, i / channels, h, i % channels);
+                here[i] = reflectance(coarse, i % channels) * corner(coarse, i / channels, h, i % channels);
             }
         }
         int first = tree.child()[node];

@@ -12,7 +12,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import radiosity.mesh.Weights;
-import radiosity.mesh.face.Faces;
 import radiosity.prediction.AmbientLevel;
 import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Answer;
@@ -55,6 +54,7 @@ final class Prediction implements Planner {
     private static final int MOST_PREDICTED = 100_000;
     /** Asks all partitions for all patches with unshot flux. */
     private static final Order ALL = Order.asking(Order.Kind.ASK, Integer.MAX_VALUE);
+    private static final Order MEANS = Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE);
 
     /** The kind of the last round, see the class comment. The ordinal is part of saved calculations. */
     private enum Stage { NOTHING, SHOOT, SPLIT, GATHER, RENEW, REGATHER, AVERAGE, BALANCE, DONE, MEND }
@@ -200,9 +200,8 @@ final class Prediction implements Planner {
      */
     private Order refine(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         Optional<Estimator.Estimate> estimate = estimate();
-        AccuracyLoop.Refine refine = estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
-                last.elements)).orElse(AccuracyLoop.Refine.NOTHING);
-        return switch (refine) {
+        return switch (estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
+                last.elements)).orElse(AccuracyLoop.Refine.NOTHING)) {
             case MESH -> divide(last, estimate.get());
             case RAYS -> renew();
             case NOTHING -> {
@@ -266,8 +265,11 @@ final class Prediction implements Planner {
 
     /** Irradiance that all unshot flux is predicted to cause; null where {@code goOn} ends the calculation. */
     private double[] predict(BooleanSupplier goOn) throws IOException {
-        Order means = Order.asking(Order.Kind.MEANS, Integer.MAX_VALUE);
-        return coarse.irradiance(coarse.unshot(world.joined(world.answer(means).candidates)), goOn);
+        double[] unshot = coarse.unshot(world.joined(world.answer(MEANS).candidates));
+        if (stage != Stage.NOTHING) {
+            coarse.rebalance(world.totals(), unshot);
+        }
+        return coarse.irradiance(unshot, goOn);
     }
 
     /**
@@ -437,15 +439,13 @@ final class Prediction implements Planner {
      * rooms all patches, as the uniform part of their radiosity is shot for all of them at once.
      */
     private List<Shot> candidates(Answer answer) {
-        return world.joined(answer.candidates).stream()
-                .filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0 || coarse != null && reflects(shot))
-                        .toList();
+        return world.joined(answer.candidates).stream().filter(shot -> shot.flux() > 0 || world.mesh.rooms.count() > 0
+                || coarse != null && reflects(shot)).toList();
     }
 
     private boolean reflects(Shot shot) {
-        Faces faces = world.mesh.faces;
-        return shot.trees().stream().anyMatch(tree -> IntStream.range(0, faces.channels())
-                .anyMatch(c -> faces.reflectance(tree.face(), c) > 0));
+        return shot.trees().stream().anyMatch(tree -> IntStream.range(0, world.channels())
+                .anyMatch(c -> world.mesh.faces.reflectance(tree.face(), c) > 0));
     }
 
     /**
