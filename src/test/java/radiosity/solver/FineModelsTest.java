@@ -1,6 +1,5 @@
 package radiosity.solver;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static radiosity.testkit.ColouredRoom.assertSame;
@@ -138,11 +137,14 @@ class FineModelsTest {
         });
         system.rebalance(other, new double[system.unshot(emitted).length]);
         double[] wanted = system.unshot(other);
-        double[] found = system.unshot(system.with(emitted, system.irradiance(system.unshot(emitted), () -> true),
-                false));
-        double most = Arrays.stream(system.unshot(first)).max().orElseThrow();
-        assertTrue(Math.abs(Arrays.stream(system.unshot(first)).sum() - Arrays.stream(wanted).sum()) > 0, "they differ");
-        assertArrayEquals(wanted, found, 5e-3 * most);
+        double[] found = system.unshot(system.with(emitted, system.irradiance(system.unshot(emitted), () -> true), true));
+        double[] before = system.unshot(first);
+        int changed = 0;
+        for (int i = 0; i < wanted.length; i++) {
+            assertEquals(wanted[i], found[i], 0.1 * wanted[i], "rows know means, equations corners");
+            changed += Math.abs(before[i] - wanted[i]) > 0.15 * wanted[i] ? 1 : 0;
+        }
+        assertTrue(changed > TRIANGLES / 4, "most have another radiosity than before, got " + changed);
     }
 
     /** Shots with another radiosity at each corner and channel. */
