@@ -24,7 +24,8 @@ import radiosity.util.ParallelFor;
  * A partition in this process (section 4.5.5 of the paper).
  *
  * <p>Its threads share out runs of neighbouring vertices, then shooters. Gathering at a vertex reads only the vertex,
- * the shots and the original triangles, so the result depends neither on the threads nor on how blocks are dealt.
+ * the ends of the edge whose middle it is, the shots and the original triangles, so the result depends neither on the
+ * threads nor on how blocks are dealt.
  */
 public final class PartitionImpl implements Partition {
 
@@ -44,6 +45,7 @@ public final class PartitionImpl implements Partition {
     private final Map<Shot.Place, List<Integer>> parts;
     private final Candidates candidates;
     private final GhostVertices ghosts;
+    private final EdgeMiddles middles;
     /** Work to be finished by {@link Order.Kind#REST}; null where there is none. */
     private Gatherer.Work rest;
     /** Receivers of the coarse mesh while their rows are made; else null. */
@@ -69,6 +71,7 @@ public final class PartitionImpl implements Partition {
         parts = mesh.clusters.parts(nodes);
         candidates = new Candidates(mesh, nodes, shooters, parallel);
         ghosts = new GhostVertices(nodes);
+        middles = new EdgeMiddles(nodes);
         if (!restored) {
             receivers.bury(nodes, 0);
             light(from(0));
@@ -245,7 +248,11 @@ public final class PartitionImpl implements Partition {
             discard(vertices);
         }
         costs.begin(vertices);
-        receivers.gather(work, nodes, vertices, turn, costs::add);
+        if (receivers.interpolates(order)) {
+            receivers.gatherOrInterpolate(work, nodes, middles, vertices, turn, costs::add);
+        } else {
+            receivers.gather(work, nodes, vertices, turn, costs::add);
+        }
         if (isMended) {
             raise(vertices);
         }
