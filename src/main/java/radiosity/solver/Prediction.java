@@ -302,16 +302,16 @@ final class Prediction implements Planner {
         if (isPredicted && !coarse.isMade()) {
             return rows();
         }
-        double[] h = isPredicted ? predict(goOn) : null;
-        if (isPredicted && h == null) {
-            return null;
-        }
-        boolean isEnough = !refined ? unsent <= PREDICTED : isPredicted ? isEnough(last, unsent, h)
-                : unsent <= enough();
-        boolean isShooting = !isEnough && unsent < left;
+        boolean isShooting = unsent < left && !(refined && isPredicted ? isEnough(last, unsent, null)
+                : unsent <= (refined ? enough() : PREDICTED));
         if (isShooting && !balanced) {
             return giveBack(last, true);
         }
+        double[] h = isShooting && isPredicted ? predict(goOn) : null;
+        if (isShooting && isPredicted && h == null) {
+            return null;
+        }
+        isShooting &= !refined || !isEnough(last, unsent, h);
         List<Shot> shots = !isShooting ? List.of() : isPredicted ? withPrediction(last, h) : largest();
         return !shots.isEmpty() ? shoot(shots, unsent) : refined ? mend() : split(last, List.of());
     }
