@@ -9,7 +9,6 @@ import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.LightSources;
-import radiosity.formfactor.PointSequence;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.Block;
@@ -26,6 +25,7 @@ import radiosity.setup.InitialMesh;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
 import radiosity.util.ParallelFor;
+import radiosity.util.R2;
 
 /** Estimates the error of a solution by gathering its light anew at points of every surface: a {@link Certificate}. */
 public final class Audit {
@@ -161,7 +161,7 @@ public final class Audit {
 
     /** Where a batch begins within the sampling step: elsewhere after each round. */
     private double start(int batch) {
-        return (START[batch] + PointSequence.u(round)) % 1;
+        return (START[batch] + R2.u(round)) % 1;
     }
 
     private boolean isClear(AuditResult result) {

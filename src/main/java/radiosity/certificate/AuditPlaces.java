@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import radiosity.formfactor.PointSequence;
 import radiosity.mesh.Block;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
@@ -16,6 +15,7 @@ import radiosity.mesh.face.Subdivision;
 import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
+import radiosity.util.R2;
 
 /** Chooses the points at which an {@link Audit} gathers anew: most of them where large errors are expected. */
 final class AuditPlaces {
@@ -172,8 +172,8 @@ final class AuditPlaces {
     }
 
     private AuditPoint point(RadiosityNodes of, int node, double area, int number, boolean isDetailed) {
-        double u = PointSequence.u(number);
-        double v = PointSequence.v(number);
+        double u = R2.u(number);
+        double v = R2.v(number);
         boolean fold = u + v > 1;
         double b = fold ? 1 - u : u;
         double c = fold ? 1 - v : v;

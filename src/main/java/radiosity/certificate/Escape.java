@@ -1,8 +1,8 @@
 package radiosity.certificate;
 
 import radiosity.formfactor.EscapingLight;
-import radiosity.formfactor.PointSequence;
 import radiosity.mesh.face.Faces;
+import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 
 /** Estimates the part of the light leaving a point that arrives nowhere, see {@link EscapingLight}. */
@@ -29,8 +29,8 @@ final class Escape {
         int all = 0;
         int lost = 0;
         for (int i = 1; i <= TRIES; i++) {
-            double p = 2 * PointSequence.u(i + (double) number * TRIES) - 1;
-            double q = 2 * PointSequence.v(i + (double) number * TRIES) - 1;
+            double p = 2 * R2.u(i + (double) number * TRIES) - 1;
+            double q = 2 * R2.v(i + (double) number * TRIES) - 1;
             if (p * p + q * q < 1) {
                 all++;
                 lost += light.escapes(place, face, p, q) ? 1 : 0;

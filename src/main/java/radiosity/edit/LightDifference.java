@@ -9,6 +9,7 @@ import radiosity.scene.Vec3;
 import radiosity.settings.Accuracy;
 import radiosity.solution.Certificate;
 import radiosity.solution.Solution;
+import radiosity.util.R2;
 
 /** Compares the light of two solutions of one scene at points spread over its surfaces. */
 public final class LightDifference {
@@ -31,8 +32,8 @@ public final class LightDifference {
             double at = (i + 0.5) / count * sum;
             int t = Arrays.binarySearch(upTo, at);
             t = Math.min(upTo.length - 1, t < 0 ? -1 - t : t);
-            double u = (0.5 + 0.7548776662466927 * i) % 1;
-            double v = (0.5 + 0.5698402909980532 * i) % 1;
+            double u = (0.5 + R2.u(i)) % 1;
+            double v = (0.5 + R2.v(i)) % 1;
             double r = Math.sqrt(u);
             Vec3 a = scene.corner(t, 0);
             Vec3 p = a.plus(scene.corner(t, 1).minus(a).times(r * (1 - v)))

@@ -1,6 +1,7 @@
 package radiosity.formfactor;
 
 import radiosity.util.Hash;
+import radiosity.util.R2;
 
 /** Estimates by one ray the light that a point receives from a cluster of triangles. */
 final class ClusterRays {

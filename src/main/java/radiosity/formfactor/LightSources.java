@@ -10,6 +10,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
 import radiosity.scene.Vec3;
+import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -125,8 +126,8 @@ public final class LightSources {
             Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
             int points = (int) Math.max(1, Math.ceil(FLUX_POINTS * faces.area(f) / faces.area()));
             for (int i = 1; i <= points; i++) {
-                double r = Math.sqrt(PointSequence.u(i));
-                double s = PointSequence.v(i);
+                double r = Math.sqrt(R2.u(i));
+                double s = R2.v(i);
                 add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0, kind -> !kind.isOutside());
             }
             for (int c = 0; c < sum.length; c++) {
@@ -239,8 +240,8 @@ public final class LightSources {
         double seen = 0;
         double all = 0;
         for (int i = 1; i <= SAMPLES; i++) {
-            double s = 2 * PointSequence.u(i) - 1;
-            double t = 2 * PointSequence.v(i) - 1;
+            double s = 2 * R2.u(i) - 1;
+            double t = 2 * R2.v(i) - 1;
             Vec3 y = at.plus(u.times(s)).plus(v.times(t));
             Vec3 d = y.minus(x);
             double k = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(light.direction())) / (d.dot(d) * d.dot(d));

@@ -1,5 +1,7 @@
 package radiosity.formfactor;
 
+import radiosity.util.R2;
+
 /** Estimates by rays the light that a point receives from a triangle. */
 final class TriangleRays {
 

@@ -2,13 +2,13 @@ package radiosity.output.grid;
 
 import radiosity.formfactor.ContourFactor;
 import radiosity.formfactor.LightSources;
-import radiosity.formfactor.PointSequence;
 import radiosity.mesh.face.Faces;
 import radiosity.output.points.Points;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
@@ -75,7 +75,7 @@ final class FreeIrradiance {
         Rgb sum = Rgb.BLACK;
         for (int i = 0; i < SIDE * SIDE; i++) {
             double r = Math.sqrt((i / SIDE + 0.5) / SIDE);
-            double angle = 2 * Math.PI * ((i % SIDE + PointSequence.u(i / SIDE + 1)) / SIDE);
+            double angle = 2 * Math.PI * ((i % SIDE + R2.u(i / SIDE + 1)) / SIDE);
             Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
                     .plus(n.times(Math.sqrt(1 - r * r)));
             Rgb light = look(x, d, true);
@@ -120,8 +120,8 @@ final class FreeIrradiance {
         double all = 0;
         double free = 0;
         for (int i = 1; i <= rays; i++) {
-            double r = Math.sqrt(PointSequence.u(i));
-            double s = PointSequence.v(i);
+            double r = Math.sqrt(R2.u(i));
+            double s = R2.v(i);
             Vec3 y = c[0].times(1 - r).plus(c[1].times(r * (1 - s))).plus(c[2].times(r * s));
             Vec3 d = y.minus(x);
             double kernel = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(normal)) / (d.dot(d) * d.dot(d));

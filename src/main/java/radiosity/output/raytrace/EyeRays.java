@@ -1,6 +1,5 @@
 package radiosity.output.raytrace;
 
-import radiosity.formfactor.PointSequence;
 import radiosity.output.mesh.Elements;
 import radiosity.output.raytrace.ElementRays.Hit;
 import radiosity.scene.MaterialSample;
@@ -9,6 +8,7 @@ import radiosity.scene.Specular;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.Hash;
+import radiosity.util.R2;
 
 /**
  * Traces rays from the eye through a solution: a specular surface divides a ray into a mirrored and a transmitted ray,
@@ -100,8 +100,8 @@ public final class EyeRays {
 
         /** Two numbers in [0, 1) that choose the facet from which ray k goes on. */
         double[] choice(long k) {
-            return new double[] {(PointSequence.u(k) + (seed >>> 40) * 0x1p-24) % 1,
-                (PointSequence.v(k) + (seed >>> 16 & 0xFFFFFF) * 0x1p-24) % 1};
+            return new double[] {(R2.u(k) + (seed >>> 40) * 0x1p-24) % 1,
+                (R2.v(k) + (seed >>> 16 & 0xFFFFFF) * 0x1p-24) % 1};
         }
     }
 

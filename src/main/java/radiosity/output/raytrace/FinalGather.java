@@ -6,13 +6,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import radiosity.formfactor.LightSources;
-import radiosity.formfactor.PointSequence;
 import radiosity.mesh.face.Faces;
 import radiosity.output.mesh.Elements;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -161,8 +161,8 @@ final class FinalGather {
         float[] hit = new float[3];
         Rgb sum = Rgb.BLACK;
         for (int i = 1; i <= count; i++) {
-            double square = PointSequence.u(first + i);
-            double angle = 2 * Math.PI * PointSequence.v(first + i);
+            double square = R2.u(first + i);
+            double angle = 2 * Math.PI * R2.v(first + i);
             double r = Math.sqrt(square);
             Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
                     .plus(n.times(Math.sqrt(1 - square)));
@@ -186,15 +186,15 @@ final class FinalGather {
         }
         Rgb sum = Rgb.BLACK;
         int i = 0;
-        double begin = PointSequence.u(first + 0.5);
+        double begin = R2.u(first + 0.5);
         for (int k = 0; k < count && all > 0; k++) {
             double at = (k + begin) / count * all;
             while (i < upTo.length - 1 && upTo[i] <= at) {
                 i++;
             }
             double chance = (upTo[i] - (i == 0 ? 0 : upTo[i - 1])) / all;
-            double r = Math.sqrt(PointSequence.u(first + k + 1));
-            double s = PointSequence.v(first + k + 1);
+            double r = Math.sqrt(R2.u(first + k + 1));
+            double s = R2.v(first + k + 1);
             sum = sum.plus(sample(pieces.get(i), point, above, n, r, s).times(1 / (chance * count)));
         }
         return sum;
