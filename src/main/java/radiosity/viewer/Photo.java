@@ -19,26 +19,26 @@ import radiosity.scene.Camera;
 final class Photo {
 
     private final Optional<Path> beside;
-    private final Consumer<String> told;
+    private final Consumer<String> messages;
     private volatile boolean isWanted = true;
     private boolean isDrawing;
 
     /**
-     * @param beside the scene file; empty where there is none
-     * @param told   receives a line for the user, on the event thread
+     * @param beside   the scene file; empty where there is none
+     * @param messages receives a line for the user, on the event thread
      */
-    Photo(Optional<Path> beside, Consumer<String> told) {
+    Photo(Optional<Path> beside, Consumer<String> messages) {
         this.beside = beside;
-        this.told = told;
+        this.messages = messages;
     }
 
     /** Begins to draw a picture on a thread of its own, unless one is being drawn; called on the event thread. */
     void take(LitScene scene, Camera camera, int width, ToneMapping toneMapping) {
         if (beside.isEmpty()) {
-            told.accept("photo: expected a scene file");
+            messages.accept("photo: expected a scene file");
         } else if (!isDrawing) {
             isDrawing = true;
-            told.accept("drawing a photo");
+            messages.accept("drawing a photo");
             Thread drawing = new Thread(() -> draw(scene, camera, width, toneMapping), "photo");
             drawing.setDaemon(true);
             drawing.start();
@@ -60,7 +60,7 @@ final class Photo {
             String outcome = line;
             EventQueue.invokeLater(() -> {
                 isDrawing = false;
-                told.accept(outcome);
+                messages.accept(outcome);
             });
         }
     }
