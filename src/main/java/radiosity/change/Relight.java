@@ -13,11 +13,13 @@ import radiosity.formfactor.LightSources;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.formfactor.VisibilityChange;
+import radiosity.mesh.BrightVertices;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
 import radiosity.prediction.AmbientLevel;
+import radiosity.partition.EdgeInterpolation;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
@@ -85,7 +87,7 @@ public final class Relight {
         int[] kept = IntStream.range(0, nodes.vertices())
                 .filter(v -> !transfer.fresh.get(v) && !nodes.points().isBuried(v)).toArray();
         if (change.isOfGeometry()) {
-            correct(earlier, kept, rules);
+            correct(earlier, kept, rules, weight);
         }
         if (change.isOfGeometry() || change.isOfLights()) {
             lit.light(kept, new LightSources(before.faces, before.bounds()), -1);
@@ -93,6 +95,9 @@ public final class Relight {
         }
         int[] fresh = transfer.fresh.stream().filter(v -> !nodes.points().isBuried(v)).toArray();
         gather(fresh, rules, weight);
+        if (!now.rounding.exact()) {
+            BrightVertices.find(nodes, new Weights(now.rooms, channels, weight));
+        }
         return lit.states();
     }
 
@@ -148,7 +153,7 @@ public final class Relight {
     /*---- Corrections of transferred light ----*/
 
     /** Adds the effect of changed visibility on all light shot, and subtracts the light shot by removed surfaces. */
-    private void correct(LitMesh old, int[] vertices, Order.Rules rules) {
+    private void correct(LitMesh old, int[] vertices, Order.Rules rules, double[] weight) {
         boolean[] gone = change.goneFaces();
         ShooterHierarchy[] kept = shooters(old, rules, tree -> !gone[tree.face()]);
         ShooterHierarchy[] vanished = shooters(old, rules, tree -> gone[tree.face()]);
@@ -161,34 +166,10 @@ public final class Relight {
             differences[slack] = new RayCaster(visibility, now.rays(), COMPARED * tolerance);
             whole[slack] = new RayCaster(before.bounds(), now.rays(), tolerance);
         }
-        double[] irradiance = nodes.light().irradiance();
-        parallel.run(vertices.length, LitMesh.RUN, (from, to) -> {
-            checkWanted();
-            int[] run = Arrays.copyOfRange(vertices, from, to);
-            double[] come = received(differences, kept, run);
-            double[] back = received(whole, vanished, run);
-            for (int i = 0; i < channels * run.length; i++) {
-                irradiance[channels * run[i / channels] + i % channels] += come[i] - back[i];
-            }
-        });
-    }
-
-    /**
-     * Returns the light that some neighbouring vertices receive of some shooters, channels per vertex. Shooter by
-     * shooter: rays from neighbours to one shooter run alike.
-     *
-     * @param calculators one per {@link Patcher#slack}
-     */
-    private double[] received(FormFactorCalculator[] calculators, ShooterHierarchy[] shooters, int[] run) {
-        GatherSink.Irradiance[] sums = new GatherSink.Irradiance[run.length];
-        Arrays.setAll(sums, i -> new GatherSink.Irradiance(channels));
-        for (ShooterHierarchy shooter : shooters) {
-            for (int i = 0; i < run.length; i++) {
-                int slack = now.patcher.slack(nodes.points().face(run[i]));
-                lit.gatherer.gather(calculators[slack], shooter, nodes, run[i], 0, sums[i]);
-            }
-        }
-        return Arrays.stream(sums).flatMapToDouble(sum -> Arrays.stream(sum.value)).toArray();
+        EdgeInterpolation interpolation = new EdgeInterpolation(now, lit.gatherer, nodes, parallel);
+        Order.Rules later = new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]);
+        interpolation.add(kept, differences, later, 1, vertices, 0, (run, nanoseconds) -> checkWanted());
+        interpolation.add(vanished, whole, later, -1, vertices, 0, (run, nanoseconds) -> checkWanted());
     }
 
     /** Returns shooters with all radiosity shot so far, restricted to the wanted trees. */

@@ -181,7 +181,7 @@ public final class Patcher {
             }
         }
         for (int k = 0; k < 3; k++) {
-            if (weights[at + k] == 0 && (faces.border[face] >> k & 1) != 0) {
+            if (weights[at + k] == 0 && faces.isBorder(face, k)) {
                 float[] inward = new float[3];
                 inward(face, k, inset(faces.height(face) / (1L << depth)), inward);
                 add(receiver, to, inward, 0);

@@ -39,7 +39,7 @@ final class ReceiverInset {
         }
         double h = faces.height(f) / (1L << level[f]);
         height[i] = height[i] == 0 ? h : Math.min(height[i], h);
-        border[i] |= (faces.border[f] & ~(1 << k)) != 0;
+        border[i] |= faces.isBorder(f, (k + 1) % 3) || faces.isBorder(f, (k + 2) % 3);
     }
 
     /** 9 per face: displacement of the receiving point at each corner; 0 at corners on no border of a region. */

@@ -28,6 +28,8 @@ public final class ReceivingPoints {
     private int[] made = new int[64];
     /** 1 per vertex: whether it receives nothing, as it lies inside a solid; its elements use their other vertices. */
     private boolean[] buried = new boolean[64];
+    /** 1 per vertex: see {@link #bright}. */
+    private byte[] bright = new byte[64];
     /** channels per vertex: irradiance H, W/m². */
     private double[] irradiance;
     /** channels per vertex: irradiance H that is set aside while all vertices gather anew, W/m²; else null. */
@@ -96,6 +98,9 @@ public final class ReceivingPoints {
         int known = count;
         long ends = Hash.mix(Math.min(u, v), Math.max(u, v));
         int middle = vertex(f, w, 0, depth, at, 0, with, Hash.mix(ends, with));
+        if (middle == known) {
+            bright[middle] = (byte) Math.min(bright[u], bright[v]);
+        }
         for (int c = 0; c < channels && middle == known; c++) {
             irradiance[channels * middle + c] = 0.5 * (irradiance[channels * u + c] + irradiance[channels * v + c]);
         }
@@ -121,6 +126,7 @@ public final class ReceivingPoints {
         int v = vertex(f, w, wAt, depth, at, 0, with, with);
         if (v == known) {
             System.arraycopy(irradiance, channels * middle, irradiance, channels * v, channels);
+            bright[v] = bright[middle];
         }
         return v;
     }
@@ -143,6 +149,7 @@ public final class ReceivingPoints {
         key = Arrays.copyOf(key, room);
         made = Arrays.copyOf(made, room);
         buried = Arrays.copyOf(buried, room);
+        bright = Arrays.copyOf(bright, room);
         irradiance = Arrays.copyOf(irradiance, channels * room);
         aside = aside == null ? null : Arrays.copyOf(aside, channels * room);
     }
@@ -169,6 +176,20 @@ public final class ReceivingPoints {
     /** Key of the place of a vertex, equal for all owners. */
     public long key(int v) {
         return key[v];
+    }
+
+    /**
+     * Number of powers of two, from 0 to {@link Patcher#MOST_SLACK}, by which the light that one ray may carry to a
+     * vertex is raised, as the vertex is bright, see {@link BrightVertices}. A new vertex is as bright as the darker
+     * of the ends between which it lies.
+     */
+    public int bright(int v) {
+        return bright[v];
+    }
+
+    /** @param powers see {@link #bright(int)} */
+    public void setBright(int v, int powers) {
+        bright[v] = (byte) powers;
     }
 
     /** Number of the split that made a vertex; 0 in the initial mesh. */

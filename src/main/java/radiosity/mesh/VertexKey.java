@@ -21,7 +21,7 @@ final class VertexKey {
                 int p = faces.point[3 * f + (k + 1) % 3];
                 int q = faces.point[3 * f + (k + 2) % 3];
                 int toQ = w[at + (k + 2) % 3];
-                long of = (faces.border[f] >> k & 1) != 0 ? ~f : faces.part[f];
+                long of = faces.isBorder(f, k) ? ~f : faces.part[f];
                 long ends = (long) Math.min(p, q) << 32 | Math.max(p, q);
                 return Hash.mix(Hash.mix(Hash.mix(2, of), ends), p < q ? toQ : NodePath.ONE - toQ);
             }
@@ -43,7 +43,7 @@ final class VertexKey {
                 return faces.fan[3 * f + k] / 3;
             }
             if (w[at + k] == 0 && w[at + (k + 1) % 3] != 0 && w[at + (k + 2) % 3] != 0
-                    && (faces.border[f] >> k & 1) == 0) {
+                    && !faces.isBorder(f, k)) {
                 return Math.min(p, q);
             }
         }

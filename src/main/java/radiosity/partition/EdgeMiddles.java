@@ -2,6 +2,7 @@ package radiosity.partition;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.NodePath;
 
@@ -11,12 +12,14 @@ import radiosity.mesh.face.NodePath;
  * interact at the level at which they receive alike).
  *
  * <p>Vertices of the initial mesh and the middles of its edges always gather for themselves, so that no shadow is
- * missed that the division of the mesh would find. So do vertices on an edge that faces share: another face may be
- * divided otherwise there, on another host. Within a face the ends of a vertex's edge follow from the vertex's place.
+ * missed that the division of the mesh would find. Where faces share an edge, the initial mesh there is that of the
+ * face which has more levels of it. So whether a vertex gathers, and between which ends it lies, follows from its place
+ * alone, and is the same on every host, whatever faces and elements the host has.
  */
 final class EdgeMiddles {
 
     private final RadiosityNodes nodes;
+    private final Patcher patcher;
     /** Number of nodes for which the other fields hold. */
     private int known = -1;
     /** 2 per vertex: the ends of the edge whose middle it is, or -1 where the vertex always gathers. */
@@ -25,8 +28,10 @@ final class EdgeMiddles {
     private int[] wave = {};
     private int waves;
 
-    EdgeMiddles(RadiosityNodes nodes) {
+    /** @param nodes a mesh, which may be divided later */
+    EdgeMiddles(RadiosityNodes nodes, Patcher patcher) {
         this.nodes = nodes;
+        this.patcher = patcher;
     }
 
     /** End 0 or 1 of the edge whose middle a vertex is; -1 where the vertex always gathers. */
@@ -71,7 +76,8 @@ final class EdgeMiddles {
         ends = new int[2 * nodes.vertices()];
         Arrays.fill(ends, -1);
         for (int top : nodes.tops()) {
-            look(top, shared(top));
+            int level = NodePath.level(nodes.path(top));
+            look(top, level - patcher.level(nodes.face(top)), sides(top));
         }
         wave = new int[nodes.vertices()];
         waves = 1;
@@ -83,37 +89,39 @@ final class EdgeMiddles {
         }
     }
 
-    /** Bit k: whether the edge of a node opposite corner k lies on an edge that its face shares with another. */
-    private int shared(int node) {
+    /** Bit k: whether the edge of a node opposite corner k lies on the same edge of the node's face. */
+    private int sides(int node) {
         int[] weight = new int[9];
         NodePath.weights(nodes.path(node), weight);
-        int shared = 0;
+        int sides = 0;
         for (int k = 0; k < 3; k++) {
-            for (int of = 0; of < 3; of++) {
-                boolean lies = weight[3 * ((k + 1) % 3) + of] == 0 && weight[3 * ((k + 2) % 3) + of] == 0;
-                shared |= lies && (nodes.faces().border[nodes.face(node)] >> of & 1) == 0 ? 1 << k : 0;
-            }
+            sides |= weight[3 * ((k + 1) % 3) + k] == 0 && weight[3 * ((k + 2) % 3) + k] == 0 ? 1 << k : 0;
         }
-        return shared;
+        return sides;
     }
 
-    /** @param shared see {@link #shared(int)} */
-    private void look(int node, int shared) {
+    /**
+     * Finds the edges of a node and of all nodes below it.
+     *
+     * @param depth levels from the face's patches down to the node; below 0 above the patches
+     * @param sides see {@link #sides(int)}
+     */
+    private void look(int node, int depth, int sides) {
         if (nodes.isElement(node)) {
             return;
         }
+        int face = nodes.face(node);
         int first = nodes.child(node);
         for (int k = 0; k < 3; k++) {
-            int middle = nodes.corner(first + 3, k);
-            int p = nodes.corner(node, (k + 1) % 3);
-            int q = nodes.corner(node, (k + 2) % 3);
-            boolean isShared = (shared >> k & 1) == 1;
-            if (!isShared && nodes.points().made(middle) > 0 && nodes.points().made(p) + nodes.points().made(q) > 0) {
-                ends[2 * middle] = p;
-                ends[2 * middle + 1] = q;
+            int across = (sides >> k & 1) == 1 ? nodes.faces().across[3 * face + k] : -1;
+            int finer = across < 0 ? 0 : Math.max(0, patcher.level(across) - patcher.level(face));
+            if (depth > finer) {
+                int middle = nodes.corner(first + 3, k);
+                ends[2 * middle] = nodes.corner(node, (k + 1) % 3);
+                ends[2 * middle + 1] = nodes.corner(node, (k + 2) % 3);
             }
-            look(first + k, shared & ~(1 << k));
+            look(first + k, depth + 1, sides & ~(1 << k));
         }
-        look(first + 3, 0);
+        look(first + 3, depth + 1, 0);
     }
 }

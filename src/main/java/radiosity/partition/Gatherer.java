@@ -21,12 +21,7 @@ import radiosity.util.ParallelFor;
 public final class Gatherer {
 
     /** Largest number of neighbouring vertices that a thread takes at a time. */
-    private static final int RUN = 64;
-    /**
-     * Part of the light that one ray may carry by which the light of a shooter may differ between the ends of an edge
-     * for the middle to take their mean.
-     */
-    private static final double ALIKE = 0.125;
+    static final int RUN = 64;
 
     private final InitialMesh mesh;
     private final Faces faces;
@@ -90,7 +85,7 @@ public final class Gatherer {
     }
 
     /** Receives the processor time of gathering at some neighbouring vertices, ns. */
-    interface Costs {
+    public interface Costs {
         void add(int[] run, long nanoseconds);
     }
 
@@ -105,75 +100,6 @@ public final class Gatherer {
             }
             costs.add(run, BlockCosts.now() - begin);
         });
-    }
-
-    /**
-     * Whether light that the ends of an edge receive alike may be interpolated at its middle: where patches shoot what
-     * is left, or has changed, onto a mesh that is divided already. Not where light is reflected so often that an error
-     * of interpolation would be multiplied.
-     */
-    boolean interpolates(Order order) {
-        return order.kind() == Order.Kind.SHOOT && mesh.shootsClusters() && !mesh.rounding.exact();
-    }
-
-    /**
-     * As {@link #gather}, but the middle of an edge takes the mean of what the edge's ends receive of a shooter where
-     * both receive nearly the same: most shooters are far from most edges of a finely divided mesh.
-     */
-    void gatherOrInterpolate(Work work, RadiosityNodes nodes, EdgeMiddles middles, int[] vertices, int turn,
-            Costs costs) {
-        receiveAmbient(work.order, nodes, vertices);
-        int channels = faces.channels();
-        double[] irradiance = nodes.light().irradiance();
-        double[] received = new double[channels * nodes.vertices()];
-        int[][] waves = middles.waves(vertices);
-        for (ShooterHierarchy shooter : work.shooters) {
-            for (int[] wave : waves) {
-                parallel.run(wave.length, RUN, (from, to) -> {
-                    int[] run = Arrays.copyOfRange(wave, from, to);
-                    long begin = BlockCosts.now();
-                    receive(work, shooter, nodes, middles, run, turn, received);
-                    costs.add(run, BlockCosts.now() - begin);
-                });
-            }
-            for (int v : vertices) {
-                for (int i = channels * v; i < channels * (v + 1); i++) {
-                    irradiance[i] += received[i];
-                }
-            }
-        }
-    }
-
-    /** @param received modified: channels per vertex, what vertices receive of this shooter, W/m² */
-    private void receive(Work work, ShooterHierarchy shooter, RadiosityNodes nodes, EdgeMiddles middles, int[] run,
-            int turn, double[] received) {
-        int channels = faces.channels();
-        Weights weights = weights(work.order);
-        GatherSink.Irradiance sum = new GatherSink.Irradiance(channels);
-        for (int v : run) {
-            if (nodes.points().isBuried(v)) {
-                continue;
-            }
-            int p = middles.end(v, 0);
-            int q = middles.end(v, 1);
-            int face = nodes.points().face(v);
-            int slack = mesh.patcher.slack(face);
-            boolean isAlike = p >= 0 && !nodes.points().isBuried(p) && !nodes.points().isBuried(q);
-            for (int c = 0; c < channels && isAlike; c++) {
-                double difference = received[channels * p + c] - received[channels * q + c];
-                isAlike = Math.abs(difference) * weights.at(face, c)
-                        <= ALIKE * work.order.rules().tolerance() * (1 << slack);
-            }
-            if (isAlike) {
-                for (int c = 0; c < channels; c++) {
-                    received[channels * v + c] = (received[channels * p + c] + received[channels * q + c]) / 2;
-                }
-            } else {
-                Arrays.fill(sum.value, 0);
-                gather(work.calculators[slack], shooter, nodes, v, turn, sum);
-                System.arraycopy(sum.value, 0, received, channels * v, channels);
-            }
-        }
     }
 
     private FormFactorCalculator calculator(Order.Rules rules, double tolerance) {
@@ -201,6 +127,11 @@ public final class Gatherer {
         }
     }
 
+    /** Powers of two by which the light that one ray may carry to a vertex is raised: the index of its calculator. */
+    int slack(RadiosityNodes nodes, int v) {
+        return Math.min(Patcher.MOST_SLACK, mesh.patcher.slack(nodes.points().face(v)) + nodes.points().bright(v));
+    }
+
     /**
      * Adds to the irradiance of some neighbouring vertices the light of one shooter; buried vertices receive nothing.
      *
@@ -214,7 +145,7 @@ public final class Gatherer {
         for (int v : run) {
             if (!nodes.points().isBuried(v)) {
                 System.arraycopy(irradiance, channels * v, sum.value, 0, channels);
-                gather(calculator[mesh.patcher.slack(nodes.points().face(v))], shooter, nodes, v, turn, sum);
+                gather(calculator[slack(nodes, v)], shooter, nodes, v, turn, sum);
                 System.arraycopy(sum.value, 0, irradiance, channels * v, channels);
             }
         }

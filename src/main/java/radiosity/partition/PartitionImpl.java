@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.AdaptiveMeshing;
 import radiosity.mesh.Block;
+import radiosity.mesh.BrightVertices;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
@@ -45,7 +46,7 @@ public final class PartitionImpl implements Partition {
     private final Map<Shot.Place, List<Integer>> parts;
     private final Candidates candidates;
     private final GhostVertices ghosts;
-    private final EdgeMiddles middles;
+    private final EdgeInterpolation interpolation;
     /** Work to be finished by {@link Order.Kind#REST}; null where there is none. */
     private Gatherer.Work rest;
     /** Receivers of the coarse mesh while their rows are made; else null. */
@@ -71,7 +72,7 @@ public final class PartitionImpl implements Partition {
         parts = mesh.clusters.parts(nodes);
         candidates = new Candidates(mesh, nodes, shooters, parallel);
         ghosts = new GhostVertices(nodes);
-        middles = new EdgeMiddles(nodes);
+        interpolation = new EdgeInterpolation(mesh, receivers, nodes, parallel);
         if (!restored) {
             receivers.bury(nodes, 0);
             light(from(0));
@@ -172,6 +173,9 @@ public final class PartitionImpl implements Partition {
     /** Divides elements where interpolation errs, and marked ones; new vertices have light of bare sources only. */
     private void split(Order order) {
         int known = nodes.vertices();
+        if (!mesh.rounding.exact()) {
+            BrightVertices.find(nodes, receivers.weights(order));
+        }
         new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError())
                 .splitAll(order.number(), order.rules().marks(), parallel);
         receivers.bury(nodes, known);
@@ -248,8 +252,9 @@ public final class PartitionImpl implements Partition {
             discard(vertices);
         }
         costs.begin(vertices);
-        if (receivers.interpolates(order)) {
-            receivers.gatherOrInterpolate(work, nodes, middles, vertices, turn, costs::add);
+        if (interpolation.isFor(order)) {
+            receivers.receiveAmbient(order, nodes, vertices);
+            interpolation.add(work.shooters(), work.calculators(), order.rules(), 1, vertices, turn, costs::add);
         } else {
             receivers.gather(work, nodes, vertices, turn, costs::add);
         }

@@ -7,19 +7,22 @@ import java.io.UncheckedIOException;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.BitSet;
+import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.ReceivingPoints;
 
 /**
  * Writes the state of a block as bytes and restores it. The state lists the nodes of each subtree in preorder. An inner
  * node is the number of the split that divided it. An element is -1, the radiosity that it has shot at its corners, and
- * for each corner whose vertex was not listed before: a byte of flags (buried, set aside), the vertex's irradiance, and
- * with the second flag the irradiance that was set aside while the vertex gathers anew. All values are W/m².
+ * for each corner whose vertex was not listed before: a byte of flags (1 buried, 2 set aside, 4 times how bright), the
+ * vertex's irradiance, and with the second flag the irradiance that was set aside while the vertex gathers anew. All
+ * values are W/m².
  */
 public final class BlockState {
 
     private static final int BURIED = 1;
     private static final int SET_ASIDE = 2;
+    private static final int BRIGHT = 4;
 
     private BlockState() { }
 
@@ -51,7 +54,8 @@ public final class BlockState {
             int v = nodes.corner(node, k);
             if (!met.get(v)) {
                 met.set(v);
-                out.writeByte((points.isBuried(v) ? BURIED : 0) | (points.isSetAside() ? SET_ASIDE : 0));
+                out.writeByte((points.isBuried(v) ? BURIED : 0) | (points.isSetAside() ? SET_ASIDE : 0)
+                        | BRIGHT * points.bright(v));
                 for (int c = 0; c < channels; c++) {
                     out.writeDouble(nodes.light().irradiance()[channels * v + c]);
                 }
@@ -102,6 +106,7 @@ public final class BlockState {
                 if ((flags & BURIED) != 0) {
                     points.bury(v);
                 }
+                points.setBright(v, flags / BRIGHT & Patcher.MOST_SLACK);
                 for (int c = 0; c < channels; c++) {
                     nodes.light().irradiance()[channels * v + c] = in.getDouble();
                 }

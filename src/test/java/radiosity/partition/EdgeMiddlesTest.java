@@ -35,7 +35,7 @@ class EdgeMiddlesTest {
     /** A patch inside a triangle of the floor. */
     private final int patch = floor(0);
     private final int known = nodes.vertices();
-    private final EdgeMiddles middles = new EdgeMiddles(nodes);
+    private final EdgeMiddles middles = new EdgeMiddles(nodes, MESH.patcher);
 
     /** A patch of which so many corners lie on the edge that the two triangles of the floor share. */
     private int floor(int corners) {
@@ -46,7 +46,7 @@ class EdgeMiddlesTest {
     private int onSharedEdge(int node) {
         int[] weights = new int[9];
         NodePath.weights(nodes.path(node), weights);
-        int edge = IntStream.range(0, 3).filter(k -> (MESH.faces.border[nodes.face(node)] >> k & 1) == 0).findFirst()
+        int edge = IntStream.range(0, 3).filter(k -> !MESH.faces.isBorder(nodes.face(node), k)).findFirst()
                 .orElseThrow();
         return (int) IntStream.range(0, 3).filter(k -> weights[3 * k + edge] == 0).count();
     }
@@ -77,13 +77,41 @@ class EdgeMiddlesTest {
         assertArrayEquals(new int[][] {ends, {waves[1][4]}}, one);
     }
 
-    /** The triangle on the other side may be divided otherwise there. */
     @Test
-    void middlesOfAnEdgeThatFacesShare_gather() {
+    void onAnEdgeThatFacesShare_middlesAreTheSame() {
         divide(floor(2));
         int[][] waves = middles.waves(IntStream.range(0, nodes.vertices()).toArray());
-        assertEquals(known + 3 + 2, waves[0].length);
+        assertEquals(known + 3, waves[0].length);
+        assertEquals(9, waves[1].length);
+    }
+
+    /** Vertices on the edge that the initial mesh of the other face has, or of which they are the middles, gather. */
+    @Test
+    void whereTheFaceAcrossHasAFinerInitialMesh_middlesGather() {
+        Scene scene = new SceneBuilder().polygon(RoomScenes.grey("floor", 0, .5), Vec3.ZERO, new Vec3(0, 0, 4),
+                new Vec3(4, 0, 4), new Vec3(.7, 0, .1)).scene("two triangles of unlike size");
+        InitialMesh mesh = new InitialMesh(scene, RadiositySettings.defaults());
+        int edge = IntStream.range(0, mesh.faces.across.length).filter(e -> mesh.faces.across[e] >= 0
+                && mesh.patcher.level(mesh.faces.across[e]) == 1 + mesh.patcher.level(e / 3)).findFirst().orElseThrow();
+        RadiosityNodes floor = new RadiosityNodes(mesh.patcher, mesh.blocks);
+        int node = IntStream.range(0, floor.patches()).map(floor::patch).filter(p -> floor.face(p) == edge / 3
+                && IntStream.range(0, 3).filter(k -> weight(floor, p, k, edge % 3) == 0).count() == 2).findFirst()
+                .orElseThrow();
+        int before = floor.vertices();
+        floor.beginSplits(5);
+        int first = floor.split(node, 1);
+        for (int k = 0; k < 4; k++) {
+            floor.split(first + k, 2);
+        }
+        int[][] waves = new EdgeMiddles(floor, mesh.patcher).waves(IntStream.range(0, floor.vertices()).toArray());
+        assertEquals(before + 3 + 2, waves[0].length);
         assertEquals(7, waves[1].length);
+    }
+
+    private static int weight(RadiosityNodes nodes, int node, int corner, int of) {
+        int[] weights = new int[9];
+        NodePath.weights(nodes.path(node), weights);
+        return weights[3 * corner + of];
     }
 
     @Test
@@ -123,7 +151,9 @@ class EdgeMiddlesTest {
         Gatherer gatherer = new Gatherer(MESH, new ParallelFor(2));
         int[] all = IntStream.range(0, nodes.vertices()).toArray();
         if (interpolates) {
-            gatherer.gatherOrInterpolate(gatherer.work(order), nodes, middles, all, 0, (run, nanoseconds) -> { });
+            Gatherer.Work work = gatherer.work(order);
+            new EdgeInterpolation(MESH, gatherer, nodes, new ParallelFor(2)).add(work.shooters(), work.calculators(),
+                    order.rules(), 1, all, 0, (run, nanoseconds) -> { });
         } else {
             gatherer.gather(order, nodes, all, 0);
         }

@@ -126,7 +126,7 @@ final class FaceIntersections {
             for (int k = 0; k < 3 && isInPlace; k++) {
                 Vec3 from = dropped(faces.sceneCorner(other, (k + 1) % 3), origin, n);
                 Vec3 to = dropped(faces.sceneCorner(other, (k + 2) % 3), origin, n);
-                if ((faces.border[other] >> k & 1) != 0 && to.minus(from).length() > least) {
+                if (faces.isBorder(other, k) && to.minus(from).length() > least) {
                     found.add(new Contact(from, to, n.cross(to.minus(from)).unit()));
                 }
             }

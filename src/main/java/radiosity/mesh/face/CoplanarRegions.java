@@ -7,7 +7,7 @@ import radiosity.util.LongIndex;
 
 /**
  * Finds the faces of a surface that meet along an edge in one plane. Fills the arrays {@code part}, {@code fan} and
- * {@code border} of the faces.
+ * {@code across} of the faces.
  */
 final class CoplanarRegions {
 
@@ -29,7 +29,7 @@ final class CoplanarRegions {
         int n = faces.count();
         DisjointSets parts = new DisjointSets(faces.part.length);
         DisjointSets fans = new DisjointSets(faces.fan.length);
-        Arrays.fill(faces.border, (byte) 7);
+        Arrays.fill(faces.across, -1);
         int[] next = new int[3 * n];
         LongIndex edges = new LongIndex(3 * n);
         int[] first = new int[3 * n];
@@ -43,8 +43,8 @@ final class CoplanarRegions {
             int e = first[i];
             int g = next[e];
             if (g >= 0 && next[g] < 0 && matches(e, g) && cut.find(EdgePieces.key(corner(e, 1), corner(e, 2))) < 0) {
-                faces.border[e / 3] &= (byte) ~(1 << e % 3);
-                faces.border[g / 3] &= (byte) ~(1 << g % 3);
+                faces.across[e] = g / 3;
+                faces.across[g] = e / 3;
                 parts.join(e / 3, g / 3);
                 fans.join(slot(e, 1), slot(g, 2));
                 fans.join(slot(e, 2), slot(g, 1));

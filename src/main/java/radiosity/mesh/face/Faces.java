@@ -48,8 +48,8 @@ public final class Faces {
     public final int[] part;
     /** 3 per face: the lowest of the corners (3 * face + k) that faces of the part connect around one vertex. */
     public final int[] fan;
-    /** 1 per face: bit k is set where the edge opposite corner k is on the border of the part. */
-    public final byte[] border;
+    /** 3 per face: the face of the same part beyond the edge opposite corner k; -1 on the border of the part. */
+    public final int[] across;
     private final FaceMaterials materials;
     /** 1 per face: area that no solid covers, in squared scene sizes. */
     private double[] exposed;
@@ -84,7 +84,7 @@ public final class Faces {
         point = list.point;
         part = new int[side.length];
         fan = new int[3 * side.length];
-        border = new byte[side.length];
+        across = new int[3 * side.length];
         new CoplanarRegions(this).join(cut);
         materials = new FaceMaterials(this, kinds);
     }
@@ -252,6 +252,11 @@ public final class Faces {
     /** Sets the exitance of hidden faces to 0, as their light would reach no face. Must be called before any shot. */
     public void darken(IntPredicate hidden) {
         materials.darken(hidden);
+    }
+
+    /** Whether the edge of a face opposite corner k, from 0 to 2, is on the border of the face's part. */
+    public boolean isBorder(int face, int k) {
+        return across[3 * face + k] < 0;
     }
 
     /** Whether a face is a piece of a cut triangle: other triangles stand on or pass through only a piece's border. */

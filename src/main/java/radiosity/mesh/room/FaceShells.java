@@ -135,7 +135,7 @@ final class FaceShells {
             while (faces.point[3 * f + k] == ends[2 * edge] || faces.point[3 * f + k] == ends[2 * edge + 1]) {
                 k++;
             }
-            if (!faces.isPiece(f) || (faces.border[f] >> k & 1) == 0) {
+            if (!faces.isPiece(f) || !faces.isBorder(f, k)) {
                 return false;
             }
         }
