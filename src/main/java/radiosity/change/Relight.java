@@ -8,7 +8,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
-import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.LightSources;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;

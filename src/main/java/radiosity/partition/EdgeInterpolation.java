@@ -1,7 +1,6 @@
 package radiosity.partition;
 
 import java.util.Arrays;
-import java.util.List;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.ShooterHierarchy;
@@ -31,6 +30,8 @@ public final class EdgeInterpolation {
     private final ParallelFor parallel;
     private final int channels;
     private final EdgeMiddles middles;
+    /** False where light is reflected so often that an error of interpolation would be multiplied. */
+    private final boolean interpolates;
 
     /** @param nodes the mesh, which may be divided later; its irradiance is added to */
     public EdgeInterpolation(InitialMesh mesh, Gatherer gatherer, RadiosityNodes nodes, ParallelFor parallel) {
@@ -40,21 +41,16 @@ public final class EdgeInterpolation {
         this.parallel = parallel;
         channels = nodes.channels();
         middles = new EdgeMiddles(nodes, mesh.patcher);
+        interpolates = mesh.shootsClusters() && !mesh.rounding.exact();
     }
 
     /** Whether an order's light may be interpolated: where patches shoot, not where vertices tell where to divide. */
     boolean isFor(Order order) {
-        return order.kind() == Order.Kind.SHOOT && isExactEnough();
-    }
-
-    /** Not where light is reflected so often that an error of interpolation would be multiplied. */
-    private boolean isExactEnough() {
-        return mesh.shootsClusters() && !mesh.rounding.exact();
+        return order.kind() == Order.Kind.SHOOT && interpolates;
     }
 
     /**
-     * Adds to the irradiance of some vertices the light of some shooters times a factor. Where no error may be
-     * multiplied, all vertices gather.
+     * Adds to the irradiance of some vertices the light of some shooters times a factor.
      *
      * @param calculators one per value of {@link Patcher#slack}
      * @param rules       weights, and the light that one ray may carry
@@ -65,9 +61,9 @@ public final class EdgeInterpolation {
             int[] vertices, int turn, Gatherer.Costs costs) {
         double[] irradiance = nodes.light().irradiance();
         double[] received = new double[channels * nodes.vertices()];
-        int[][] waves = isExactEnough() ? middles.waves(vertices) : new int[][] {vertices};
+        int[][] waves = interpolates ? middles.waves(vertices) : new int[][] {vertices};
         double[] alike = new double[calculators.length];
-        Arrays.setAll(alike, slack -> isExactEnough() ? ALIKE * rules.tolerance() * (1 << slack) : -1);
+        Arrays.setAll(alike, slack -> interpolates ? ALIKE * rules.tolerance() * (1 << slack) : -1);
         Weights weights = new Weights(mesh.rooms, channels, rules.weight());
         for (ShooterHierarchy shooter : shooters) {
             for (int[] wave : waves) {
