@@ -15,7 +15,7 @@ import radiosity.util.ParallelFor;
 final class LitMesh {
 
     /** Number of vertices that a thread processes at a time. */
-    static final int RUN = 64;
+    private static final int RUN = 64;
 
     final RadiosityNodes nodes;
     final Gatherer gatherer;

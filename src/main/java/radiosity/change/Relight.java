@@ -12,13 +12,12 @@ import radiosity.formfactor.LightSources;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.formfactor.VisibilityChange;
-import radiosity.mesh.BrightVertices;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
-import radiosity.prediction.AmbientLevel;
 import radiosity.partition.EdgeInterpolation;
+import radiosity.prediction.AmbientLevel;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
@@ -94,9 +93,7 @@ public final class Relight {
         }
         int[] fresh = transfer.fresh.stream().filter(v -> !nodes.points().isBuried(v)).toArray();
         gather(fresh, rules, weight);
-        if (!now.rounding.exact()) {
-            BrightVertices.find(nodes, new Weights(now.rooms, channels, weight));
-        }
+        lit.gatherer.findBright(nodes, weight);
         return lit.states();
     }
 

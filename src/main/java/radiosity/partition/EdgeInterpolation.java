@@ -63,7 +63,7 @@ public final class EdgeInterpolation {
         double[] received = new double[channels * nodes.vertices()];
         int[][] waves = interpolates ? middles.waves(vertices) : new int[][] {vertices};
         double[] alike = new double[calculators.length];
-        Arrays.setAll(alike, slack -> interpolates ? ALIKE * rules.tolerance() * (1 << slack) : -1);
+        Arrays.setAll(alike, slack -> ALIKE * rules.tolerance() * (1 << slack));
         Weights weights = new Weights(mesh.rooms, channels, rules.weight());
         for (ShooterHierarchy shooter : shooters) {
             for (int[] wave : waves) {
@@ -83,8 +83,7 @@ public final class EdgeInterpolation {
     }
 
     /**
-     * @param alike    largest difference of weighted light between ends that receive alike, one per slack; below 0
-     *                 where all vertices gather
+     * @param alike    largest difference of weighted light between ends that receive alike, one per slack
      * @param received modified: channels per vertex, what vertices receive of this shooter, W/m²
      */
     private void receive(ShooterHierarchy shooter, FormFactorCalculator[] calculators, double[] alike, Weights weights,
@@ -96,7 +95,7 @@ public final class EdgeInterpolation {
             }
             int face = nodes.points().face(v);
             int slack = gatherer.slack(nodes, v);
-            if (alike[slack] >= 0 && areEndsAlike(v, weights, face, alike[slack], received)) {
+            if (interpolates && areEndsAlike(v, weights, face, alike[slack], received)) {
                 for (int c = 0; c < channels; c++) {
                     received[channels * v + c] = (received[channels * middles.end(v, 0) + c]
                             + received[channels * middles.end(v, 1) + c]) / 2;

@@ -6,6 +6,7 @@ import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
+import radiosity.mesh.BrightVertices;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
@@ -124,6 +125,18 @@ public final class Gatherer {
                 nodes.light().irradiance()[channels * v + c] = before * (1 + (back.length == 0 ? 0 : back[c]))
                         + ambient.at(nodes.points().face(v), c);
             }
+        }
+    }
+
+    /**
+     * Finds the bright vertices, see {@link BrightVertices}; none in white rooms, where rays must be the same in every
+     * round.
+     *
+     * @param weight see {@link Weights}
+     */
+    public void findBright(RadiosityNodes nodes, double[] weight) {
+        if (!mesh.rounding.exact()) {
+            BrightVertices.find(nodes, new Weights(mesh.rooms, faces.channels(), weight));
         }
     }
 

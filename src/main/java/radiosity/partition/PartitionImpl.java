@@ -9,7 +9,6 @@ import java.util.stream.IntStream;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.AdaptiveMeshing;
 import radiosity.mesh.Block;
-import radiosity.mesh.BrightVertices;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
@@ -173,9 +172,7 @@ public final class PartitionImpl implements Partition {
     /** Divides elements where interpolation errs, and marked ones; new vertices have light of bare sources only. */
     private void split(Order order) {
         int known = nodes.vertices();
-        if (!mesh.rounding.exact()) {
-            BrightVertices.find(nodes, receivers.weights(order));
-        }
+        receivers.findBright(nodes, order.rules().weight());
         new MeshRefinement(nodes, receivers.weights(order), order.rules().meshError())
                 .splitAll(order.number(), order.rules().marks(), parallel);
         receivers.bury(nodes, known);
