@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** A campaign finds what is wrong with a program that was made wrong on purpose; {@link CampaignTest}: and no more. */
 @Tag("slow")
+@Tag("thorough")
 class PlantedFaultsTest {
 
     /** A fault may miss a run: by its moment, or by options with which it does not count. It does not miss all. */
