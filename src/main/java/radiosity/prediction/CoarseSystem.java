@@ -206,10 +206,11 @@ public final class CoarseSystem {
     }
 
     /**
-     * Change of the radiosity that an irradiance causes where patches reflect it, relative to the mean radiosity, or to
-     * a part of a patch's own radiosity where that is {@linkplain Accuracy#BRIGHT bright}: a mean over the area.
+     * Change of the radiosity that an irradiance causes where patches reflect it, relative to the mean radiosity, over
+     * the area of all patches.
      *
-     * @param size mean of the absolute change
+     * @param size root mean square of the change; that of a {@linkplain Accuracy#BRIGHT bright} patch is relative to a
+     *             part of the patch's own radiosity, as errors of a certificate are
      * @param bias mean of the change
      */
     public record Change(double size, double bias) { }
@@ -223,7 +224,7 @@ public final class CoarseSystem {
      */
     public Change change(double[] h, double[] radiosity, Weights weights, int c) {
         double area = 0;
-        double size = 0;
+        double squares = 0;
         double bias = 0;
         for (int p = 0; p < nodes.patches(); p++) {
             int patch = nodes.patch(p);
@@ -232,12 +233,13 @@ public final class CoarseSystem {
             for (int k = 0; k < 3; k++) {
                 reflected += reflectance(patch, c) * corner(patch, k, h, c) / 3;
             }
-            double brightness = radiosity[channels * patch + c] * weight / Accuracy.BRIGHT;
+            double change = reflected * weight;
+            double size = change / Math.max(1, radiosity[channels * patch + c] * weight / Accuracy.BRIGHT);
             area += nodes.area(patch);
-            size += nodes.area(patch) * Math.abs(reflected) * weight / Math.max(1, brightness);
-            bias += nodes.area(patch) * reflected * weight;
+            squares += nodes.area(patch) * size * size;
+            bias += nodes.area(patch) * change;
         }
-        return new Change(size / area, bias / area);
+        return new Change(Math.sqrt(squares / area), bias / area);
     }
 
     /**

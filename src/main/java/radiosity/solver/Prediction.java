@@ -68,7 +68,7 @@ final class Prediction implements Planner {
     private static final double PREDICTED = 0.1;
     /**
      * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
-     * much may the radiosity change by the light that is predicted to follow, as a mean without signs.
+     * much may the radiosity change by the light that is predicted to follow, as the root mean square that errors are.
      */
     private static final double ENOUGH = 0.3;
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.RepresentativeFaces;
+import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Order;
@@ -145,6 +146,23 @@ class FineModelsTest {
             changed += Math.abs(before[i] - wanted[i]) > 0.15 * wanted[i] ? 1 : 0;
         }
         assertTrue(changed > TRIANGLES / 4, "most have another radiosity than before, got " + changed);
+    }
+
+    @Test
+    void changeByEvenLight_isAboveItsMean_whereSomeSurfacesReflectNone() throws IOException {
+        LocalWorld world = new LocalWorld(ball(LAMP, DULL), settings(), 2);
+        CoarseSystem system = new CoarseSystem(world.mesh, world.parallel);
+        List<Shot> importance = system.importance();
+        system.take(importance.size(), world.round(new Order(Order.Kind.ROWS, importance, new Order.Rules(0.02,
+                new double[] {1, 1, 1}, 0, new double[0], new double[0]), Order.Question.candidates(0))));
+        double[] even = system.irradiance(system.unshot(importance), () -> true).clone();
+        Arrays.fill(even, 1);
+        double[] dark = new double[system.unshot(importance).length];
+        Weights weights = new Weights(world.mesh.rooms, 3, new double[] {1, 1, 1});
+        CoarseSystem.Change change = system.change(even, dark, weights, 0);
+        double lamp = 1 / (6 + 4 * Math.PI * RADIUS * RADIUS);
+        assertEquals(0.6 * (1 - lamp), change.bias(), 1e-3);
+        assertEquals(0.6 * Math.sqrt(1 - lamp), change.size(), 1e-3);
     }
 
     /** Shots with another radiosity at each corner and channel. */
