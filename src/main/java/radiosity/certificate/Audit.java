@@ -102,7 +102,7 @@ public final class Audit {
         this.asked = asked;
         this.parallel = parallel;
         places = new AuditPlaces(mesh, this::nodes, reflected(), leaving(), parallel);
-        nearby = new NearbyPoints(faces, mesh.bounds(), places, mesh.blocks);
+        nearby = new NearbyPoints(faces, mesh.bounds(), places);
         isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
                 > MOSTLY * Arrays.stream(ledger.emitted()).sum();
         wanted = isBegun ? LEAST_POINTS
@@ -219,16 +219,18 @@ public final class Audit {
     /** Gathers the light leaving the elements of a cluster, and the form factors to these elements, at a batch. */
     private void gather(List<AuditPoint> batch, List<NearbyPoints.Near> near, int cluster, UniformRadiosity ambient) {
         int corners = 3 * faces.channels();
-        List<Shot> leaving = new ArrayList<>();
-        List<Shot> visible = new ArrayList<>();
-        for (Block block : mesh.clusters.blocks(cluster)) {
-            RadiosityNodes nodes = nodes(block.id());
-            leaving.add(Shot.of(nodes, nodes.tops(), 0, nodes.light()::leaving));
-            visible.add(Shot.of(nodes, nodes.tops(), 0, (element, values, at) ->
-                    Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0)));
-        }
-        ShooterHierarchy light = mesh.clusters.join(cluster, leaving).shooter(faces, Weights.of(weight()), ambient);
-        ShooterHierarchy ones = mesh.clusters.join(cluster, visible)
+        List<Block> blocks = mesh.clusters.blocks(cluster);
+        Shot[] leaving = new Shot[blocks.size()];
+        Shot[] visible = new Shot[leaving.length];
+        parallel.run(leaving.length, i -> {
+            RadiosityNodes nodes = nodes(blocks.get(i).id());
+            leaving[i] = Shot.of(nodes, nodes.tops(), 0, nodes.light()::leaving);
+            visible[i] = Shot.of(nodes, nodes.tops(), 0, (element, values, at) ->
+                    Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0));
+        });
+        ShooterHierarchy light = mesh.clusters.join(cluster, List.of(leaving)).shooter(faces, Weights.of(weight()),
+                ambient);
+        ShooterHierarchy ones = mesh.clusters.join(cluster, List.of(visible))
                 .shooter(faces, Weights.of(ones(faces.channels())));
         FormFactorCalculator coarse = new RayCaster(mesh.bounds(), 1, TO_POINT * Accuracy.tolerance(asked));
         FormFactorCalculator fine = new RayCaster(mesh.bounds(), 1, TO_VERTEX * Accuracy.tolerance(asked));

@@ -2,6 +2,7 @@ package radiosity.certificate;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
@@ -42,6 +43,7 @@ final class AuditPlaces {
     /** 1 per colour each: mean reflected radiosity, and mean radiosity leaving surfaces, W/m². */
     private final double[] reflected;
     private final double[] leaving;
+    private final ParallelFor parallel;
     private final InteriorTest burial;
     private final VertexBulge bulges;
     private final Weighed[] weighed;
@@ -58,6 +60,7 @@ final class AuditPlaces {
             ParallelFor parallel) {
         this.mesh = mesh;
         this.nodes = nodes;
+        this.parallel = parallel;
         faces = mesh.faces;
         this.reflected = ofAllLayers(reflected);
         this.leaving = ofAllLayers(leaving);
@@ -181,18 +184,26 @@ final class AuditPlaces {
     }
 
     /**
-     * Finds the elements of a block on which some places lie, and makes points of them that stand for no area.
+     * Finds the elements on which some places lie, and makes points of them that stand for no area.
      *
-     * @param at     where the places lie
-     * @param number 1 per place: number from which the point's rays follow
-     * @param to     modified, 1 per place: the point, where the block has its element
+     * @param at     where the places lie; not modified
+     * @param number 1 per place: number from which the point's rays follow; not modified
+     * @return 1 per place: the point, or null where no block has the element
      */
-    void find(Block block, List<NearbyPoints.Place> at, int[] number, AuditPoint[] to) {
-        RadiosityNodes its = nodes.apply(block.id());
-        for (int i = 0; i < to.length; i++) {
-            int node = to[i] == null ? its.element(at.get(i).face(), at.get(i).path()) : -1;
+    AuditPoint[] find(List<NearbyPoints.Place> at, int[] number) {
+        AuditPoint[] found = new AuditPoint[number.length];
+        BitSet wanted = new BitSet();
+        at.forEach(place -> wanted.set(place.face()));
+        List<Block> blocks = mesh.blocks.stream().filter(b -> IntStream.of(b.face()).anyMatch(wanted::get)).toList();
+        parallel.run(blocks.size(), b -> find(nodes.apply(blocks.get(b).id()), at, number, found));
+        return found;
+    }
+
+    private void find(RadiosityNodes its, List<NearbyPoints.Place> at, int[] number, AuditPoint[] found) {
+        for (int i = 0; i < found.length; i++) {
+            int node = its.element(at.get(i).face(), at.get(i).path());
             if (node >= 0) {
-                to[i] = new AuditPoint(its, node, 0, at.get(i).weights(its.path(node)), number[i], false, burial,
+                found[i] = new AuditPoint(its, node, 0, at.get(i).weights(its.path(node)), number[i], false, burial,
                         bulges);
             }
         }

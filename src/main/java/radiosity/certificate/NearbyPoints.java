@@ -3,7 +3,6 @@ package radiosity.certificate;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import radiosity.mesh.Block;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
@@ -32,7 +31,6 @@ final class NearbyPoints {
     private final Faces faces;
     private final RadiosityBounds bounds;
     private final AuditPlaces places;
-    private final List<Block> blocks;
     /** 1 per original triangle: one of the faces on it, or -1; 1 per face: another face on its triangle, or -1. */
     private final int[] first;
     private final int[] next;
@@ -71,11 +69,10 @@ final class NearbyPoints {
     /** A point at which light is to be gathered for one of {@link AuditPoint#TIMES}. */
     record Near(AuditPoint point, int time) { }
 
-    NearbyPoints(Faces faces, RadiosityBounds bounds, AuditPlaces places, List<Block> blocks) {
+    NearbyPoints(Faces faces, RadiosityBounds bounds, AuditPlaces places) {
         this.faces = faces;
         this.bounds = bounds;
         this.places = places;
-        this.blocks = blocks;
         first = new int[faces.fronts().length / 3];
         next = new int[faces.count()];
         Arrays.fill(first, -1);
@@ -118,10 +115,8 @@ final class NearbyPoints {
     }
 
     private List<Near> meet(List<Step> steps) {
-        AuditPoint[] point = new AuditPoint[steps.size()];
         int[] number = steps.stream().mapToInt(step -> (int) Hash.mix(step.time, step.from.number)).toArray();
-        List<Place> to = steps.stream().map(Step::to).toList();
-        blocks.forEach(block -> places.find(block, to, number, point));
+        AuditPoint[] point = places.find(steps.stream().map(Step::to).toList(), number);
         List<Near> met = new ArrayList<>();
         for (int i = 0; i < point.length; i++) {
             if (point[i] != null && sends(point[i])) {

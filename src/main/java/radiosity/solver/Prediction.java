@@ -171,6 +171,9 @@ final class Prediction implements Planner {
         if (coarse != null && !coarse.isMade()) {
             return rows();
         }
+        if (!balanced) {
+            return giveBack(last, true);
+        }
         boolean isWorse = stage == Stage.SHOOT && unsent >= left;
         boolean isPredicted = coarse != null && !isWorse && mispredicted < MOST_MISPREDICTED;
         double[] h = isPredicted ? predict(goOn) : null;
@@ -182,9 +185,6 @@ final class Prediction implements Planner {
         if (isEnough || isShot && isWorse && mispredicted == MOST_MISPREDICTED) {
             left = isEnough ? Math.min(unsent, enough()) : 0;
             return isEnough && !loop.lacksRays() ? mend() : renew();
-        }
-        if (!balanced) {
-            return giveBack(last, true);
         }
         List<Shot> shots = isPredicted ? withPrediction(last, h) : withoutPrediction(last);
         if (shots.isEmpty()) {

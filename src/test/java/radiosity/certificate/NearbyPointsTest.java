@@ -76,7 +76,7 @@ class NearbyPointsTest {
         };
         AuditPlaces places = new AuditPlaces(mesh, nodes, new double[] {1}, new double[] {1}, parallel);
         List<AuditPoint> points = places.pick(200, .5, 0);
-        List<NearbyPoints.Near> near = new NearbyPoints(faces, mesh.bounds(), places, mesh.blocks).around(points);
+        List<NearbyPoints.Near> near = new NearbyPoints(faces, mesh.bounds(), places).around(points);
         FormFactorCalculator once = (x, y, z, nx, ny, nz, key, shooter, sink) ->
                 ((GatherSink.Irradiance) sink).value[0] += REFLECTANCE;
         points.forEach(point -> point.gather(once, null));
