@@ -22,6 +22,11 @@ final class AccuracyLoop {
     /** Largest reduction of a mean square error from one estimate to the next, as a factor. */
     private static final double STEP = 0.4;
     /**
+     * Least reduction of the mesh's mean square error, as a factor, where there is any: by less, the error would hardly
+     * change by more than estimates differ, and the next estimate would take longer than the finer mesh.
+     */
+    private static final double LEAST_STEP = 0.8;
+    /**
      * An estimate is in vain where the error fell slower than the work to this negative power, work being elements
      * times rays. Noise falls as the square root of rays, and the mesh error at shadow edges as that of elements.
      */
@@ -156,7 +161,9 @@ final class AccuracyLoop {
         double forMesh = wanted - forRays;
         if (rays == 0 || mesh * forRays > rays * forMesh) {
             double left = isBetter ? mesh * (1 - marked) : mesh;
-            meshError *= Math.min(1, Math.max(STEP, forMesh / left));
+            if (left > forMesh) {
+                meshError *= Math.min(LEAST_STEP, Math.max(STEP, forMesh / left));
+            }
             return Refine.MESH;
         }
         tolerance *= StrictMath.pow(Math.max(STEP, forRays / rays), Accuracy.POWER / 2);

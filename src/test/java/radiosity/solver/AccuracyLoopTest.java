@@ -50,6 +50,15 @@ class AccuracyLoopTest {
         assertTrue(loop.meshError() < .5 * meshError, meshError + " became " + loop.meshError());
     }
 
+    /** The error of the next estimate would otherwise differ from this one's by chance alone. */
+    @Test
+    void mesh_isRefinedByAFifthAtLeast() {
+        AccuracyLoop loop = loop();
+        double meshError = loop.meshError();
+        assertEquals(Refine.MESH, loop.refine(certificate(.0201, .01, .0174), 0, 1000));
+        assertEquals(.8 * meshError, loop.meshError(), 1e-12);
+    }
+
     /** What falls away as marked elements are divided needs no finer mesh elsewhere. */
     @Test
     void mesh_isKeptAsItIsWhereTheErrorIsOnMarkedElements() {
