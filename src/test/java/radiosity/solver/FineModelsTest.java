@@ -125,10 +125,8 @@ class FineModelsTest {
     @Test
     void rebalancedPrediction_hasTheLightThatFacesHaveReflected_alsoOfThoseThatAnotherRepresents() throws IOException {
         LocalWorld world = new LocalWorld(ball(LAMP, DULL, false), settings(), 2);
-        CoarseSystem system = new CoarseSystem(world.mesh, world.parallel);
+        CoarseSystem system = withRows(world);
         List<Shot> importance = system.importance();
-        system.take(importance.size(), world.round(new Order(Order.Kind.ROWS, importance, new Order.Rules(0.02,
-                new double[] {1, 1, 1}, 0, new double[0], new double[0]), Order.Question.candidates(0))));
         Faces faces = world.mesh.faces;
         List<Shot> emitted = each(importance, (tree, i) -> faces.exitance(tree.face(), i % faces.channels()));
         List<Shot> first = system.with(emitted, system.irradiance(system.unshot(emitted), () -> true), true);
@@ -151,18 +149,23 @@ class FineModelsTest {
     @Test
     void changeByEvenLight_isAboveItsMean_whereSomeSurfacesReflectNone() throws IOException {
         LocalWorld world = new LocalWorld(ball(LAMP, DULL), settings(), 2);
-        CoarseSystem system = new CoarseSystem(world.mesh, world.parallel);
-        List<Shot> importance = system.importance();
-        system.take(importance.size(), world.round(new Order(Order.Kind.ROWS, importance, new Order.Rules(0.02,
-                new double[] {1, 1, 1}, 0, new double[0], new double[0]), Order.Question.candidates(0))));
-        double[] even = system.irradiance(system.unshot(importance), () -> true).clone();
+        CoarseSystem system = withRows(world);
+        double[] dark = new double[system.unshot(List.of()).length];
+        double[] even = system.irradiance(dark, () -> true).clone();
         Arrays.fill(even, 1);
-        double[] dark = new double[system.unshot(importance).length];
         Weights weights = new Weights(world.mesh.rooms, 3, new double[] {1, 1, 1});
         CoarseSystem.Change change = system.change(even, dark, weights, 0);
         double lamp = 1 / (6 + 4 * Math.PI * RADIUS * RADIUS);
         assertEquals(0.6 * (1 - lamp), change.bias(), 1e-3);
         assertEquals(0.6 * Math.sqrt(1 - lamp), change.size(), 1e-3);
+    }
+
+    private static CoarseSystem withRows(LocalWorld world) throws IOException {
+        CoarseSystem system = new CoarseSystem(world.mesh, world.parallel);
+        List<Shot> importance = system.importance();
+        system.take(importance.size(), world.round(new Order(Order.Kind.ROWS, importance, new Order.Rules(0.02,
+                new double[] {1, 1, 1}, 0, new double[0], new double[0]), Order.Question.candidates(0))));
+        return system;
     }
 
     /** Shots with another radiosity at each corner and channel. */
