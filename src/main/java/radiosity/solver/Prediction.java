@@ -37,8 +37,8 @@ import radiosity.solution.Certificate;
  * with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Estimator} finds
  * the error and marks elements that err too much between their vertices, and {@link AccuracyLoop} decides between a
  * finer mesh (SPLIT again), more rays (RENEW, REGATHER and
- * AVERAGE: all vertices gather a second, independent sample) and the end (DONE). Before shots are chosen, the flux that
- * rays have lost is given back, by an order without a stage of its own.
+ * AVERAGE: all vertices gather a second, independent sample) and the end (DONE). Before light is predicted, the flux
+ * that rays have lost is given back, by an order without a stage of its own.
  */
 final class Prediction implements Planner {
 
@@ -105,8 +105,8 @@ final class Prediction implements Planner {
     /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */
     private int mispredicted;
     /**
-     * Whether flux that rays lost has been given back since light was received last. This is done before shots are
-     * chosen: what is given back is light, too, and is shot with the rest.
+     * Whether flux that rays lost has been given back since light was received last. This is done before light is
+     * predicted and shots are chosen: what is given back is light, too, and is shot with the rest.
      */
     private boolean balanced = true;
     /** Whether the last edit has left so much flux unshot that rounds shoot what the coarse system predicts, too. */
