@@ -7,13 +7,19 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** Runs JavaScript with packages from npm, which are installed below target/; skips the test where that cannot be. */
+/**
+ * Runs JavaScript with packages from npm, which are installed below target/; skips the test where that cannot be. One
+ * script runs at a time: the JVMs that Surefire starts share the packages and the files that are printed to.
+ */
 final class Node {
 
     private static final Path HOME = Path.of("target", "node").toAbsolutePath();
@@ -28,7 +34,15 @@ final class Node {
      *
      * @param npm the package that it needs, with its version
      */
-    static JsonNode run(String script, String npm, Path file) throws IOException, InterruptedException {
+    static synchronized JsonNode run(String script, String npm, Path file) throws IOException, InterruptedException {
+        Files.createDirectories(HOME);
+        try (FileChannel channel = FileChannel.open(HOME.resolve("lock"), StandardOpenOption.CREATE,
+                StandardOpenOption.WRITE); FileLock others = channel.lock()) {
+            return runAlone(script, npm, file);
+        }
+    }
+
+    private static JsonNode runAlone(String script, String npm, Path file) throws IOException, InterruptedException {
         install(npm);
         Path copy = HOME.resolve(script);
         try (InputStream in = Node.class.getResourceAsStream(script)) {
@@ -46,7 +60,6 @@ final class Node {
         if (Files.exists(HOME.resolve("node_modules").resolve(name).resolve("package.json"))) {
             return;
         }
-        Files.createDirectories(HOME);
         if (Files.notExists(HOME.resolve("package.json"))) {
             Files.writeString(HOME.resolve("package.json"), "{\"private\":true}");
         }
