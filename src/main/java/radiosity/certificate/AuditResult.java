@@ -108,10 +108,15 @@ final class AuditResult {
 
     private List<Certificate.SurfaceError> surfaces(List<AuditPoint> reflecting) {
         Map<Surface, List<AuditPoint>> bySurface = new LinkedHashMap<>();
-        for (AuditPoint point : reflecting) {
-            Surface surface = faces.scene().surface(faces.triangle(point.face));
-            bySurface.computeIfAbsent(surface, s -> new ArrayList<>()).add(point);
+        Map<Surface, Double> squares = new LinkedHashMap<>();
+        Trimmed square = Trimmed.of(reflecting, sums(reflecting, (e, noise) -> square(e) - square(noise)));
+        for (int i = 0; i < square.area.length; i++) {
+            Surface surface = faces.scene().surface(faces.triangle(reflecting.get(i).face));
+            bySurface.computeIfAbsent(surface, s -> new ArrayList<>()).add(reflecting.get(i));
+            squares.merge(surface, square.area[i] * square.values[i], Double::sum);
         }
+        squares.replaceAll((surface, sum) -> Math.max(0, sum));
+        double all = squares.values().stream().mapToDouble(x -> x).sum();
         List<Certificate.SurfaceError> errors = new ArrayList<>();
         bySurface.forEach((surface, some) -> {
             Errors of = errors(some);
@@ -121,7 +126,7 @@ final class AuditResult {
                 mean += mean(some, p -> p.radiosity(colour)) / faces.colours();
             }
             errors.add(new Certificate.SurfaceError(surface.name(), some.size(), mean, Math.sqrt(of.sampling),
-                    Math.sqrt(of.meshing)));
+                    Math.sqrt(of.meshing), all == 0 ? 0 : squares.get(surface) / all));
         });
         return errors;
     }
@@ -144,10 +149,11 @@ final class AuditResult {
     /**
      * Areas that points represent, less the share {@link #TAIL} of their sum that has the largest absolute values.
      *
-     * @param whole sum of the areas left
-     * @param sum   sum of these areas times the values
+     * @param values 1 per area
+     * @param whole  sum of the areas left
+     * @param sum    sum of these areas times the values
      */
-    record Trimmed(double[] area, double whole, double sum) {
+    record Trimmed(double[] area, double[] values, double whole, double sum) {
 
         private static Trimmed of(List<AuditPoint> some, double[] values) {
             return of(some.stream().mapToDouble(p -> p.area).toArray(), values);
@@ -163,7 +169,7 @@ final class AuditResult {
             for (int i = 0; i < area.length; i++) {
                 sum += area[i] * values[i];
             }
-            return new Trimmed(area, Arrays.stream(area).sum(), sum);
+            return new Trimmed(area, values, Arrays.stream(area).sum(), sum);
         }
 
         /** Mean of the values over the areas left; 0 where no area is left. */

@@ -38,18 +38,21 @@ public record Certificate(int points, Double missingFlux, double factors, double
     }
 
     /**
-     * Errors at a point of one surface, relative to its own mean radiosity.
+     * Errors at a point of one surface, relative to its own mean radiosity, and its share of the whole error.
      *
      * @param surface   name of the surface
      * @param points    number of points on the surface
      * @param radiosity mean over these points and over the channels, W/m²
      * @param sampling  part of the error that comes from rays
      * @param meshing   part of the error that comes from interpolation
+     * @param share     part of the mean square of {@link Certificate#expected} that is on the surface, in [0, 1]; bias
+     *                  that all surfaces have in common is left out
      */
-    public record SurfaceError(String surface, int points, double radiosity, double sampling, double meshing) {
+    public record SurfaceError(String surface, int points, double radiosity, double sampling, double meshing,
+                               double share) {
 
         public SurfaceError {
-            NoNumberException.unlessNumbers("certificate", radiosity, sampling, meshing);
+            NoNumberException.unlessNumbers("certificate", radiosity, sampling, meshing, share);
         }
     }
 }

@@ -199,7 +199,7 @@ final class Prediction implements Planner {
      * null, the end; but where BALANCE has left much light of one sign unshot, a round that shoots it comes first.
      */
     private Order refine(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        Optional<Estimator.Estimate> estimate = estimate();
+        Optional<Estimator.Estimate> estimate = estimate(goOn);
         return switch (estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
                 last.elements)).orElse(AccuracyLoop.Refine.NOTHING)) {
             case MESH -> divide(last, estimate.get());
@@ -286,7 +286,7 @@ final class Prediction implements Planner {
             case SPLIT -> last.elements > elements ? gather() : distributeChange(last, unsent, goOn);
             case GATHER -> refined ? distributeChange(last, unsent, goOn) : split(last, List.of());
             case MEND -> balance(last);
-            case BALANCE -> endOfChange(last, unsent);
+            case BALANCE -> endOfChange(last, unsent, goOn);
             default -> distributeChange(last, unsent, goOn);
         };
     }
@@ -317,8 +317,8 @@ final class Prediction implements Planner {
     }
 
     /** Estimates the error; empty where there is no light, or the user lets much flux be unshot. */
-    private Optional<Estimator.Estimate> estimate() throws IOException {
-        return wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : estimator.estimate(loop.meshError());
+    private Optional<Estimator.Estimate> estimate(BooleanSupplier goOn) throws IOException {
+        return wanted > StopRule.DEFAULT_UNSENT ? Optional.empty() : estimator.estimate(loop.meshError(), goOn);
     }
 
     /**
@@ -326,8 +326,8 @@ final class Prediction implements Planner {
      * rays are refined as in a scene that is no edit. The noise that one edit adds is small, but the noise of many
      * edits adds up: where the error is still the one asked for, all vertices gather anew.
      */
-    private Order endOfChange(Answer last, double unsent) throws IOException {
-        Optional<Estimator.Estimate> estimate = estimate();
+    private Order endOfChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        Optional<Estimator.Estimate> estimate = estimate(goOn);
         if (estimate.isEmpty() || isUsual(estimate.get().certificate())) {
             stage = Stage.DONE;
             return null;

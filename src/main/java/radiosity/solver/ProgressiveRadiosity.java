@@ -74,10 +74,12 @@ public final class ProgressiveRadiosity {
         ask();
         boolean goOn = true;
         while (goOn && !isDone()) {
+            int estimates = counters.estimates();
             if (queue.isEmpty() && !choose(listener)) {
                 return;
             }
-            goOn = round(listener);
+            goOn = counters.estimates() == estimates || listener.afterEstimate(progress()) && !isEstimated();
+            goOn = goOn && round(listener);
         }
         last.know();
     }
@@ -88,11 +90,21 @@ public final class ProgressiveRadiosity {
      * @return false where no flux is left to shoot, or the listener asks to stop
      */
     private boolean choose(RoundListener listener) throws IOException {
-        Order next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
+        Order next;
+        try {
+            next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
+        } catch (CancellationException stopped) {
+            return false;
+        }
         if (next != null) {
             queue.add(next, unsent());
         }
         return next != null;
+    }
+
+    /** Whether the error was estimated as often as the stop rule says. */
+    private boolean isEstimated() {
+        return counters.estimates() >= stop.estimates();
     }
 
     /**
@@ -194,7 +206,7 @@ public final class ProgressiveRadiosity {
 
     private boolean isDone() {
         double left = queue.isEmpty() ? unsent() : queue.unsent();
-        return counters.shots() >= stop.shots() || queue.isBetweenRounds()
+        return counters.shots() >= stop.shots() || isEstimated() || queue.isBetweenRounds()
                 && planner.isEnough(last.afterRound(), left, Math.max(stop.unsent(), counters.flux.rounding()));
     }
 
@@ -346,9 +358,13 @@ public final class ProgressiveRadiosity {
         return isKnown || estimate(parallel).isPresent() ? certificate : Optional.empty();
     }
 
-    private Optional<Estimator.Estimate> estimate(double meshError) throws IOException {
-        return estimate(world.parallel).flatMap(audit ->
-                certificate.map(found -> new Estimator.Estimate(found, audit.marked(meshError))));
+    private Optional<Estimator.Estimate> estimate(double meshError, BooleanSupplier goOn) throws IOException {
+        Optional<Audit> audit = estimate(world.parallel.cancelledUnless(goOn));
+        if (audit.isEmpty() || certificate.isEmpty()) {
+            return Optional.empty();
+        }
+        counters.countEstimate();
+        return Optional.of(new Estimator.Estimate(certificate.get(), audit.get().marked(meshError)));
     }
 
     /** Sets {@link #certificate} to that of the present solution; empty, and not set, where that is incomplete. */
@@ -484,5 +500,10 @@ public final class ProgressiveRadiosity {
     /** Number of shots so far. */
     public int shots() {
         return counters.shots();
+    }
+
+    /** Number of estimates of the error so far that have decided how the calculation goes on. */
+    public int estimates() {
+        return counters.estimates();
     }
 }

@@ -12,12 +12,13 @@ import radiosity.solution.EnergyLedger;
 import radiosity.solution.Progress;
 import radiosity.util.ParallelFor;
 
-/** Numbers of shots and rounds, the flux that was emitted and shot, and the answer that shown light belongs to. */
+/** Counts shots, rounds, estimates and flux that was emitted and shot; knows the answer that shown light belongs to. */
 final class SolveCounters {
 
     private final InitialMesh mesh;
     private int shots;
     private int rounds;
+    private int estimates;
     /** Number of the round that made or renewed vertices which have not gathered yet; 0 where there are none. */
     private int dark;
     /** The answer before the {@link #dark} round; until its vertices have gathered, this answer is shown. */
@@ -96,6 +97,16 @@ final class SolveCounters {
         return rounds;
     }
 
+    /** Counts an estimate that decides how the calculation goes on. */
+    void countEstimate() {
+        estimates++;
+    }
+
+    /** Number of estimates of the error that have decided how the calculation goes on. */
+    int estimates() {
+        return estimates;
+    }
+
     /** Number of the round that made or renewed vertices which have not gathered yet; 0 where there are none. */
     int dark() {
         return dark;
@@ -135,6 +146,7 @@ final class SolveCounters {
     void write(DataOutputStream out) throws IOException {
         out.writeInt(shots);
         out.writeInt(rounds);
+        out.writeInt(estimates);
         out.writeInt(dark);
         if (dark != 0) {
             beforeDark.write(out);
@@ -149,6 +161,7 @@ final class SolveCounters {
     void read(DataInputStream in) throws IOException {
         shots = in.readInt();
         rounds = in.readInt();
+        estimates = in.readInt();
         dark = in.readInt();
         if (dark != 0) {
             beforeDark = new Answer(mesh.faces, mesh.fluxScale());

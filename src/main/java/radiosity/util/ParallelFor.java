@@ -2,12 +2,14 @@ package radiosity.util;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
 /** A parallel loop: threads share numbered pieces of work. Which thread does which piece must not affect the result. */
@@ -24,20 +26,42 @@ public final class ParallelFor {
     private static final int RUNS = 16;
 
     private final int threads;
+    private final BooleanSupplier goOn;
 
     /**
      * @param threads at least 1; no more threads are used than there are processors
      * @throws IllegalArgumentException where the number is below 1
      */
     public ParallelFor(int threads) {
+        this(threads, () -> true);
+    }
+
+    private ParallelFor(int threads, BooleanSupplier goOn) {
         if (threads < 1) {
             throw new IllegalArgumentException("threads: expected at least 1, got " + threads);
         }
         this.threads = Math.min(threads, Math.max(1, Runtime.getRuntime().availableProcessors()));
+        this.goOn = goOn;
+    }
+
+    /**
+     * A loop that can be cancelled: a {@link CancellationException} ends it between two pieces.
+     *
+     * @param goOn called before each piece of the calling thread, by that thread only; false cancels the loop
+     */
+    public ParallelFor cancelledUnless(BooleanSupplier goOn) {
+        return new ParallelFor(threads, goOn);
     }
 
     /** Does the pieces 0 to count - 1 and returns when all are done; rethrows the first exception of a piece. */
-    public void run(int count, IntConsumer piece) {
+    public void run(int count, IntConsumer all) {
+        Thread caller = Thread.currentThread();
+        IntConsumer piece = i -> {
+            if (Thread.currentThread() == caller && !goOn.getAsBoolean()) {
+                throw new CancellationException();
+            }
+            all.accept(i);
+        };
         if (threads == 1 || count <= 1) {
             for (int i = 0; i < count; i++) {
                 piece.accept(i);

@@ -12,6 +12,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -71,7 +72,10 @@ class RenderTest {
         assertTrue(report.get("unsent").doubleValue() <= 0.3);
         assertTrue(report.get("shots").intValue() > 1);
         assertTrue(report.get("certificate").get("expected").doubleValue() > 0);
-        assertTrue(report.get("certificate").get("surfaces").size() > 1);
+        JsonNode surfaces = report.get("certificate").get("surfaces");
+        assertTrue(surfaces.size() > 1);
+        assertEquals(1, StreamSupport.stream(surfaces.spliterator(), false)
+                .mapToDouble(surface -> surface.get("share").doubleValue()).sum(), 1e-12);
     }
 
     /** The box has one lamp and, made to count, no light: its one layer is the whole. */

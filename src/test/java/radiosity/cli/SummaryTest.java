@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import radiosity.cli.render.RenderResult;
@@ -11,6 +12,7 @@ import radiosity.cli.render.Summary;
 import radiosity.settings.Accuracy;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.StopRule;
+import radiosity.solution.Certificate;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
 import radiosity.testkit.RoomScenes;
@@ -38,6 +40,17 @@ class SummaryTest {
     void lessThanWasAskedFor_isSaidWithTheSurface() throws IOException {
         String line = shortfall(.01).orElseThrow();
         assertTrue(line.matches("accuracy not reached: expected an error of 1\\.0 %, got \\S+ %; 100 % of it is on wall"), line);
+    }
+
+    /** A lampshade is bright: its errors are many W/m², but they count relative to its own light. */
+    @Test
+    void surfaces_areNamedByTheirShareOfTheError() {
+        List<Certificate.SurfaceError> surfaces = List.of(
+                new Certificate.SurfaceError("shade", 20, 500, .01, .02, .1),
+                new Certificate.SurfaceError("black", 5, 0, 0, 0, 0),
+                new Certificate.SurfaceError("floor", 900, .5, .02, .05, .9));
+        Certificate found = new Certificate(925, 0.0, 1, 1, 0, .04, .02, .03, 0, 0, surfaces);
+        assertEquals("; 90 % of it is on floor, 10 % of it is on shade", Summary.worst(found));
     }
 
     @Test

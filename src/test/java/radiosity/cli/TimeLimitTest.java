@@ -2,7 +2,6 @@ package radiosity.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
@@ -12,9 +11,10 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.IntPredicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -74,8 +74,10 @@ class TimeLimitTest {
     @Test
     void commandLine_namesTheAccuracyInsteadOfTheTime() {
         assertEquals(List.of("-q", "--accuracy", "2%", "a", "b"),
-                TimeLimit.reproducing(List.of("-q", "--time", "60s", "a", "b"), "2%"));
-        assertEquals(List.of("a", "b", "--accuracy=2%"), TimeLimit.reproducing(List.of("a", "b", "--time=60s"), "2%"));
+                TimeLimit.reproducing(List.of("-q", "--time", "60s", "a", "b"), TimeLimit.accuracy("2%")));
+        assertEquals(List.of("a", "--iterations", "9", "b", "--accuracy", "5%,2%", "--estimates", "3"),
+                TimeLimit.reproducing(List.of("a", "--iterations", "9", "--estimates=7", "b", "--time=60s"),
+                        TimeLimit.estimates("5%,2%", 3)));
     }
 
     @Test
@@ -116,53 +118,90 @@ class TimeLimitTest {
         return ProgramRun.of(arguments.toArray());
     }
 
-    /** The limit ends at every look at the clock, so also at those after elements were divided. */
+    /** The limit ends at every look at the clock, so also at those after elements were divided, and in estimates. */
     @Test
     void cutOffAtAnyLook_isTheSameAsByTheOptionsThatArePrinted() throws IOException {
         Program program = new Program(directory);
-        Map<Integer, SavedState> byShots = new HashMap<>();
+        Map<String, SavedState> byOptions = new TreeMap<>();
         for (int looks = 1; looks < 30; looks++) {
-            RenderResult timed = timed(program, looks);
-            int shots = timed.progress().shots();
-            if (timed.isCut()) {
-                if (!byShots.containsKey(shots)) {
-                    ProgramRun again = run("--schedule predict --accuracy 50% -it " + shots, program);
-                    assertEquals(ExitCode.DONE, again.exitCode(), again.err());
-                    byShots.put(shots, SavedCalculation.read(program.file("foobar.scene")).state());
-                }
-                assertEquals(byShots.get(shots), timed.solution().state(), "after " + looks + " looks");
+            int[] looked = {0};
+            int last = looks;
+            Timed timed = new Timed(program.file("foobar.lws"), program, kept -> ++looked[0] < last);
+            if (!byOptions.containsKey(timed.options)) {
+                byOptions.put(timed.options, state(timed, program));
             }
+            assertEquals(byOptions.get(timed.options), timed.result.solution().state(), "after " + looks + " looks");
         }
-        assertFalse(byShots.isEmpty(), "never cut off");
+        assertTrue(byOptions.keySet().stream().anyMatch(options -> options.contains(" -it ")), byOptions.toString());
     }
 
-    /** By a clock that is looked at a number of times until the limit ends. */
-    private static RenderResult timed(Program program, int looks) throws IOException {
-        List<String> arguments = List.of("-q", "-pa", "5000", "--time", "1s", program.file("foobar.lws").toString(),
-                program.file("foobar.scene").toString());
-        RendererOptions options = new RendererOptions();
-        new CommandLine(options).parseArgs(arguments.toArray(new String[0]));
-        StopRequest stop = new StopRequest();
-        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
-        ConsoleSession user = new ConsoleSession(nowhere, new NoProgress(nowhere), stop);
-        OutputFiles files = new OutputFiles(options, arguments);
-        Warnings warnings = new Warnings(line -> { }, false);
-        Scene scene = SceneReader.read(options.input(), options.scene.readOptions(), warnings::print);
-        int[] looked = {0};
-        TimeCourse course = new TimeCourse(1, () -> ++looked[0] < looks ? 0 : 2);
-        return new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
-                options.calculation.settings(scene, options.calculation.defaults()), options.calculation.time, course,
-                user, stop, files).run();
+    /** What is kept between two accuracies is the solution of an estimate. */
+    @Test
+    void cutOffAfterAnEstimate_isTheSameAsByTheOptionsThatArePrinted() throws IOException {
+        Program program = new Program(directory);
+        Timed timed = new Timed(Path.of("scenes/study.lws").toAbsolutePath(), program, kept -> kept < 2);
+        assertTrue(timed.options.matches("--accuracy 50%,\\d+% --estimates \\d"), timed.options);
+        assertEquals(timed.result.solution().state(), SavedCalculation.read(program.file("foobar.scene")).state());
+        assertEquals(timed.result.solution().state(), state(timed, program));
+    }
+
+    private static SavedState state(Timed timed, Program program) throws IOException {
+        List<Object> arguments = new ArrayList<>(timed.arguments);
+        arguments.addAll(List.of(timed.options.split(" ")));
+        ProgramRun again = ProgramRun.of(arguments.toArray());
+        assertEquals(ExitCode.DONE, again.exitCode(), again.err());
+        return SavedCalculation.read(program.file("foobar.scene")).state();
+    }
+
+    /** A calculation by a clock that goes on until something was looked at or kept often enough. */
+    private static final class Timed {
+
+        private final List<String> arguments;
+        private final RenderResult result;
+        /** The options that are printed. */
+        private final String options;
+        private TimedCalculation calculation;
+        private RenderResult seen;
+        private int kept;
+
+        /** @param goesOn whether time is left after a number of solutions that were kept */
+        Timed(Path input, Program program, IntPredicate goesOn) throws IOException {
+            arguments = List.of("-q", "-pa", "5000", input.toString(), program.file("foobar.scene").toString());
+            List<String> withTime = new ArrayList<>(arguments);
+            withTime.addAll(List.of(TimeLimit.OPTION, "1s"));
+            RendererOptions parsed = new RendererOptions();
+            new CommandLine(parsed).parseArgs(withTime.toArray(new String[0]));
+            StopRequest stop = new StopRequest();
+            PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
+            ConsoleSession user = new ConsoleSession(nowhere, new NoProgress(nowhere), stop);
+            OutputFiles files = new OutputFiles(parsed, withTime);
+            Scene scene = SceneReader.read(parsed.input(), parsed.scene.readOptions(),
+                    new Warnings(line -> { }, false)::print);
+            calculation = new TimedCalculation(new RenderJob(parsed, scene, files, new Warnings(line -> { }, false),
+                    user), parsed.calculation.settings(scene, parsed.calculation.defaults()), parsed.calculation.time,
+                    new TimeCourse(1, () -> goesOn.test(kept()) ? 0 : 2), user, stop, files);
+            result = calculation.run();
+            Matcher same = Pattern.compile("the same as with (--.*)").matcher(calculation.summary());
+            assertTrue(same.find(), calculation.summary());
+            options = same.group(1);
+        }
+
+        private int kept() {
+            RenderResult now = calculation.kept().orElse(null);
+            kept += now == seen ? 0 : 1;
+            seen = now;
+            return kept;
+        }
     }
 
     @Test
     void commandLine_namesTheShotsAfterWhichItWasCutOff() {
         List<String> options = List.of("--schedule", "predict", "--accuracy", "50%", "-it", "7");
         for (String given : List.of("--time 60s -q a b", "--time=60s -it 9 -q a b",
-                "-q --schedule=predict --time 60s a b")) {
+                "--iterations=9 --schedule=predict --time 60s -q a b")) {
             List<String> expected = new ArrayList<>(options);
             expected.addAll(List.of("-q", "a", "b"));
-            assertEquals(expected, TimeLimit.reproducing(List.of(given.split(" ")), "50%", 7));
+            assertEquals(expected, TimeLimit.reproducing(List.of(given.split(" ")), TimeLimit.cutOff("50%", 7)));
         }
     }
 
@@ -178,8 +217,7 @@ class TimeLimitTest {
         byte[] timed = Files.readAllBytes(output);
         SavedState state = SavedCalculation.read(output).state();
         boolean isCutOff = told.contains("cut off after");
-        String printed = isCutOff || !options.contains("=") ? same.group(1) : same.group(1).replace(' ', '=');
-        rendered(program, "-pa 20000 " + options.replaceFirst("--time.8s", printed) + FILES);
+        rendered(program, "-pa 20000 " + options.replaceFirst("--time.8s", same.group(1)) + FILES);
         assertEquals(state, SavedCalculation.read(output).state());
         if (!isCutOff) {
             assertArrayEquals(timed, Files.readAllBytes(output));

@@ -67,8 +67,8 @@ class NumbersTest {
 
     @Test
     void certificateThatIsNone_isCaught() {
-        for (int i = 0; i < 12; i++) {
-            double[] x = new double[12];
+        for (int i = 0; i < 13; i++) {
+            double[] x = new double[13];
             x[i] = Double.POSITIVE_INFINITY;
             assertEquals("certificate: expected numbers, got Infinity",
                     assertThrows(NoNumberException.class, () -> certificate(x)).getMessage());
@@ -78,7 +78,7 @@ class NumbersTest {
 
     private static Certificate certificate(double[] x) {
         return new Certificate(1, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8],
-                List.of(new Certificate.SurfaceError("wall", 1, x[9], x[10], x[11])));
+                List.of(new Certificate.SurfaceError("wall", 1, x[9], x[10], x[11], x[12])));
     }
 
     @Test

@@ -7,13 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Scene;
+import radiosity.settings.Accuracy;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
+import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
 import radiosity.testkit.RoomScenes;
@@ -25,6 +29,10 @@ class AimTest {
             RoomScenes.grey("lamp", 1, .5));
     private static final StopRule STOP = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT);
     private static final RadiositySettings COARSE = RadiositySettings.defaults().accurate(.2);
+
+    /** The error asked for is 2 %, but the calculation begins with a mesh for 50 %. */
+    private static final RadiositySettings COARSE_MESH = new RadiositySettings(0, 0, COARSE.meshing(), Schedule.PREDICT,
+            Accuracy.tolerance(.02), Accuracy.meshError(.5));
 
     @Tag("slow")
     @Test
@@ -62,6 +70,45 @@ class AimTest {
             }
             int elements = radiosity.progress().elements();
             radiosity.run(progress -> toTheEnd || progress.elements() == elements);
+            return radiosity.state();
+        }
+    }
+
+    /** A rule ends a calculation after an estimate; a listener sees the same solution there, and it can go on. */
+    @Tag("slow")
+    @Test
+    void stoppedAfterAnEstimate_isWhatAListenerSees_andGoesOnToTheSameBits() throws IOException {
+        Map<Integer, SavedState> seen = new TreeMap<>();
+        SavedState whole = estimated(STOP, null, seen);
+        assertTrue(seen.size() > 1, "estimates on the way: " + seen.size());
+        for (Map.Entry<Integer, SavedState> entry : seen.entrySet()) {
+            StopRule rule = new StopRule(Integer.MAX_VALUE, STOP.unsent(), entry.getKey());
+            SavedState stopped = estimated(rule, null, new TreeMap<>());
+            assertEquals(entry.getValue(), stopped, "after " + entry.getKey() + " estimates");
+            assertEquals(whole, estimated(STOP, stopped, new TreeMap<>()));
+        }
+    }
+
+    /** @param seen receives the states after estimates on the way, by the number of estimates */
+    private static SavedState estimated(StopRule stop, SavedState before, Map<Integer, SavedState> seen)
+            throws IOException {
+        try (LocalWorld world = new LocalWorld(ROOM, COARSE_MESH, 2)) {
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stop);
+            if (before != null) {
+                radiosity.resume(before);
+            }
+            radiosity.run(new RoundListener() {
+                @Override
+                public boolean afterRound(Progress progress) {
+                    return true;
+                }
+
+                @Override
+                public boolean afterEstimate(Progress progress) throws IOException {
+                    seen.put(radiosity.estimates(), radiosity.state());
+                    return true;
+                }
+            });
             return radiosity.state();
         }
     }

@@ -37,6 +37,11 @@ public final class CalculationOptions {
                     + StopRule.DEFAULT_UNSENT + ".")
     Double unsent;
 
+    @Option(names = TimeLimit.ESTIMATES, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+            description = "Stop after n estimates of the error; each is followed by a finer mesh or more rays. With"
+                    + " --schedule predict.")
+    Integer estimates;
+
     @Option(names = "--schedule", paramLabel = "<order>", converter = ScheduleParser.class,
             description = "Which patches shoot when: paper (most undistributed light first) or predict; for small"
                     + " scenes also shooting (each in turn), gathering or matrix. -it and -se alone select paper.")
@@ -92,6 +97,10 @@ public final class CalculationOptions {
             throw Failure.commandLine(accuracy != null ? "--accuracy" : TimeLimit.OPTION,
                     "expected --schedule predict, got " + asked.schedule().name().toLowerCase(Locale.ROOT));
         }
+        if (estimates != null && asked.schedule() != Schedule.PREDICT) {
+            throw Failure.commandLine(TimeLimit.ESTIMATES, "expected --schedule predict, got "
+                    + asked.schedule().name().toLowerCase(Locale.ROOT));
+        }
         checkFalls();
         return accuracy == null ? asked : asked.accurate(accuracy.get(0));
     }
@@ -130,11 +139,11 @@ public final class CalculationOptions {
 
     /** Whether only the accuracy asked for ends the calculation. */
     public boolean isAccuracyAsked() {
-        return accuracy != null && iterations == null && unsent == null && time == null;
+        return accuracy != null && iterations == null && unsent == null && estimates == null && time == null;
     }
 
     public StopRule stopRule() {
         return new StopRule(iterations == null ? Integer.MAX_VALUE : iterations,
-                unsent != null ? unsent : StopRule.DEFAULT_UNSENT);
+                unsent != null ? unsent : StopRule.DEFAULT_UNSENT, estimates == null ? Integer.MAX_VALUE : estimates);
     }
 }

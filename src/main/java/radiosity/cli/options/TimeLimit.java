@@ -6,7 +6,6 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /**
  * Wall time that a render may take ({@code --time}).
@@ -17,9 +16,10 @@ import java.util.Set;
 public record TimeLimit(String text, double seconds) {
 
     public static final String OPTION = "--time";
+    static final String ESTIMATES = "--estimates";
     private static final String ACCURACY = "--accuracy";
-    /** Options that the options of {@link #cutOff} replace. */
-    private static final Set<String> REPLACED = Set.of(OPTION, ACCURACY, "--schedule", "-it", "--iterations");
+    private static final String SCHEDULE = "--schedule";
+    private static final String ITERATIONS = "-it";
     private static final MathContext DIGITS = new MathContext(3, RoundingMode.CEILING);
 
     /** Lengths of the units in seconds; a number without a unit is in seconds. */
@@ -36,47 +36,51 @@ public record TimeLimit(String text, double seconds) {
     }
 
     /**
-     * The options that reproduce, to the last bit, a calculation that a time limit cut off.
+     * The options that reproduce, to the last bit, a calculation that reached an accuracy.
      *
-     * @param accuracy value of {@code --accuracy}
-     * @param shots    number of shots of the calculation
+     * @param accuracy value of {@code --accuracy}, as for the other methods
      */
-    public static List<String> cutOff(String accuracy, int shots) {
-        return List.of("--schedule", "predict", ACCURACY, accuracy, "-it", Integer.toString(shots));
+    public static List<String> accuracy(String accuracy) {
+        return List.of(ACCURACY, accuracy);
     }
 
     /**
-     * The command line that reproduces a calculation that a time limit cut off, see {@link #cutOff}.
+     * The options that reproduce, to the last bit, a calculation after an estimate of its error.
+     *
+     * @param estimates number of estimates, with that one
+     */
+    public static List<String> estimates(String accuracy, int estimates) {
+        return List.of(ACCURACY, accuracy, ESTIMATES, Integer.toString(estimates));
+    }
+
+    /**
+     * The options that reproduce, to the last bit, a calculation that a time limit cut off before the first estimate.
+     *
+     * @param shots number of shots of the calculation
+     */
+    public static List<String> cutOff(String accuracy, int shots) {
+        return List.of(SCHEDULE, "predict", ACCURACY, accuracy, ITERATIONS, Integer.toString(shots));
+    }
+
+    /**
+     * The command line that reproduces the result of a command line with a time limit: options take the place of the
+     * time limit, and replace the same options elsewhere.
      *
      * @param arguments command line with the time limit; not modified
+     * @param options   names and values, as the other methods return them
      */
-    public static List<String> reproducing(List<String> arguments, String accuracy, int shots) {
-        List<String> same = new ArrayList<>(cutOff(accuracy, shots));
+    public static List<String> reproducing(List<String> arguments, List<String> options) {
+        List<String> same = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {
             String option = arguments.get(i).replaceFirst("=.*", "");
-            if (!REPLACED.contains(option)) {
+            boolean isTime = option.equals(OPTION);
+            if (isTime) {
+                same.addAll(options);
+            }
+            if (!isTime && !options.contains(option.equals("--iterations") ? ITERATIONS : option)) {
                 same.add(arguments.get(i));
             } else if (option.equals(arguments.get(i))) {
                 i++; // skips the option's value
-            }
-        }
-        return same;
-    }
-
-    /**
-     * The command line that reproduces, to the last bit, the result of a command line with a time limit.
-     *
-     * @param arguments command line with the time limit; not modified
-     * @param accuracy  value of {@code --accuracy} that replaces the time limit
-     */
-    public static List<String> reproducing(List<String> arguments, String accuracy) {
-        List<String> same = new ArrayList<>(arguments);
-        for (int i = 0; i < same.size(); i++) {
-            if (same.get(i).startsWith(OPTION + "=")) {
-                same.set(i, ACCURACY + "=" + accuracy);
-            } else if (same.get(i).equals(OPTION) && i + 1 < same.size()) {
-                same.set(i, ACCURACY);
-                same.set(i + 1, accuracy);
             }
         }
         return same;

@@ -1,12 +1,12 @@
 package radiosity.cli.render;
 
 /**
- * Chooses the accuracy of the next calculation within what is left of a time limit.
+ * Chooses the accuracy that is asked for next within what is left of a time limit.
  *
- * <p>Calculation time is modelled as a power of 1 / accuracy. The exponent is the one observed between the last two
- * calculations, within bounds, and a constant before there are two; it is small where work that does not depend on the
- * accuracy dominates. The constants limit the extrapolation and decide how much of the time limit is used; each was
- * chosen from the measurements in {@code docs/ACCURACY.md}.
+ * <p>The time to the first estimate of the error with an accuracy is modelled as a power of 1 / accuracy: if the time
+ * limit comes later, that solution is kept, and the time until then is spent on refining it. The exponent is the one
+ * observed between the last two accuracies, within bounds, and a constant before there are two; it is small where work
+ * that does not depend on the accuracy dominates. The constants limit the extrapolation.
  */
 public final class AccuracyChoice {
 
@@ -14,7 +14,7 @@ public final class AccuracyChoice {
     public static final double COARSEST = 0.5;
     /** Finest accuracy that is tried: a certificate cannot confirm finer ones. */
     public static final double FINEST = 1e-4;
-    /** Largest part of the time left that a calculation may be predicted to take; the rest is for wrong predictions. */
+    /** Largest part of the time left that the first estimate may be predicted to take; the rest is for refining. */
     private static final double SHARE = 0.75;
     /** Largest and smallest ratio between the accuracy of a calculation and the accuracy of the next one. */
     private static final double MOST_GAIN = 5;
@@ -46,11 +46,11 @@ public final class AccuracyChoice {
     }
 
     /**
-     * Records a calculation, for the next choice.
+     * Records the first estimate with an accuracy, for the next choice.
      *
      * @param accuracy relative error of the calculation
-     * @param seconds  wall time of the calculation
-     * @param elements number of elements of its mesh
+     * @param seconds  wall time to the estimate since the accuracy was asked for
+     * @param elements number of elements of the mesh that reached the accuracy
      */
     public void took(double accuracy, double seconds, int elements) {
         double now = Math.max(SHORTEST, seconds);

@@ -1,5 +1,6 @@
 package radiosity.cli.render;
 
+import java.io.IOException;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -39,6 +40,11 @@ public final class HostLines implements RoundListener {
             world.get().hosts().forEach(host -> display.message(line(host)));
         }
         return next.afterRound(progress);
+    }
+
+    @Override
+    public boolean afterEstimate(Progress progress) throws IOException {
+        return next.afterEstimate(progress);
     }
 
     private static String line(HostStatistics host) {

@@ -55,14 +55,13 @@ public final class OutputFiles {
         this.arguments = arguments;
     }
 
-    /** These files for the result of a time limit; the scene file keeps a command line that reproduces the result. */
-    OutputFiles accurate(String perCent) {
-        return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent));
-    }
-
-    /** These files for a calculation that a time limit cut off; the scene file keeps a command line to reproduce it. */
-    OutputFiles cutOff(String perCent, int shots) {
-        return new OutputFiles(options, TimeLimit.reproducing(arguments, perCent, shots));
+    /**
+     * These files for the result of a time limit; the scene file keeps a command line that reproduces the result.
+     *
+     * @param same options that take the place of the time limit
+     */
+    OutputFiles reproducedBy(List<String> same) {
+        return new OutputFiles(options, TimeLimit.reproducing(arguments, same));
     }
 
     /**

@@ -16,6 +16,7 @@ import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
+import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
 import radiosity.solver.LocalWorld;
 import radiosity.solver.ProgressiveRadiosity;
@@ -44,11 +45,24 @@ public final class RenderJob {
         /** Relative error to reach after a result that reached the one before; empty where the calculation is done. */
         OptionalDouble after(RenderResult result) throws IOException;
 
+        /** Is called with the solution of each estimate of the error that does not end the calculation. */
+        default void estimated(Estimated solution) throws IOException { }
+
+        /** The result of a calculation that is cut; empty for the solution at the cut. */
+        default Optional<RenderResult> kept() {
+            return Optional.empty();
+        }
+
         /** A fixed list of relative errors. */
         static Aims of(List<Double> errors) {
             Iterator<Double> rest = errors.iterator();
             return result -> rest.hasNext() ? OptionalDouble.of(rest.next()) : OptionalDouble.empty();
         }
+    }
+
+    /** A solution whose error was just estimated; it takes time to collect. */
+    public interface Estimated {
+        RenderResult result() throws IOException;
     }
 
     /** Prepares a calculation before its first round, for example by resuming it from a saved state. */
@@ -73,11 +87,26 @@ public final class RenderJob {
             beginning.of(radiosity);
             user.begin();
             AutosaveListener rounds = new AutosaveListener(radiosity, settings, options, files, journal, user, goOn);
-            RoundListener listener = listener(world, rounds);
+            RoundListener listener = listener(world, new RoundListener() {
+                @Override
+                public boolean afterRound(Progress progress) {
+                    return rounds.afterRound(progress);
+                }
+
+                @Override
+                public boolean afterEstimate(Progress progress) throws IOException {
+                    aims.estimated(() -> result(radiosity, world, settings, false));
+                    return true;
+                }
+            });
             while (true) {
                 radiosity.run(listener);
+                if (rounds.isCut() && aims.kept().isPresent()) {
+                    return aims.kept().get();
+                }
                 RenderResult result = result(radiosity, world, settings, rounds.isCut());
-                boolean isStopped = rounds.isCut() || radiosity.shots() >= stop.shots();
+                boolean isStopped = rounds.isCut() || radiosity.shots() >= stop.shots()
+                        || radiosity.estimates() >= stop.estimates();
                 OptionalDouble next = isStopped ? OptionalDouble.empty() : aims.after(result);
                 if (next.isEmpty()) {
                     return result;
@@ -106,7 +135,7 @@ public final class RenderJob {
         return new RemoteWorld(scene, settings, options.host.hosts, key, threads, user::message);
     }
 
-    private RoundListener listener(World world, AutosaveListener rounds) {
+    private RoundListener listener(World world, RoundListener rounds) {
         return options.statistics && world instanceof RemoteWorld remote
                 ? new HostLines(remote::statistics, user, rounds, System::nanoTime) : rounds;
     }

@@ -94,17 +94,13 @@ public final class Summary {
                 ProgressText.perCent(c.expected(), 3), worst(c)));
     }
 
-    private static String worst(Certificate certificate) {
-        double all = certificate.surfaces().stream().mapToDouble(Summary::square).sum();
-        return all == 0 ? "" : certificate.surfaces().stream()
-                .sorted(Comparator.comparingDouble(Summary::square).reversed()).limit(WORST)
-                .map(s -> String.format(Locale.ROOT, "%.0f %% of it is on %s", 100 * square(s) / all, s.surface()))
-                .collect(Collectors.joining(", ", "; ", ""));
-    }
-
-    /** Squared error of a surface's radiosity, summed over its test points, (W/m²)². */
-    private static double square(Certificate.SurfaceError s) {
-        return s.points() * s.radiosity() * s.radiosity() * (s.sampling() * s.sampling() + s.meshing() * s.meshing());
+    /** The surfaces that have most of the error, for the end of a line; empty where none has any. */
+    public static String worst(Certificate certificate) {
+        String most = certificate.surfaces().stream().filter(s -> s.share() > 0)
+                .sorted(Comparator.comparingDouble(Certificate.SurfaceError::share).reversed()).limit(WORST)
+                .map(s -> String.format(Locale.ROOT, "%.0f %% of it is on %s", 100 * s.share(), s.surface()))
+                .collect(Collectors.joining(", "));
+        return most.isEmpty() ? "" : "; " + most;
     }
 
     /** The summary by names, for Jackson to write as JSON. */

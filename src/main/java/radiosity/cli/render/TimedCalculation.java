@@ -13,19 +13,25 @@ import radiosity.cli.terminal.StopRequest;
 import radiosity.cli.terminal.TimeCourse;
 import radiosity.master.host.NoWorkerException;
 import radiosity.settings.RadiositySettings;
+import radiosity.solution.Certificate;
 import radiosity.solver.ProgressiveRadiosity;
 
 /**
- * Calculates ever more exactly until a time limit ({@code --time}); the result is the last complete solution.
+ * Calculates ever more exactly until a time limit ({@code --time}); the result is the solution with the smallest
+ * estimated error.
  *
- * <p>Time decides which accuracies are calculated, never the bits of a solution: each solution is the one that
- * {@code --accuracy} gives with the value that the scene file names. Each solution is saved as soon as it is complete.
- * If not even the first calculation ends in time, it is cut off after a shot, as by {@code -it}.
+ * <p>Time decides which accuracies are asked for and after which estimate of the error the calculation ends, never the
+ * bits of a solution: each solution is the one that {@code --accuracy} and {@code --estimates} give with the values
+ * that the scene file names. Each solution whose error is the smallest so far is saved as soon as its error is
+ * estimated. If not even the first accuracy is reached in time, the calculation is cut off after a shot, as by
+ * {@code -it}.
  */
-public final class TimedCalculation {
+public final class TimedCalculation implements RenderJob.Aims {
 
     /** Part of the time limit that is reserved for writing the outputs. */
     private static final double RESERVE = 0.03;
+    /** The first calculation goes on beyond the limit until at most this part of the emitted flux is unshot. */
+    private static final double LIT = 0.5;
 
     private final RenderJob calculation;
     private final RadiositySettings settings;
@@ -35,8 +41,6 @@ public final class TimedCalculation {
     private final ConsoleSession user;
     private final StopRequest stop;
     private final OutputFiles files;
-    /** The first calculation goes on beyond the limit until at most this part of the emitted flux is unshot. */
-    private static final double LIT = 0.5;
 
     /** The current calculation. */
     private ProgressiveRadiosity current;
@@ -47,13 +51,16 @@ public final class TimedCalculation {
     /** Whether the user has got the message that the first calculation takes longer than the limit. */
     private boolean isLate;
     private RenderResult best;
-    /** The accuracies reached so far, as the user would write them. */
-    private final List<String> reached = new ArrayList<>();
-    /** The relative error asked for, and its text as the user would write it (100 times the error may be longer). */
+    /** The options that reproduce the best solution. */
+    private List<String> options = List.of();
+    /** The accuracies asked for so far, as the user would write them; the last is being calculated. */
+    private final List<String> accuracies = new ArrayList<>();
+    /** The relative error asked for; 100 times the error may have more digits than the text. */
     private double aim;
-    private String perCent;
     /** Time left when the calculation of that accuracy began, s. */
     private double begin;
+    /** Time from there to the first estimate of a new solution, s; 0 before that. */
+    private double toFirst;
 
     public TimedCalculation(RenderJob calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
                      ConsoleSession user, StopRequest stop, OutputFiles files) {
@@ -69,55 +76,82 @@ public final class TimedCalculation {
     /**
      * Calculates until the limit, or beyond it until half of the light is distributed.
      *
-     * @return the last complete solution, or the first one as far as it got
+     * @return the solution with the smallest estimated error, or the first one as far as it got
      */
     public RenderResult run() throws IOException {
-        aim(TimeLimit.perCent(AccuracyChoice.COARSEST));
+        aim(AccuracyChoice.COARSEST);
         try {
             RenderResult last = calculation.run(settings.accurate(aim),
-                    radiosity -> current = radiosity, this::after, Optional.empty(), this::goesOn);
-            if (best == null) {
-                keep(last);
+                    radiosity -> current = radiosity, this, Optional.empty(), this::goesOn);
+            if (last.isCut() && best == null) {
+                keep(last, isCutOff ? TimeLimit.cutOff(text(), last.progress().shots()) : TimeLimit.accuracy(text()));
+            } else if (last != best) {
+                keepBest(last, TimeLimit.accuracy(text()));
             }
         } catch (NoWorkerException | OutOfMemoryError e) {
             if (best == null) {
                 throw e;
             }
-            user.message(perCent + ": " + ErrorReport.line(e));
+            user.message(accuracies.get(accuracies.size() - 1) + ": " + ErrorReport.line(e));
         }
         return best;
     }
 
-    private void aim(String next) {
-        perCent = next;
-        aim = new Values.PerCent().convert(next);
+    private void aim(double error) {
+        String perCent = TimeLimit.perCent(error);
+        accuracies.add(perCent);
+        aim = new Values.PerCent().convert(perCent);
         begin = course.left();
-        course.at(next);
+        toFirst = 0;
+        course.at(perCent);
     }
 
     /** Keeps a solution that is as exact as was asked for, and chooses the next relative error; empty for none. */
-    private OptionalDouble after(RenderResult result) throws IOException {
-        reached.add(perCent);
-        keep(result);
-        choice.took(aim, begin - course.left(), result.progress().elements());
+    @Override
+    public OptionalDouble after(RenderResult result) throws IOException {
+        keepBest(result, TimeLimit.accuracy(text()));
+        choice.took(aim, toFirst, result.progress().elements());
         double next = choice.next(left());
         if (next == 0) {
             return OptionalDouble.empty();
         }
-        aim(TimeLimit.perCent(next));
+        aim(next);
         return OptionalDouble.of(aim);
     }
 
-    private void keep(RenderResult result) throws IOException {
-        best = result;
-        OutputFiles to = isCutOff ? files.cutOff(perCent, result.progress().shots())
-                : files.accurate(accuracies());
-        to.saveScene(result.solution(), result.settings(), result.certificate());
+    /** Keeps a solution on the way to the accuracy asked for, unless it is the one that the way began with. */
+    @Override
+    public void estimated(RenderJob.Estimated solution) throws IOException {
+        if (best == null || current.progress().rounds() > best.progress().rounds()) {
+            keepBest(solution.result(), TimeLimit.estimates(text(), current.estimates()));
+        }
     }
 
-    /** The value of {@code --accuracy} that reproduces the best solution. */
-    private String accuracies() {
-        return reached.isEmpty() ? perCent : String.join(",", reached);
+    private void keepBest(RenderResult result, List<String> same) throws IOException {
+        toFirst = toFirst == 0 ? begin - course.left() : toFirst;
+        if (best == null || error(result) < error(best)) {
+            keep(result, same);
+        }
+    }
+
+    private static double error(RenderResult result) {
+        return result.certificate().map(Certificate::expected).orElse(Double.POSITIVE_INFINITY);
+    }
+
+    private void keep(RenderResult result, List<String> same) throws IOException {
+        best = result;
+        options = same;
+        files.reproducedBy(same).saveScene(result.solution(), result.settings(), result.certificate());
+    }
+
+    @Override
+    public Optional<RenderResult> kept() {
+        return Optional.ofNullable(best);
+    }
+
+    /** The value of {@code --accuracy} of the calculation so far. */
+    private String text() {
+        return String.join(",", accuracies);
     }
 
     private double left() {
@@ -142,22 +176,14 @@ public final class TimedCalculation {
 
     /** A line for the user: the time of the calculation, and the options that reproduce it to the last bit. */
     public String summary() {
-        String time = seconds(limit.seconds() - course.left());
+        String time = String.format(Locale.ROOT, "%.3g s", limit.seconds() - course.left());
+        String same = String.join(" ", options);
         if (isCutOff) {
             return TimeLimit.OPTION + " " + limit.text() + ": too short for this scene, cut off after " + time
-                    + "; the same as with "
-                    + String.join(" ", TimeLimit.cutOff(perCent, best.progress().shots()));
+                    + "; the same as with " + same;
         }
         return TimeLimit.OPTION + " " + limit.text() + ": "
-                + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of --accuracy "
-                : whole(time) + "; the same as with --accuracy ") + accuracies();
-    }
-
-    private String whole(String time) {
-        return (stop.made() ? "stopped after " : "done in ") + time;
-    }
-
-    private static String seconds(double seconds) {
-        return String.format(Locale.ROOT, "%.3g s", seconds);
+                + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of " + same
+                : (stop.made() ? "stopped after " : "done in ") + time + "; the same as with " + same);
     }
 }
