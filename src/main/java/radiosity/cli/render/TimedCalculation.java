@@ -57,7 +57,7 @@ public final class TimedCalculation implements RenderJob.Aims {
     private final List<String> accuracies = new ArrayList<>();
     /** The relative error asked for; 100 times the error may have more digits than the text. */
     private double aim;
-    /** Time left when the calculation of that accuracy began, s. */
+    /** Time left when that accuracy was asked for, s; of the first one: before the first shot. */
     private double begin;
     /** Time from there to the first estimate of a new solution, s; 0 before that. */
     private double toFirst;
@@ -162,6 +162,9 @@ public final class TimedCalculation implements RenderJob.Aims {
     private boolean goesOn() {
         int before = shots;
         shots = current == null ? 0 : current.shots();
+        if (shots == 0) {
+            begin = course.left(); // setting up takes time once
+        }
         if (stop.made() || left() > 0) {
             return !stop.made();
         }
