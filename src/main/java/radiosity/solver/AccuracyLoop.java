@@ -48,7 +48,10 @@ final class AccuracyLoop {
     private double gathered;
     /** Error that interpolation on one element may add to the error of the whole solution. */
     private double meshError;
-    /** Relative error of the last estimate; infinite before the first one, NaN before the first one at a new aim. */
+    /**
+     * Relative error of the last estimate; infinite before the first one. NaN before the first one at a new aim, where
+     * that asks for a finer mesh than the last estimate: the mesh is divided then, whatever the estimate says.
+     */
     private double reached = Double.POSITIVE_INFINITY;
     /** Work at the last estimate: number of elements over {@link #tolerance}; 0 before the first estimate. */
     private double work;
@@ -76,8 +79,9 @@ final class AccuracyLoop {
     void aim(double error) {
         asked = error;
         tolerance = Math.min(tolerance, Accuracy.tolerance(error));
+        boolean isFiner = Accuracy.meshError(error) < meshError;
         meshError = Math.min(meshError, Accuracy.meshError(error));
-        reached = Double.NaN;
+        reached = isFiner ? Double.NaN : Double.POSITIVE_INFINITY;
     }
 
     /** Forgets earlier estimates, which were those of another scene. */

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import radiosity.cli.render.AccuracyChoice;
 
-/** What a time limit leads to, on a clock that is calculated: a calculation takes fixed + varying / accuracy^power. */
+/** What a time limit leads to, on a clock that is calculated: an estimate comes after fixed + varying / accuracy^power. */
 class AccuracyChoiceTest {
 
     private static final double PLENTY = 1e12;
@@ -45,7 +45,8 @@ class AccuracyChoiceTest {
         assertEquals(AccuracyChoice.COARSEST, choice.next(-1));
         choice.took(AccuracyChoice.COARSEST, 2, 1000);
         assertEquals(0, choice.next(-1));
-        assertEquals(0, choice.next(0.5));
+        assertEquals(0, choice.next(0.2));
+        assertEquals(AccuracyChoice.COARSEST / 1.25, choice.next(0.5), 1e-12, "a little finer, as nothing is lost");
     }
 
     @Test

@@ -7,18 +7,23 @@ package radiosity.cli.render;
  * limit comes later, that solution is kept, and the time until then is spent on refining it. The exponent is the one
  * observed between the last two accuracies, within bounds, and a constant before there are two; it is small where work
  * that does not depend on the accuracy dominates. The constants limit the extrapolation.
+ *
+ * <p>Where a scene begins with many elements, the first accuracy may be exceeded by far; a next one that is reached
+ * already would teach nothing.
  */
 public final class AccuracyChoice {
 
     /** Accuracy of the first calculation, a relative error as all accuracies here; coarser ones are not quicker. */
-    public static final double COARSEST = 0.5;
+    public static final double COARSEST = 0.2;
     /** Finest accuracy that is tried: a certificate cannot confirm finer ones. */
     public static final double FINEST = 1e-4;
-    /** Largest part of the time left that the first estimate may be predicted to take; the rest is for refining. */
+    /** Part of the time left that the first estimate is predicted to take at most; the rest is for refining. */
     private static final double SHARE = 0.75;
     /** Largest and smallest ratio between the accuracy of a calculation and the accuracy of the next one. */
-    private static final double MOST_GAIN = 5;
-    private static final double LEAST_GAIN = 1.15;
+    private static final double MOST_GAIN = 3;
+    private static final double LEAST_GAIN = 1.25;
+    /** Part of the time to the last first estimate below which the time left is too short for a finer solution. */
+    private static final double LEAST_LEFT = 0.25;
     /** Time of the first calculation that is attributed to JVM warm-up, s; at most half of its time is. */
     private static final double WARM_UP = 1;
     /** Exponent after the first calculation, which work independent of the accuracy dominates; bounds of later ones. */
@@ -48,7 +53,7 @@ public final class AccuracyChoice {
     /**
      * Records the first estimate with an accuracy, for the next choice.
      *
-     * @param accuracy relative error of the calculation
+     * @param accuracy relative error that was asked for, or reached where that is less
      * @param seconds  wall time to the estimate since the accuracy was asked for
      * @param elements number of elements of the mesh that reached the accuracy
      */
@@ -69,15 +74,16 @@ public final class AccuracyChoice {
      * Accuracy of the next calculation.
      *
      * @param secondsLeft rest of the time limit, s; may be negative
-     * @return 0 where no notably finer calculation is expected to end in time and to fit into memory
+     * @return 0 where hardly any time is left, or no notably finer calculation fits into memory
      */
     public double next(double secondsLeft) {
         if (seconds == 0) {
             return COARSEST;
         }
-        double gain = StrictMath.pow(Math.max(0, SHARE * secondsLeft) / seconds, 1 / power);
-        double fits = StrictMath.pow(memory / (ELEMENT_BYTES * elements), 1 / ELEMENTS_POWER);
-        gain = Math.min(Math.min(gain, MOST_GAIN), Math.min(fits, accuracy / FINEST));
-        return gain < LEAST_GAIN ? 0 : accuracy / gain;
+        double inTime = StrictMath.pow(Math.max(0, SHARE * secondsLeft) / seconds, 1 / power);
+        double most = Math.min(StrictMath.pow(memory / (ELEMENT_BYTES * elements), 1 / ELEMENTS_POWER),
+                accuracy / FINEST);
+        boolean isWorthwhile = secondsLeft >= LEAST_LEFT * seconds && most >= LEAST_GAIN;
+        return isWorthwhile ? accuracy / Math.min(most, Math.max(LEAST_GAIN, Math.min(MOST_GAIN, inTime))) : 0;
     }
 }

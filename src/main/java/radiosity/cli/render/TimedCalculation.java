@@ -110,7 +110,7 @@ public final class TimedCalculation implements RenderJob.Aims {
     @Override
     public OptionalDouble after(RenderResult result) throws IOException {
         keepBest(result, TimeLimit.accuracy(text()));
-        choice.took(aim, toFirst, result.progress().elements());
+        choice.took(Math.min(aim, error(result)), toFirst, result.progress().elements());
         double next = choice.next(left());
         if (next == 0) {
             return OptionalDouble.empty();
