@@ -24,6 +24,8 @@ public final class ParallelFor {
 
     /** The least number of runs of pieces per thread. */
     private static final int RUNS = 16;
+    /** How often the calling thread asks in a loop whether to go on, if that has so many pieces. */
+    private static final int LOOKS = 8;
 
     private final int threads;
     private final BooleanSupplier goOn;
@@ -47,7 +49,7 @@ public final class ParallelFor {
     /**
      * A loop that can be cancelled: a {@link CancellationException} ends it between two pieces.
      *
-     * @param goOn called before each piece of the calling thread, by that thread only; false cancels the loop
+     * @param goOn called some {@link #LOOKS} times in each loop, by the calling thread only; false cancels the loop
      */
     public ParallelFor cancelledUnless(BooleanSupplier goOn) {
         return new ParallelFor(threads, goOn);
@@ -56,8 +58,10 @@ public final class ParallelFor {
     /** Does the pieces 0 to count - 1 and returns when all are done; rethrows the first exception of a piece. */
     public void run(int count, IntConsumer all) {
         Thread caller = Thread.currentThread();
+        int every = Math.max(1, count / (LOOKS * threads));
+        int[] mine = {0};
         IntConsumer piece = i -> {
-            if (Thread.currentThread() == caller && !goOn.getAsBoolean()) {
+            if (Thread.currentThread() == caller && mine[0]++ % every == 0 && !goOn.getAsBoolean()) {
                 throw new CancellationException();
             }
             all.accept(i);

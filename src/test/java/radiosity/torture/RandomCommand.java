@@ -22,7 +22,8 @@ final class RandomCommand {
 
     /** The options that a campaign uses, each by the first name that --help has for it. */
     static final List<String> OPTIONS = List.of("-pa", "-nr", "-mt", "-it", "-se", "--schedule", "--accuracy", "--time",
-            "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing", "--info",
+            "--estimates", "--form-factors", "--layers", "-t", "-dr", "-si", "-tf", "--points", "--grid", "--spacing",
+            "--info",
             "--change", "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size",
             "--exposure", "--tone-mapping", "--final-gather", "--frame", "--frames", "--content", "--map", "--emission",
             "--lights", "--srgb", "--two-sided", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
@@ -139,10 +140,10 @@ final class RandomCommand {
     /** The schedule, and what goes with it. */
     private void calculation() {
         boolean mayBeTimed = !light.containsKey("--strict")
-                && !Set.of("--accuracy", "-dr", "-si", "-sn", "-tf", "-it", "-se").contains(wanted);
+                && !Set.of("--accuracy", "--estimates", "-dr", "-si", "-sn", "-tf", "-it", "-se").contains(wanted);
         boolean large = scene.kind() == SceneKind.STUDY;
         timed = mayBeTimed && is("--time", .06) && known.contains("--time");
-        schedule = timed || large || wanted.equals("--accuracy") ? "predict"
+        schedule = timed || large || wanted.equals("--accuracy") || wanted.equals("--estimates") ? "predict"
                 : dice.of("predict", "predict", "predict", "paper", "paper", "shooting", "gathering", "matrix");
         boolean steep = scene.kind() == SceneKind.WHITE || scene.kind() == SceneKind.CLIPPED;
         if (wanted.equals("--schedule") || !schedule.equals("predict") || dice.chance(.2)) {
@@ -152,6 +153,9 @@ final class RandomCommand {
             light("--time", large ? "2s" : dice.of("200ms", "1s", "2s", "3s"));
         } else if (large || schedule.equals("predict") && is("--accuracy", .97)) {
             light("--accuracy", (large ? dice.of(10, 20) : dice.of(50, 30, 20, 10, 7)) + "%");
+        }
+        if (!timed && schedule.equals("predict") && known.contains("--estimates") && is("--estimates", .1)) {
+            light("--estimates", dice.of("1", "2", "3"));
         }
         if (!timed && !large && (!light.containsKey("--accuracy") || is("-pa", .3))) {
             patchArea();
