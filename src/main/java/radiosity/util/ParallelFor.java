@@ -56,19 +56,19 @@ public final class ParallelFor {
     }
 
     /** Does the pieces 0 to count - 1 and returns when all are done; rethrows the first exception of a piece. */
-    public void run(int count, IntConsumer all) {
+    public void run(int count, IntConsumer piece) {
         Thread caller = Thread.currentThread();
         int every = Math.max(1, count / (LOOKS * threads));
         int[] mine = {0};
-        IntConsumer piece = i -> {
+        IntConsumer checked = i -> {
             if (Thread.currentThread() == caller && mine[0]++ % every == 0 && !goOn.getAsBoolean()) {
                 throw new CancellationException();
             }
-            all.accept(i);
+            piece.accept(i);
         };
         if (threads == 1 || count <= 1) {
             for (int i = 0; i < count; i++) {
-                piece.accept(i);
+                checked.accept(i);
             }
             return;
         }
@@ -77,7 +77,7 @@ public final class ParallelFor {
         Runnable work = () -> {
             try {
                 for (int i = next.getAndIncrement(); i < count; i = next.getAndIncrement()) {
-                    piece.accept(i);
+                    checked.accept(i);
                 }
             } catch (RuntimeException | Error e) {
                 failure.compareAndSet(null, e);

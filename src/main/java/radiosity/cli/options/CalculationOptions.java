@@ -53,9 +53,8 @@ public final class CalculationOptions {
     List<Double> accuracy;
 
     @Option(names = TimeLimit.OPTION, paramLabel = "<n>s", converter = TimeLimit.Parser.class,
-            description = "Wall time of the whole render, like 60s, 500ms or 2m: the best accuracy "
-                    + "that can be had in it,"
-                    + " and at the end the --accuracy that gives the same. With --schedule predict.")
+            description = "Wall time of the whole render, like 60s, 500ms or 2m: the best accuracy that can be had in"
+                    + " it, and at the end the options that give the same. With --schedule predict.")
     public TimeLimit time;
 
     @Option(names = "--form-factors", paramLabel = "<kind>", converter = FormFactorsParser.class,

@@ -13,13 +13,13 @@ package radiosity.cli.render;
  */
 public final class AccuracyChoice {
 
-    /** Accuracy of the first calculation, a relative error as all accuracies here; coarser ones are not quicker. */
+    /** Accuracy that is asked for first, a relative error as all accuracies here. */
     public static final double COARSEST = 0.2;
     /** Finest accuracy that is tried: a certificate cannot confirm finer ones. */
     public static final double FINEST = 1e-4;
     /** Part of the time left that the first estimate is predicted to take at most; the rest is for refining. */
     private static final double SHARE = 0.75;
-    /** Largest and smallest ratio between the accuracy of a calculation and the accuracy of the next one. */
+    /** Largest and smallest ratio between an accuracy and the next one. */
     private static final double MOST_GAIN = 3;
     private static final double LEAST_GAIN = 1.25;
     /** Part of the time to the last first estimate below which the time left is too short for a finer solution. */
@@ -71,7 +71,7 @@ public final class AccuracyChoice {
     }
 
     /**
-     * Accuracy of the next calculation.
+     * The accuracy to ask for next.
      *
      * @param secondsLeft rest of the time limit, s; may be negative
      * @return 0 where hardly any time is left, or no notably finer calculation fits into memory

@@ -23,14 +23,14 @@ import radiosity.solver.ProgressiveRadiosity;
  * <p>Time decides which accuracies are asked for and after which estimate of the error the calculation ends, never the
  * bits of a solution: each solution is the one that {@code --accuracy} and {@code --estimates} give with the values
  * that the scene file names. Each solution whose error is the smallest so far is saved as soon as its error is
- * estimated. If not even the first accuracy is reached in time, the calculation is cut off after a shot, as by
+ * estimated. If the error is not estimated even once in time, the calculation is cut off after a shot, as by
  * {@code -it}.
  */
 public final class TimedCalculation implements RenderJob.Aims {
 
     /** Part of the time limit that is reserved for writing the outputs. */
     private static final double RESERVE = 0.03;
-    /** The first calculation goes on beyond the limit until at most this part of the emitted flux is unshot. */
+    /** Before the first estimate it goes on beyond the limit until at most this part of the emitted flux is unshot. */
     private static final double LIT = 0.5;
 
     private final RenderJob calculation;
@@ -46,9 +46,9 @@ public final class TimedCalculation implements RenderJob.Aims {
     private ProgressiveRadiosity current;
     /** Number of shots at the last check. */
     private int shots;
-    /** Whether the limit has cut off the first calculation. */
+    /** Whether the limit has cut off the calculation before the first estimate. */
     private boolean isCutOff;
-    /** Whether the user has got the message that the first calculation takes longer than the limit. */
+    /** Whether the user has got the message that the first estimate comes later than the limit. */
     private boolean isLate;
     private RenderResult best;
     /** The options that reproduce the best solution. */
