@@ -1,5 +1,7 @@
 package radiosity.partition;
 
+import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -12,8 +14,8 @@ import radiosity.prediction.CoarseRows;
 import radiosity.prediction.CoarseSystem;
 import radiosity.prediction.RowRecorder;
 import radiosity.protocol.Order;
-import radiosity.protocol.Wire;
 import radiosity.setup.InitialMesh;
+import radiosity.util.ArraySize;
 import radiosity.util.ParallelFor;
 
 /**
@@ -48,24 +50,29 @@ final class CoarseReceivers {
         FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]
                 : new RayCaster(mesh.bounds(), 1, order.rules().tolerance(), 1);
         byte[][] row = new byte[asked.length][];
-        parallel.run(row.length, i -> row[i] = row(asked[i], all, calculator));
-        return Wire.bytes(out -> {
-            out.writeInt(row.length);
-            for (byte[] bytes : row) {
-                out.write(bytes);
-            }
-        });
+        parallel.run(row.length, Gatherer.RUN, (from, to) -> rows(from, to, all, calculator, row));
+        long size = Integer.BYTES + Arrays.stream(row).mapToLong(bytes -> bytes.length).sum();
+        ByteBuffer joined = ByteBuffer.allocate(ArraySize.of("bytes of rows of the coarse system", size));
+        joined.putInt(row.length);
+        for (byte[] bytes : row) {
+            joined.put(bytes);
+        }
+        return joined.array();
     }
 
-    private byte[] row(int v, ShooterHierarchy[] all, FormFactorCalculator calculator) {
-        RowRecorder seen = new RowRecorder();
-        for (int i = 0; i < all.length && !nodes.points().isBuried(v); i++) {
-            receivers.gather(calculator, all[i], nodes, v, 0, seen);
+    /** Records shooter by shooter: rays from neighbours to one shooter run alike. */
+    private void rows(int from, int to, ShooterHierarchy[] all, FormFactorCalculator calculator, byte[][] row) {
+        RowRecorder[] seen = new RowRecorder[to - from];
+        Arrays.setAll(seen, i -> new RowRecorder(nodes));
+        for (ShooterHierarchy shooter : all) {
+            for (int i = from; i < to; i++) {
+                if (!nodes.points().isBuried(asked[i])) {
+                    receivers.gather(calculator, shooter, nodes, asked[i], 0, seen[i - from]);
+                }
+            }
         }
-        return Wire.bytes(out -> {
-            out.writeLong(nodes.points().key(v));
-            out.writeBoolean(nodes.points().isBuried(v));
-            seen.write(nodes, out);
-        });
+        for (int i = from; i < to; i++) {
+            row[i] = seen[i - from].row(asked[i]);
+        }
     }
 }

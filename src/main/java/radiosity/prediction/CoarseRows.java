@@ -17,11 +17,10 @@ import radiosity.util.ParallelFor;
 public final class CoarseRows {
 
     /** Bytes of an empty row on the wire: key, whether the vertex is buried, number of entries. */
-    private static final int ROW_BYTES = 13;
+    static final int ROW_BYTES = 13;
 
-    /** Largest number of rows that a thread takes at a time, to sum up light and to make equations. */
+    /** Largest number of rows that a thread takes at a time. */
     private static final int RUN = 64;
-    private static final int EQUATIONS = 1024;
 
     private final Faces faces;
     private final RadiosityNodes nodes;
@@ -30,15 +29,17 @@ public final class CoarseRows {
     /** Number of a vertex by its key. */
     private final LongIndex index;
     /** 1 array per vertex: nodes of the patches that the vertex sees, of the shots taken so far. */
-    private final int[][] column;
+    final int[][] column;
     /** 1 array per vertex: form factors to the three corners of each of these patches. */
-    private final float[][] entry;
+    final float[][] entry;
     /** Number of shots whose entries have been taken. */
     private int taken;
     /** 1 per vertex: {@link #taken} when its row last grew. Several partitions may send the same part of a row. */
     private final int[] parts;
     /** 1 per vertex: the vertex whose irradiance stands for the irradiance of this one, mostly itself. */
     private final int[] unknown;
+    /** 1 array per vertex, see {@link #corners}. */
+    private final int[][] corners;
 
     /** @param nodes the coarse mesh; vertices that partitions report as buried are marked in it */
     CoarseRows(RadiosityNodes nodes, RepresentativeFaces representatives, ParallelFor parallel) {
@@ -56,6 +57,7 @@ public final class CoarseRows {
         Arrays.fill(column, new int[0]);
         Arrays.fill(entry, new float[0]);
         parts = new int[nodes.vertices()];
+        corners = new int[nodes.vertices()][];
     }
 
     private int leader(int v, RepresentativeFaces representatives) {
@@ -73,8 +75,7 @@ public final class CoarseRows {
      * Takes the next part of all rows: the entries of the next shots of {@link CoarseSystem#importance}.
      *
      * @param shots number of these shots
-     * @param rows  1 per partition: number of rows, then per row the vertex's key, whether the vertex is buried, and a
-     *              {@link RowRecorder}'s entries
+     * @param rows  1 per partition: number of rows, then the rows, see {@link RowRecorder#row}
      * @throws IOException where the bytes are no rows of this mesh
      */
     void take(int shots, List<byte[]> rows) throws IOException {
@@ -121,16 +122,68 @@ public final class CoarseRows {
         return count;
     }
 
-    /** Scales the rows of all vertices in closed rooms so that their form factors add up to 1, as they must there. */
-    void close(ClosedRooms rooms) {
-        for (int v = 0; v < entry.length; v++) {
-            double seen = 0;
-            for (float part : entry[v]) {
-                seen += part;
+    /**
+     * To be called once, when all rows are taken: scales the rows of vertices in closed rooms so that their form
+     * factors add up to 1, as they must there, and shares the form factors to buried corners among the other corners of
+     * the patch.
+     */
+    void complete(ClosedRooms rooms) {
+        parallel.run(column.length, RUN, (from, to) -> {
+            for (int v = from; v < to; v++) {
+                if (rooms.room(nodes.points().face(v)) >= 0) {
+                    close(entry[v]);
+                }
+                for (int i = 0; i < column[v].length; i++) {
+                    shareBuried(column[v][i], entry[v], 3 * i);
+                }
             }
-            boolean closed = rooms.room(nodes.points().face(v)) >= 0 && seen > 0;
-            for (int i = 0; i < entry[v].length && closed; i++) {
-                entry[v][i] /= (float) seen;
+        });
+        setCorners();
+    }
+
+    private static void close(float[] row) {
+        double seen = 0;
+        for (float part : row) {
+            seen += part;
+        }
+        for (int i = 0; i < row.length && seen > 0; i++) {
+            row[i] /= (float) seen;
+        }
+    }
+
+    /** Where all three corners are buried nothing is shared: no irradiance is known there, and nothing is reflected. */
+    private void shareBuried(int patch, float[] row, int at) {
+        float buried = 0;
+        int others = 0;
+        for (int k = 0; k < 3; k++) {
+            boolean isBuried = nodes.points().isBuried(nodes.corner(patch, k));
+            buried += isBuried ? row[at + k] : 0;
+            others += isBuried ? 0 : 1;
+        }
+        for (int k = 0; k < 3 && buried > 0 && others > 0; k++) {
+            boolean isBuried = nodes.points().isBuried(nodes.corner(patch, k));
+            row[at + k] = isBuried ? 0 : row[at + k] + buried / others;
+        }
+    }
+
+    private void setCorners() {
+        int[] count = new int[corners.length];
+        forEachCorner((vertex, corner) -> count[vertex]++);
+        Arrays.setAll(corners, v -> new int[count[v]]);
+        forEachCorner((vertex, corner) -> corners[vertex][--count[vertex]] = corner);
+    }
+
+    private interface CornerOfVertex {
+        void take(int vertex, int corner);
+    }
+
+    private void forEachCorner(CornerOfVertex each) {
+        for (int p = 0; p < nodes.patches(); p++) {
+            for (int k = 0; k < 3; k++) {
+                int v = nodes.corner(nodes.patch(p), k);
+                if (!nodes.points().isBuried(v)) {
+                    each.take(unknown[v], 3 * nodes.patch(p) + k);
+                }
             }
         }
     }
@@ -157,60 +210,20 @@ public final class CoarseRows {
         }
     }
 
-    /**
-     * The system H = D + K rho H, with irradiances at representative vertices as unknowns instead of patches' corners.
-     *
-     * @param reflectance colours per node of the coarse mesh, used for patches; not modified
-     * @param enough      see {@link GaussSeidel}
-     */
-    GaussSeidel equations(double[] reflectance, double enough) {
-        int[][] columns = new int[column.length][];
-        float[][] value = new float[column.length][];
-        parallel.run(column.length, EQUATIONS, (from, to) -> {
-            int[] place = new int[column.length];
-            for (int v = from; v < to; v++) {
-                equation(v, reflectance, place, columns, value);
-            }
-        });
-        return new GaussSeidel(channels, faces.colours(), columns, value, enough);
+    /*---- Corners of patches, by the vertex whose irradiance is theirs ----*/
+
+    /** Number of vertices: of rows. */
+    int count() {
+        return column.length;
     }
 
-    /** @param place scratch, 1 per vertex: its place in the equation of v; the initial content does not matter */
-    private void equation(int v, double[] reflectance, int[] place, int[][] columns, float[][] value) {
-        int colours = faces.colours();
-        int[] vertices = new int[3 * column[v].length];
-        float[] sum = new float[colours * vertices.length];
-        int size = 0;
-        for (int i = 0; i < column[v].length; i++) {
-            int patch = column[v][i];
-            for (int k = 0; k < 3; k++) {
-                int at = unknown[nodes.corner(patch, k)];
-                float weight = weight(patch, k, v, i);
-                if (place[at] >= size || vertices[place[at]] != at) {
-                    place[at] = size;
-                    vertices[size++] = at;
-                }
-                for (int c = 0; c < colours; c++) {
-                    sum[colours * place[at] + c] += weight * (float) reflectance[colours * patch + c];
-                }
-            }
-        }
-        columns[v] = Arrays.copyOf(vertices, size);
-        value[v] = Arrays.copyOf(sum, colours * size);
+    /** Number of nodes of the coarse mesh. */
+    int nodes() {
+        return nodes.nodes();
     }
 
-    /** Form factor of entry i of row v to corner k of its patch; a buried corner's is shared among the others. */
-    private float weight(int patch, int k, int v, int i) {
-        if (nodes.points().isBuried(nodes.corner(patch, k))) {
-            return 0;
-        }
-        float buried = 0;
-        int seen = 0;
-        for (int j = 0; j < 3; j++) {
-            boolean hidden = nodes.points().isBuried(nodes.corner(patch, j));
-            buried += hidden ? entry[v][3 * i + j] : 0;
-            seen += hidden ? 0 : 1;
-        }
-        return entry[v][3 * i + k] + buried / seen;
+    /** Corners of patches that have the irradiance of a vertex: 3 x node + 0 to 2 each; not to be modified. */
+    int[] corners(int vertex) {
+        return corners[vertex];
     }
 }

@@ -45,15 +45,12 @@ public final class CoarseSystem {
     private final boolean single;
     private final int channels;
     private final CoarseRows rows;
-    /** Whether the rows of closed rooms add up to 1. */
-    private boolean isClosed;
+    private boolean isComplete;
     /**
      * Colours per node, used for patches: what a patch reflects of the irradiance by the rows. That is the patch's
      * reflectance before anything was shot, see {@link #rebalance}.
      */
     private final double[] reflectance;
-    /** The system with reflectances; null until it is solved with the present ones. */
-    private GaussSeidel equations;
 
     public CoarseSystem(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
@@ -110,17 +107,15 @@ public final class CoarseSystem {
      * @throws radiosity.util.NoNumberException where the irradiance is not finite
      */
     public double[] irradiance(double[] unshot, BooleanSupplier goOn) {
-        closeRows();
-        if (equations == null) {
-            equations = rows.equations(reflectance, isRough() ? ROUGHLY : EXACTLY);
-        }
-        return equations.solve(rows.direct(unshot), goOn);
+        completeRows();
+        return new GaussSeidel(rows, channels, reflectance, isRough() ? ROUGHLY : EXACTLY)
+                .solve(rows.direct(unshot), goOn);
     }
 
-    private void closeRows() {
-        if (!isClosed) {
-            rows.close(rooms);
-            isClosed = true;
+    private void completeRows() {
+        if (!isComplete) {
+            rows.complete(rooms);
+            isComplete = true;
         }
     }
 
@@ -146,11 +141,10 @@ public final class CoarseSystem {
         if (!isRough() || !mesh.scene.lights().isEmpty()) {
             return;
         }
-        closeRows();
+        completeRows();
         double[] shot = unshot(totals);
         double[] h = rows.direct(shot);
         parallel.run(nodes.patches(), p -> rebalance(nodes.patch(p), shot, unshot, h));
-        equations = null;
     }
 
     private void rebalance(int patch, double[] shot, double[] unshot, double[] h) {

@@ -4,8 +4,9 @@ import java.util.function.BooleanSupplier;
 import radiosity.util.NoNumberException;
 
 /**
- * Solves H = D + M H with a sparse matrix M, for several channels (colours of each layer), by Gauss-Seidel sweeps
- * (section 2.1 of the paper).
+ * Solves H = D + K rho H for the irradiances H at vertices, for several channels (colours of each layer), by
+ * Gauss-Seidel sweeps (section 2.1 of the paper). A row of K has the form factors from a vertex to the three corners of
+ * each patch.
  *
  * <p>In white rooms and in long rooms, sweeps alone would need thousands of turns. So the results of the last sweeps
  * are combined with the coefficients that leave the smallest change (D. Anderson, Iterative procedures for nonlinear
@@ -20,22 +21,22 @@ public final class GaussSeidel {
     private static final double NOTHING_NEW = 1e-13;
 
     private final int channels;
-    private final int colours;
-    private final int[][] column;
-    private final float[][] entry;
+    private final CoarseRows rows;
+    private final double[] reflectance;
     private final double enough;
+    /** 3 x channels per node of the coarse mesh, used for patches: radiosity reflected at the corners of the patch. */
+    private final double[] reflected;
 
     /**
-     * @param column 1 array per row: numbers of the unknowns in the row; not modified
-     * @param entry  1 array per row: coefficients of these unknowns, one per colour, alike in all layers; not modified
-     * @param enough sum of changes, relative to the sum of absolute values in a channel, that ends the sweeps
+     * @param reflectance colours per node of the coarse mesh, used for patches, alike in all layers; not modified
+     * @param enough      sum of changes, relative to the sum of absolute values in a channel, that ends the sweeps
      */
-    GaussSeidel(int channels, int colours, int[][] column, float[][] entry, double enough) {
+    GaussSeidel(CoarseRows rows, int channels, double[] reflectance, double enough) {
+        this.rows = rows;
         this.channels = channels;
-        this.colours = colours;
-        this.column = column;
-        this.entry = entry;
+        this.reflectance = reflectance;
         this.enough = enough;
+        reflected = new double[3 * channels * rows.nodes()];
     }
 
     /**
@@ -169,13 +170,18 @@ public final class GaussSeidel {
         double[] sum = new double[channels];
         double[] change = new double[channels];
         double[] size = new double[channels];
-        for (int v = 0; v < column.length; v++) {
-            row(v, direct, h, sum);
+        for (int v = 0; v < rows.count(); v++) {
+            reflect(v, h);
+        }
+        for (int v = 0; v < rows.count(); v++) {
+            System.arraycopy(direct, channels * v, sum, 0, channels);
+            add(rows.column[v], rows.entry[v], sum);
             for (int c = 0; c < channels; c++) {
                 change[c] += Math.abs(sum[c] - h[channels * v + c]);
                 size[c] += Math.abs(sum[c]);
                 h[channels * v + c] = sum[c];
             }
+            reflect(v, h);
         }
         boolean done = true;
         for (int c = 0; c < channels; c++) {
@@ -188,29 +194,41 @@ public final class GaussSeidel {
         return done;
     }
 
-    /** @param sum modified: D + M H in row v, one per channel */
-    private void row(int v, double[] direct, double[] h, double[] sum) {
-        System.arraycopy(direct, channels * v, sum, 0, channels);
-        int[] unknown = column[v];
-        float[] m = entry[v];
-        if (channels == 3 && colours == 3) {
+    /** Sets what is reflected at the corners of patches whose irradiance is that of an unknown. */
+    private void reflect(int v, double[] h) {
+        int colours = reflectance.length / rows.nodes();
+        for (int corner : rows.corners(v)) {
+            for (int c = 0; c < channels; c++) {
+                reflected[channels * corner + c] = reflectance[colours * (corner / 3) + c % colours]
+                        * h[channels * v + c];
+            }
+        }
+    }
+
+    /** @param sum modified: the light of a row's patches is added, one per channel */
+    private void add(int[] patch, float[] factor, double[] sum) {
+        if (channels == 3) {
             double r = sum[0];
             double g = sum[1];
             double b = sum[2];
-            for (int i = 0; i < unknown.length; i++) {
-                int j = 3 * unknown[i];
-                r += m[3 * i] * h[j];
-                g += m[3 * i + 1] * h[j + 1];
-                b += m[3 * i + 2] * h[j + 2];
+            for (int i = 0; i < patch.length; i++) {
+                int j = 9 * patch[i];
+                float p = factor[3 * i];
+                float q = factor[3 * i + 1];
+                float s = factor[3 * i + 2];
+                r += p * reflected[j] + q * reflected[j + 3] + s * reflected[j + 6];
+                g += p * reflected[j + 1] + q * reflected[j + 4] + s * reflected[j + 7];
+                b += p * reflected[j + 2] + q * reflected[j + 5] + s * reflected[j + 8];
             }
             sum[0] = r;
             sum[1] = g;
             sum[2] = b;
             return;
         }
-        for (int i = 0; i < unknown.length; i++) {
+        for (int i = 0; i < factor.length; i++) {
+            int corner = 3 * patch[i / 3] + i % 3;
             for (int c = 0; c < channels; c++) {
-                sum[c] += m[colours * i + c % colours] * h[channels * unknown[i] + c];
+                sum[c] += factor[i] * reflected[channels * corner + c];
             }
         }
     }

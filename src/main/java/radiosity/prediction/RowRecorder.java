@@ -1,6 +1,5 @@
 package radiosity.prediction;
 
-import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
@@ -15,56 +14,61 @@ import radiosity.util.ArraySize;
  */
 public final class RowRecorder implements GatherSink {
 
-    private ShooterHierarchy[] shooter = new ShooterHierarchy[64];
-    private int[] leaf = new int[64];
-    private double[] weight = new double[3 * 64];
+    private final RadiosityNodes nodes;
+    private int[] node = new int[64];
+    /** 3 per sample point: form factors to the corners of its element. */
+    private float[] weight = new float[3 * 64];
     private int size;
     /** Number of sample points whose weights are scaled already. */
     private int closed;
 
+    /** @param nodes the coarse mesh, to which all recorded elements belong */
+    public RowRecorder(RadiosityNodes nodes) {
+        this.nodes = nodes;
+    }
+
     @Override
-    public void add(ShooterHierarchy from, int element, double a, double b, double c) {
-        if (size == leaf.length) {
-            shooter = Arrays.copyOf(shooter, 2 * size);
-            leaf = Arrays.copyOf(leaf, 2 * size);
+    public void add(ShooterHierarchy shooter, int leaf, double a, double b, double c) {
+        if (size == node.length) {
+            node = Arrays.copyOf(node, 2 * size);
             weight = Arrays.copyOf(weight, 6 * size);
         }
-        shooter[size] = from;
-        leaf[size] = element;
-        weight[3 * size] = a;
-        weight[3 * size + 1] = b;
-        weight[3 * size + 2] = c;
+        node[size] = nodes.find(shooter.face(leaf), shooter.path(leaf));
+        weight[3 * size] = (float) a;
+        weight[3 * size + 1] = (float) b;
+        weight[3 * size + 2] = (float) c;
         size++;
     }
 
     @Override
     public void close(double scale) {
         for (int i = 3 * closed; i < 3 * size; i++) {
-            weight[i] *= scale;
+            weight[i] *= (float) scale;
         }
         closed = size;
     }
 
     /**
-     * Writes the number of entries, then per entry its node and the form factors to the node's three corners.
+     * The row as bytes: key of the receiving vertex, whether that is buried, the number of entries, then per entry its
+     * node and the form factors to the node's three corners.
      *
-     * @param nodes the coarse mesh, to which all recorded elements belong
+     * @param vertex a vertex of the coarse mesh
      */
-    public void write(RadiosityNodes nodes, DataOutputStream out) throws IOException {
+    public byte[] row(int vertex) {
         ByteBuffer bytes = ByteBuffer.allocate(ArraySize.of("bytes of a row of the coarse system",
-                Integer.BYTES + (long) size * entryBytes(nodes))).putInt(size);
+                CoarseRows.ROW_BYTES + (long) size * entryBytes(nodes)));
+        bytes.putLong(nodes.points().key(vertex)).put((byte) (nodes.points().isBuried(vertex) ? 1 : 0)).putInt(size);
         for (int i = 0; i < size; i++) {
-            int node = nodes.find(shooter[i].face(leaf[i]), shooter[i].path(leaf[i]));
             if (isWide(nodes)) {
-                bytes.putInt(node);
+                bytes.putInt(node[i]);
             } else {
-                bytes.putChar((char) node);
+                bytes.putChar((char) node[i]);
             }
             for (int k = 0; k < 3; k++) {
-                bytes.putFloat((float) weight[3 * i + k]);
+                bytes.putFloat(weight[3 * i + k]);
             }
         }
-        out.write(bytes.array());
+        return bytes.array();
     }
 
     /** Number of bytes of a written entry. */
