@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
@@ -13,6 +14,7 @@ import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.Block;
 import radiosity.mesh.PatchTree;
+import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
@@ -228,20 +230,24 @@ public final class Audit {
             visible[i] = Shot.of(nodes, nodes.tops(), 0, (element, values, at) ->
                     Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0));
         });
-        ShooterHierarchy light = mesh.clusters.join(cluster, List.of(leaving)).shooter(faces, Weights.of(weight()),
-                ambient);
+        Weights weights = Weights.of(weight());
+        ShooterHierarchy light = mesh.clusters.join(cluster, List.of(leaving)).shooter(faces, weights, ambient);
         ShooterHierarchy ones = mesh.clusters.join(cluster, List.of(visible))
                 .shooter(faces, Weights.of(ones(faces.channels())));
-        FormFactorCalculator coarse = new RayCaster(mesh.bounds(), 1, TO_POINT * Accuracy.tolerance(asked));
-        FormFactorCalculator fine = new RayCaster(mesh.bounds(), 1, TO_VERTEX * Accuracy.tolerance(asked));
+        FormFactorCalculator[] coarse = calculators(t -> RayCaster.sparing(mesh.bounds(), 1, TO_POINT * t));
+        FormFactorCalculator[] fine = calculators(t -> new RayCaster(mesh.bounds(), 1, TO_VERTEX * t));
         FormFactorCalculator factors = factors();
-        parallel.run(near.size(), i -> near.get(i).point().gather(coarse, light, near.get(i).time()));
+        parallel.run(near.size(), i -> {
+            AuditPoint point = near.get(i).point();
+            point.gather(coarse[point.bright(weights)], light, near.get(i).time());
+        });
         parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
             if (!point.isBuried) {
-                point.gather(coarse, light);
+                int bright = point.bright(weights);
+                point.gather(coarse[bright], light);
                 if (point.isDetailed) {
-                    point.gatherAtVertex(fine, light);
+                    point.gatherAtVertex(fine[bright], light);
                     point.addFactors(factors, ones);
                 }
             }
@@ -251,6 +257,13 @@ public final class Audit {
     /** Whether an element has a corner that lies outside of solids, and that no surface in the same place covers. */
     private static boolean isVisible(RadiosityNodes nodes, int element) {
         return IntStream.range(0, 3).anyMatch(k -> !nodes.points().isBuried(nodes.corner(element, k)));
+    }
+
+    /** One calculator per value of {@link AuditPoint#bright}: each further one lets a ray carry twice as much. */
+    private FormFactorCalculator[] calculators(DoubleFunction<FormFactorCalculator> ofTolerance) {
+        FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
+        Arrays.setAll(made, bright -> ofTolerance.apply((1 << bright) * Accuracy.tolerance(asked)));
+        return made;
     }
 
     private FormFactorCalculator factors() {

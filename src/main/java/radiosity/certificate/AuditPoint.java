@@ -7,10 +7,12 @@ import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.LightSources;
 import radiosity.formfactor.ShooterHierarchy;
+import radiosity.mesh.BrightVertices;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.VertexBulge;
+import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
@@ -127,6 +129,11 @@ final class AuditPoint {
     }
 
     /*---- Gathering anew ----*/
+
+    /** Powers of two by which the light that a ray may carry is raised, as the point is bright. */
+    int bright(Weights weights) {
+        return BrightVertices.powers(faces, face, interpolated, 0, weights);
+    }
 
     /** Adds the light of a shooter at the point. */
     void gather(FormFactorCalculator calculator, ShooterHierarchy shooter) {

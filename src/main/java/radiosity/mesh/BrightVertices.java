@@ -18,26 +18,35 @@ public final class BrightVertices {
      * @param weights 1 / mean reflected radiosity
      */
     public static void find(RadiosityNodes nodes, Weights weights) {
+        int channels = nodes.faces().channels();
         for (int v = 0; v < nodes.vertices(); v++) {
-            double times = times(nodes, weights, v) / Accuracy.BRIGHT;
-            int powers = 0;
-            while (powers < Patcher.MOST_SLACK && times >= 2L << powers) {
-                powers++;
-            }
-            nodes.points().setBright(v, powers);
+            nodes.points().setBright(v, powers(nodes.faces(), nodes.points().face(v), nodes.light().irradiance(),
+                    channels * v, weights));
         }
     }
 
-    /** Reflected radiosity of a vertex relative to the mean, in the channel with light in which that is least. */
-    private static double times(RadiosityNodes nodes, Weights weights, int v) {
-        Faces faces = nodes.faces();
-        int channels = faces.channels();
-        int face = nodes.points().face(v);
+    /**
+     * Number of powers of two, from 0 to {@link Patcher#MOST_SLACK}, by which the tolerance for light at a place is
+     * raised, as the place is bright.
+     *
+     * @param irradiance at the place, one per channel from {@code at}, W/m²; not modified
+     * @param weights    1 / mean reflected radiosity
+     */
+    public static int powers(Faces faces, int face, double[] irradiance, int at, Weights weights) {
+        double times = times(faces, face, irradiance, at, weights) / Accuracy.BRIGHT;
+        int powers = 0;
+        while (powers < Patcher.MOST_SLACK && times >= 2L << powers) {
+            powers++;
+        }
+        return powers;
+    }
+
+    /** Reflected radiosity relative to the mean, in the channel with light in which that is least. */
+    private static double times(Faces faces, int face, double[] irradiance, int at, Weights weights) {
         double least = Double.POSITIVE_INFINITY;
-        for (int c = 0; c < channels; c++) {
+        for (int c = 0; c < faces.channels(); c++) {
             double weight = faces.reflectance(face, c) * weights.at(face, c);
-            double times = weight * nodes.light().irradiance()[channels * v + c];
-            least = weight > 0 ? Math.min(least, times) : least;
+            least = weight > 0 ? Math.min(least, weight * irradiance[at + c]) : least;
         }
         return least < Double.POSITIVE_INFINITY ? least : 0;
     }
