@@ -13,19 +13,17 @@ import radiosity.solution.Certificate;
  */
 final class AccuracyLoop {
 
-    /** Mean square error aimed at, over the mean square error asked for: the estimate is uncertain. */
-    private static final double MARGIN = 0.9;
+    /**
+     * Mean square error aimed at, over the mean square error asked for. Estimates are uncertain by up to about a sixth,
+     * and one that is too large by chance costs a finer mesh and another estimate, which takes as long as that.
+     */
+    private static final double MARGIN = 0.75;
     /** Part of the mean square error aimed at that is left to mesh and bias where they need it; rays have the rest. */
     private static final double LEAST_FOR_MESH = 0.4;
     /** Largest variance of a second sample over that of the first: with still fewer rays it takes as long. */
     private static final double MOST_VARIANCE = 4;
     /** Largest reduction of a mean square error from one estimate to the next, as a factor. */
     private static final double STEP = 0.4;
-    /**
-     * Least reduction of the mesh's mean square error, as a factor, where there is any: by less, the error would hardly
-     * change by more than estimates differ, and the next estimate would take longer than the finer mesh.
-     */
-    private static final double LEAST_STEP = 0.8;
     /**
      * An estimate is in vain where the error fell slower than the work to this negative power, work being elements
      * times rays. Noise falls as the square root of rays, and the mesh error at shadow edges as that of elements.
@@ -166,7 +164,7 @@ final class AccuracyLoop {
         if (rays == 0 || mesh * forRays > rays * forMesh) {
             double left = isBetter ? mesh * (1 - marked) : mesh;
             if (left > forMesh) {
-                meshError *= Math.min(LEAST_STEP, Math.max(STEP, forMesh / left));
+                meshError *= Math.max(STEP, forMesh / left);
             }
             return Refine.MESH;
         }

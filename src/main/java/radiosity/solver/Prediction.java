@@ -72,7 +72,7 @@ final class Prediction implements Planner {
      */
     private static final double ENOUGH = 0.3;
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
-    private static final double ENOUGH_ONE_SIDED = 0.05;
+    private static final double ENOUGH_ONE_SIDED = 0.1;
     /** Factor by which edits may let the error exceed the usual one before mesh or rays are refined. */
     private static final double WORSE = 1.15;
     /** Part of the unshot flux that a round in an edited scene may leave to later rounds. */

@@ -135,11 +135,11 @@ class TimeLimitTest {
         assertTrue(byOptions.keySet().stream().anyMatch(options -> options.contains(" -it ")), byOptions.toString());
     }
 
-    /** What is kept before an accuracy is reached is the solution of an estimate. */
+    /** What is kept before an accuracy is reached is the solution of an estimate: the first one of the study at 20 %. */
     @Test
     void cutOffAfterAnEstimate_isTheSameAsByTheOptionsThatArePrinted() throws IOException {
         Program program = new Program(directory);
-        Timed timed = new Timed(Path.of("scenes/study.lws").toAbsolutePath(), program, kept -> kept < 2);
+        Timed timed = new Timed(Path.of("scenes/study.lws").toAbsolutePath(), program, kept -> kept < 1);
         assertTrue(timed.options.matches("--accuracy \\S+ --estimates \\d"), timed.options);
         assertEquals(timed.result.solution().state(), SavedCalculation.read(program.file("foobar.scene")).state());
         assertEquals(timed.result.solution().state(), state(timed, program));
@@ -239,7 +239,7 @@ class TimeLimitTest {
         BufferedReader shown = render.inputReader();
         String line = shown.readLine();
         while (line != null && (line.startsWith("at 20%") || !line.startsWith("at "))) {
-            assertTrue(line.startsWith("reading ") || line.endsWith(" left") || line.matches("at 20%: [ a-z]+"), line);
+            assertTrue(line.startsWith("reading ") || line.endsWith(" left") || line.matches("at 20%: [ a-z.]+"), line);
             line = shown.readLine();
         }
         new ProcessBuilder("kill", Long.toString(render.pid())).start().waitFor();
