@@ -225,10 +225,13 @@ public final class GaussSeidel {
             sum[2] = b;
             return;
         }
-        for (int i = 0; i < factor.length; i++) {
-            int corner = 3 * patch[i / 3] + i % 3;
-            for (int c = 0; c < channels; c++) {
-                sum[c] += factor[i] * reflected[channels * corner + c];
+        for (int i = 0; i < patch.length; i++) {
+            for (int k = 0; k < 3; k++) {
+                float part = factor[3 * i + k];
+                int at = channels * (3 * patch[i] + k);
+                for (int c = 0; c < channels; c++) {
+                    sum[c] += part * reflected[at + c];
+                }
             }
         }
     }
