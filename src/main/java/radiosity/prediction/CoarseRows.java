@@ -29,9 +29,9 @@ public final class CoarseRows {
     /** Number of a vertex by its key. */
     private final LongIndex index;
     /** 1 array per vertex: nodes of the patches that the vertex sees, of the shots taken so far. */
-    final int[][] column;
+    private final int[][] column;
     /** 1 array per vertex: form factors to the three corners of each of these patches. */
-    final float[][] entry;
+    private final float[][] entry;
     /** Number of shots whose entries have been taken. */
     private int taken;
     /** 1 per vertex: {@link #taken} when its row last grew. Several partitions may send the same part of a row. */
@@ -210,9 +210,9 @@ public final class CoarseRows {
         }
     }
 
-    /*---- Corners of patches, by the vertex whose irradiance is theirs ----*/
+    /*---- The system, as it is read to solve it ----*/
 
-    /** Number of vertices: of rows. */
+    /** Number of rows: of vertices. */
     int count() {
         return column.length;
     }
@@ -220,6 +220,16 @@ public final class CoarseRows {
     /** Number of nodes of the coarse mesh. */
     int nodes() {
         return nodes.nodes();
+    }
+
+    /** Nodes of the patches that a vertex sees; not to be modified. */
+    int[] patches(int vertex) {
+        return column[vertex];
+    }
+
+    /** Form factors to the three corners of each of the {@link #patches}; not to be modified. */
+    float[] factors(int vertex) {
+        return entry[vertex];
     }
 
     /** Corners of patches that have the irradiance of a vertex: 3 x node + 0 to 2 each; not to be modified. */

@@ -175,7 +175,7 @@ public final class GaussSeidel {
         }
         for (int v = 0; v < rows.count(); v++) {
             System.arraycopy(direct, channels * v, sum, 0, channels);
-            add(rows.column[v], rows.entry[v], sum);
+            add(rows.patches(v), rows.factors(v), sum);
             for (int c = 0; c < channels; c++) {
                 change[c] += Math.abs(sum[c] - h[channels * v + c]);
                 size[c] += Math.abs(sum[c]);
