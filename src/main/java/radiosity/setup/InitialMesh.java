@@ -14,7 +14,9 @@ import radiosity.mesh.CoincidentFaces;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RepresentativeFaces;
 import radiosity.mesh.cut.DiscontinuityMesher;
+import radiosity.mesh.cut.EdgeMatcher;
 import radiosity.mesh.cut.QuadSplitter;
+import radiosity.mesh.cut.ScenePieces;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.room.ClosedRooms;
 import radiosity.mesh.room.DarkCavities;
@@ -62,7 +64,7 @@ public final class InitialMesh {
 
     /** The scene as it was read. */
     public final Scene original;
-    /** The original scene; with prediction, its long quadrangles are cut. */
+    /** The original scene; with prediction, its long quadrangles are cut, and its triangles at T-vertices. */
     public final Scene scene;
     /** 1 per triangle of {@link #scene}: the triangle of the original scene that it is, or is a piece of. */
     public final int[] origins;
@@ -95,7 +97,8 @@ public final class InitialMesh {
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
         original = scene;
-        QuadSplitter.Cut cut = QuadSplitter.cut(scene, quadrangleArea());
+        ScenePieces.Cut cut = QuadSplitter.cut(scene, quadrangleArea());
+        cut = predicts() ? EdgeMatcher.match(cut) : cut;
         this.scene = cut.scene();
         origins = cut.origin();
         Faces sides = new Faces(this.scene, settings.layers());

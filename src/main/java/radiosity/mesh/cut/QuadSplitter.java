@@ -2,7 +2,6 @@ package radiosity.mesh.cut;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import radiosity.scene.Hierarchy;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.Hash;
@@ -34,11 +33,7 @@ public final class QuadSplitter {
     /** 3 per point: x, y, z, scene units. */
     private double[] points;
     private int pointCount;
-    /** 3 per triangle: its points. */
-    private int[] corners;
-    /** 1 per triangle: the triangle of the given scene that it is, or is a piece of. */
-    private int[] origin;
-    private int triangles;
+    private final ScenePieces pieces;
     /** 1 per triangle of the given scene: where it has a partner, the corner from which their common edge goes on. */
     private final int[] shared;
 
@@ -49,37 +44,28 @@ public final class QuadSplitter {
         places = new LongIndex(16);
         points = scene.points().clone();
         pointCount = points.length / 3;
-        corners = new int[scene.corners().length];
-        origin = new int[scene.triangles()];
+        pieces = new ScenePieces(scene);
         shared = new int[scene.triangles()];
     }
-
-    /**
-     * A scene whose long quadrangles are cut.
-     *
-     * @param origin 1 per triangle of the scene: the triangle of the given scene that it is, or is a piece of
-     */
-    public record Cut(Scene scene, int[] origin) { }
 
     /**
      * Cuts the long quadrangles of a scene; where no quadrangle is long, the scene stays the same.
      *
      * @param patchArea largest area of a patch, square scene units
      */
-    public static Cut cut(Scene scene, double patchArea) {
+    public static ScenePieces.Cut cut(Scene scene, double patchArea) {
         QuadSplitter splitter = new QuadSplitter(scene, patchArea);
         int[] partner = splitter.partners();
         for (int t = 0; t < partner.length; t++) {
             if (partner[t] < 0) {
-                splitter.add(splitter.corner(t, 0), splitter.corner(t, 1), splitter.corner(t, 2), t);
+                splitter.pieces.add(t);
             } else if (partner[t] > t) {
                 splitter.cut(t, partner[t]);
             }
         }
-        if (splitter.triangles == partner.length) {
-            return new Cut(scene, IntStream.range(0, partner.length).toArray());
-        }
-        return new Cut(splitter.made(), Arrays.copyOf(splitter.origin, splitter.triangles));
+        int[] own = IntStream.range(0, partner.length).toArray();
+        return splitter.pieces.count() == partner.length ? new ScenePieces.Cut(scene, own)
+                : splitter.pieces.cut(Arrays.copyOf(splitter.points, 3 * splitter.pointCount), own);
     }
 
     /** 1 per triangle: the triangle with which it makes a long quadrangle, or -1. */
@@ -106,7 +92,7 @@ public final class QuadSplitter {
     private void pair(int[] partner, int rank) {
         LongIndex edges = new LongIndex(16);
         for (int t = 0; t < partner.length; t++) {
-            for (int r = 0; r <= rank && partner[t] < 0 && isPlain(t); r++) {
+            for (int r = 0; r <= rank && partner[t] < 0 && ScenePieces.isPlain(scene, t); r++) {
                 int k = longest(t, r);
                 int p = number[corner(t, k)];
                 int q = number[corner(t, k + 1)];
@@ -134,11 +120,6 @@ public final class QuadSplitter {
             }
         }
         return found;
-    }
-
-    private boolean isPlain(int t) {
-        return (scene.textureCoordinates().length == 0 || Float.isNaN(scene.textureCoordinates()[6 * t]))
-                && !scene.isColoured(t);
     }
 
     private int corner(int t, int k) {
@@ -206,8 +187,8 @@ public final class QuadSplitter {
             int b = between(q[0], q[1], i + 1, n);
             int c = between(q[3], q[2], i + 1, n);
             int d = between(q[3], q[2], i, n);
-            add(a, b, c, t);
-            add(a, c, d, t);
+            pieces.add(a, b, c, t);
+            pieces.add(a, c, d, t);
         }
     }
 
@@ -229,39 +210,5 @@ public final class QuadSplitter {
             pointCount++;
         }
         return p;
-    }
-
-    /** @param from the triangle of the given scene that the new triangle is, or is a piece of */
-    private void add(int a, int b, int c, int from) {
-        if (triangles == origin.length) {
-            origin = Arrays.copyOf(origin, 2 * triangles);
-            corners = Arrays.copyOf(corners, 6 * triangles);
-        }
-        corners[3 * triangles] = a;
-        corners[3 * triangles + 1] = b;
-        corners[3 * triangles + 2] = c;
-        origin[triangles++] = from;
-    }
-
-    private Scene made() {
-        float[] texture = new float[scene.textureCoordinates().length == 0 ? 0 : 6 * triangles];
-        float[] colours = new float[scene.vertexColours().length == 0 ? 0 : 9 * triangles];
-        int[] nodeOf = new int[scene.hierarchy().nodeOf().length == 0 ? 0 : triangles];
-        int[] surfaceOf = new int[triangles];
-        for (int t = 0; t < triangles; t++) {
-            surfaceOf[t] = scene.surfaceOf()[origin[t]];
-            if (nodeOf.length > 0) {
-                nodeOf[t] = scene.hierarchy().of(origin[t]);
-            }
-            if (texture.length > 0) {
-                System.arraycopy(scene.textureCoordinates(), 6 * origin[t], texture, 6 * t, 6);
-            }
-            if (colours.length > 0) {
-                System.arraycopy(scene.vertexColours(), 9 * origin[t], colours, 9 * t, 9);
-            }
-        }
-        return new Scene(scene.name(), Arrays.copyOf(points, 3 * pointCount), Arrays.copyOf(corners, 3 * triangles),
-                surfaceOf, scene.surfaces(), scene.lights(), scene.camera(), texture, colours,
-                new Hierarchy(scene.hierarchy().nodes(), nodeOf), scene.units());
     }
 }

@@ -11,9 +11,9 @@ import radiosity.util.Aabb;
  * @param centre centre of the box around all triangles, scene units
  * @param size   largest extent of the box, scene units; 1 where it has none
  */
-record SceneBox(Vec3 centre, double size) {
+public record SceneBox(Vec3 centre, double size) {
 
-    static SceneBox of(Scene scene) {
+    public static SceneBox of(Scene scene) {
         Aabb box = Aabb.of(Arrays.stream(scene.corners()).mapToObj(scene::point));
         Vec3 extent = box.extent();
         double size = Math.max(extent.x(), Math.max(extent.y(), extent.z()));

@@ -40,7 +40,7 @@ class QuadSplitterTest {
     @Test
     void pieces_comeFromTheTriangleThatTheyWere() {
         assertArrayEquals(new int[] {0, 1, 2, 3}, QuadSplitter.cut(rectangles(1.9, 1), EVERYTHING).origin());
-        QuadSplitter.Cut cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING);
+        ScenePieces.Cut cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING);
         for (int i = 0; i < 48; i++) {
             assertEquals(i < 24 ? 0 : 2, cut.origin()[i]);
         }
