@@ -136,7 +136,7 @@ public final class Audit {
 
     /**
      * Adds batches of points while a few points make up most of the error, while the error may lie on either side of
-     * the error asked for, or while it exceeds that only by what may be the estimate's own.
+     * the error asked for, or while it exceeds the error asked for by no more than the uncertainty of its bias.
      *
      * @param unshotFlux flux not shot yet, all channels, W
      */

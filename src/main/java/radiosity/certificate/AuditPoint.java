@@ -61,7 +61,7 @@ final class AuditPoint {
     private final double[] interpolated;
     private final double[] bulge;
     private final double[] atVertex;
-    /** One per channel, W/m²: irradiance from sources without geometry, interpolated less exact. */
+    /** One per channel, W/m²: irradiance from sources without geometry, interpolated between corners, minus exact. */
     private final double[] fromLights;
     /**
      * Irradiance gathered anew, W/m²: {@link #TIMES} times at the point, and as often at the nearest corner where the
@@ -219,7 +219,7 @@ final class AuditPoint {
         return sum(colour, c -> reflectance[c] * (corrected(0, c) - corrected(1, c)) / TIMES);
     }
 
-    /** Irradiance gathered anew less what of it is due to errors of surfaces near by, W/m². */
+    /** Irradiance gathered anew, minus the part that is due to errors of surfaces near by, W/m². */
     private double corrected(int time, int channel) {
         return anew[time].value[channel] - (near[time] == null ? 0 : near[time].excess(time, channel));
     }
@@ -252,7 +252,7 @@ final class AuditPoint {
         return new Mark(face, node);
     }
 
-    /** Irradiance that the solution reflects, less the irradiance gathered anew, W/m². */
+    /** Irradiance that the solution reflects, minus the irradiance gathered anew, W/m². */
     double excess(int colour) {
         return sum(colour, c -> interpolated[c] + bulge[c] - (isBuried ? 0 : mean(anew, c)));
     }

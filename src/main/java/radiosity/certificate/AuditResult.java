@@ -132,7 +132,7 @@ final class AuditResult {
     }
 
     /**
-     * Mean square of an error, less the square of the noise of the audit's rays: the mean product of two independent
+     * Mean square of an error, minus the square of the noise of the audit's rays: the mean product of two independent
      * estimates of the error. The share {@link #TAIL} of the area where that product is largest by absolute value is
      * left out. Errors have a heavy tail: a gap of millimetres beside a lamp may err by ten times the mean of the
      * scene. A point that falls there by chance would be half of the mean square, and no affordable number of points
@@ -313,8 +313,8 @@ final class AuditResult {
     }
 
     /**
-     * What is made of the error and the noise of each point, both relative to the mean radiosity, summed over the
-     * colours that have light.
+     * One sum per point: a function of the error and the noise of the point, both relative to the mean radiosity, added
+     * up over the colours that have light.
      */
     private double[] sums(List<AuditPoint> some, DoubleBinaryOperator ofErrorAndNoise) {
         double[] sum = new double[some.size()];

@@ -11,7 +11,7 @@ import radiosity.visibility.RadiosityBounds;
  */
 public final class EnteringLight {
 
-    /** Numbers of rays: where the direction is one, the rays' places alone are spread, and evenly. */
+    /** Numbers of rays: those of the sun differ in their beginnings only, those of a sky in their directions, too. */
     private static final int SUN_RAYS = 1 << 18;
     private static final int SKY_RAYS = 1 << 20;
     /**

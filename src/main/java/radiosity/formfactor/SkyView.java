@@ -153,8 +153,8 @@ final class SkyView {
     }
 
     /**
-     * Side of squares that are less wide than openings, whose area is half their edge times their width. Narrow
-     * openings differ more in width from end to end.
+     * Side of squares that are less wide than openings. The mean width of openings is twice their area over the length
+     * of their edges, both counted in cells. Narrow openings differ more in width from end to end.
      */
     private int most() {
         int open = 0;

@@ -264,7 +264,7 @@ public final class RadiosityNodes {
         return tree.corner(node, k);
     }
 
-    /** Area of a node that no solid covers, in squared scene sizes. */
+    /** Area of a node outside of solids that no other face covers, in squared scene sizes. */
     public double area(int node) {
         return faces.exposedArea(face(node)) / (1L << 2 * tree.level(node));
     }

@@ -19,8 +19,8 @@ import radiosity.util.ParallelFor;
 public final class EdgeInterpolation {
 
     /**
-     * Part of the light that one ray may carry by which the light of a shooter may differ between the ends of an edge
-     * for the middle to take their mean.
+     * Largest difference between the light that the two ends of an edge receive of a shooter at which the edge's middle
+     * takes the mean of the ends: as a part of the light that one ray may carry.
      */
     private static final double ALIKE = 0.125;
 

@@ -7,8 +7,9 @@ import radiosity.util.NoNumberException;
  * An estimate of a solution's error.
  *
  * <p>{@code missingFlux} is an upper bound, for the discrete system. The errors are estimates: at some points of every
- * surface the irradiance from the solution's radiosity is computed anew with many more rays and compared with the
- * solution's irradiance. Light that is still unshot counts as error, so it is most of the error early in a render.
+ * surface the irradiance from the solution's radiosity is computed anew, twice, with rays of its own, and compared with
+ * the solution's irradiance; the product of the two differences is free of the noise of these rays. Light that is still
+ * unshot counts as error, so it is most of the error early in a render.
  * {@code docs/CERTIFICATE.md} says how well the estimates predict the true error.
  *
  * @param points      number of points at which the irradiance was computed anew

@@ -130,8 +130,8 @@ final class AccuracyLoop {
 
     /**
      * Chooses what to refine and lowers its tolerance: of rays and mesh, to which the bias is counted, the one whose
-     * mean square error is the larger multiple of its part of the one aimed at; nothing where the error is at most the
-     * one asked for, but for what may be the estimate's own, or no longer falls.
+     * mean square error is the larger multiple of its part of the one aimed at; nothing where the error, without the
+     * uncertainty of its bias, is at most the error asked for, or where the error no longer falls.
      *
      * <p>At shadow edges the mean square error of a mesh is proportional to {@link #meshError}; elsewhere the mean
      * square error falls faster: where light is smooth, N elements have an error of 1 / N, and each adds 1 / N^3 to its

@@ -68,7 +68,7 @@ final class Prediction implements Planner {
     private static final double PREDICTED = 0.1;
     /**
      * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
-     * much may the radiosity change by the light that is predicted to follow, as the root mean square that errors are.
+     * much may, as a root mean square, the radiosity change by the light that the unshot light is predicted to cause.
      */
     private static final double ENOUGH = 0.3;
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
@@ -451,10 +451,10 @@ final class Prediction implements Planner {
     /**
      * Shots of unshot radiosity and the radiosity that is predicted to follow.
      *
-     * @param h predicted irradiance, channels per vertex, W/m²; null where the calculation is to end: no shots then
+     * @param h predicted irradiance, channels per vertex, W/m²
      */
     private List<Shot> withPrediction(Answer last, double[] h) throws IOException {
-        List<Shot> candidates = h == null ? List.of() : candidates(world.answer(ALL));
+        List<Shot> candidates = candidates(world.answer(ALL));
         if (candidates.isEmpty()) {
             return List.of();
         }

@@ -127,7 +127,12 @@ public final class RadiosityBounds {
         return found < 0;
     }
 
-    /** Distance to a side of the cube in which one coordinate of a ray grows by {@code step} over a distance of 1. */
+    /**
+     * Distance along a ray to the side of the cube across one axis.
+     *
+     * @param from coordinate of the ray's beginning on that axis
+     * @param step component of the ray's direction, which has length 1, on that axis
+     */
     private double outside(double from, double step) {
         return step == 0 ? Double.POSITIVE_INFINITY : (step > 0 ? cube - from : -cube - from) / step;
     }

@@ -75,7 +75,7 @@ public final class Solids {
         return isInside;
     }
 
-    /** Whether a ray leaves the visible side of a triangle behind in the same place as that of another triangle. */
+    /** Whether a ray meets another triangle from its invisible side at a given distance, {@code place}. */
     private boolean leavesAt(float x, float y, float z, float[] d, double place) {
         return bounds.meets(x, y, z, d[0], d[1], d[2], place / RadiosityBounds.SAME_PLACE,
                 place * RadiosityBounds.SAME_PLACE, t -> leaves(t, d), (t, distance) -> true);
@@ -104,7 +104,7 @@ public final class Solids {
         return common >= 2;
     }
 
-    /** Whether a ray that meets a triangle leaves its visible side behind. */
+    /** Whether a ray that meets a triangle meets the triangle from its invisible side. */
     private boolean leaves(int t, float[] d) {
         return front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
     }

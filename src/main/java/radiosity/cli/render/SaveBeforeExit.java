@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import radiosity.cli.terminal.StopRequest;
 
 /**
- * Delays the end of the process on Ctrl-C or SIGTERM until the current round is done and saved, but only for a limited
+ * Delays the end of the process on Ctrl-C or SIGTERM until the step under way is done and saved, but only for a limited
  * time; a render that takes longer to save is left to its journal.
  *
  * <p>Uses a shutdown hook, so that the exit code of the process stays the one of the signal: 130 or 143.

@@ -51,7 +51,7 @@ public final class Faces {
     /** 3 per face: the face of the same part beyond the edge opposite corner k; -1 on the border of the part. */
     public final int[] across;
     private final FaceMaterials materials;
-    /** 1 per face: area that no solid covers, in squared scene sizes. */
+    /** 1 per face: area outside of solids that no other face covers, in squared scene sizes. */
     private double[] exposed;
 
     /** Faces with the light of all lamps in the same channels. */
@@ -178,12 +178,15 @@ public final class Faces {
         return area[face];
     }
 
-    /** Area of a face that no solid covers, in squared scene sizes: what light arrives on, and leaves. */
+    /**
+     * Area of a face outside of solids that no other face in the same place covers, in squared scene sizes: light arrives
+     * on this area and leaves it.
+     */
     public double exposedArea(int face) {
         return exposed[face];
     }
 
-    /** @param visible the share of each face that no solid covers, from 0 to 1 */
+    /** @param visible the share of each face outside of solids that no other face covers, from 0 to 1 */
     public void cover(IntToDoubleFunction visible) {
         exposed = new double[area.length];
         for (int f = 0; f < count; f++) {
