@@ -179,8 +179,8 @@ public final class Faces {
     }
 
     /**
-     * Area of a face outside of solids that no other face in the same place covers, in squared scene sizes: light arrives
-     * on this area and leaves it.
+     * Area of a face outside of solids that no other face in the same place covers, in squared scene sizes: light
+     * arrives on this area and leaves it.
      */
     public double exposedArea(int face) {
         return exposed[face];
