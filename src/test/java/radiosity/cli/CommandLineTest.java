@@ -50,12 +50,13 @@ class CommandLineTest {
             -pa -nr 5 a b          | -pa: expected a number above 0, got nothing
             -pa 1 -pa 2 a b        | -pa: expected once, got twice
             -pa 1 --patch-area 2 a | -pa: expected once, got twice
-            -nr 0 a b              | -nr: expected a whole number of at least 1, got 0
-            -nr -1 a b             | -nr: expected a whole number of at least 1, got -1
-            -nr 1.5 a b            | -nr: expected a whole number of at least 1, got 1.5
-            -nr 99999999999 a b    | -nr: expected a whole number of at least 1, got 99999999999
-            -nr NaN a b            | -nr: expected a whole number of at least 1, got NaN
-            -nr                    | -nr: expected a whole number of at least 1, got nothing
+            -nr 0 a b              | -nr: expected a whole number from 1 to 1000000, got 0
+            -nr -1 a b             | -nr: expected a whole number from 1 to 1000000, got -1
+            -nr 1.5 a b            | -nr: expected a whole number from 1 to 1000000, got 1.5
+            -nr 1000001 a b        | -nr: expected a whole number from 1 to 1000000, got 1000001
+            -nr 99999999999 a b    | -nr: expected a whole number from 1 to 1000000, got 99999999999
+            -nr NaN a b            | -nr: expected a whole number from 1 to 1000000, got NaN
+            -nr                    | -nr: expected a whole number from 1 to 1000000, got nothing
             -mt -1 a b             | -mt: expected a number of at least 0, got -1
             -mt NaN a b            | -mt: expected a number of at least 0, got NaN
             -mt x a b              | -mt: expected a number of at least 0, got x

@@ -19,7 +19,7 @@ public final class CalculationOptions {
                     + " area of the scene. Chosen from the scene without it.")
     PatchArea patchArea;
 
-    @Option(names = {"-nr", "--rays"}, paramLabel = "<n>", converter = Values.AtLeastOne.class,
+    @Option(names = {"-nr", "--rays"}, paramLabel = "<n>", converter = Values.Rays.class,
             description = "Number of rays that the ray caster uses. Chosen by the schedule without it.")
     public Integer rays;
 

@@ -151,6 +151,16 @@ public final class Values {
         }
     }
 
+    /** A number of rays at a node. */
+    static final class Rays extends Whole {
+        /** More take hours for a box; the numbers of sample points, a multiple, are to be far from the largest int. */
+        private static final int MOST = 1_000_000;
+
+        Rays() {
+            super("a whole number from 1 to " + MOST, 1, MOST);
+        }
+    }
+
     /** The number of a TCP port. */
     static final class Port extends Whole {
         Port() {

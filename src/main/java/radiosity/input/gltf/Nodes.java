@@ -3,6 +3,7 @@ package radiosity.input.gltf;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
@@ -44,21 +45,44 @@ final class Nodes {
         return Optional.ofNullable(byNumber.get(number)).map(Placed::world);
     }
 
-    /** The root nodes of the default scene: of the scene that the file names as default, else of the first. */
-    private Optional<JsonCursor> top() throws SceneFormatException {
+    /**
+     * Numbers of the root nodes of the default scene: of the scene that the file names as default, else of the first.
+     * Of a file without scenes, a library of parts, the nodes that are no node's children.
+     */
+    private int[] top() throws SceneFormatException {
         if (root.optional("scenes").isEmpty()) {
-            return Optional.empty();
+            return roots();
         }
-        return root.at("scenes").at(Math.max(0, root.index("scene"))).optional("nodes");
+        return numbers(root.at("scenes").at(Math.max(0, root.index("scene"))).optional("nodes"));
+    }
+
+    private int[] roots() throws SceneFormatException {
+        Optional<JsonCursor> all = root.optional("nodes");
+        BitSet found = new BitSet();
+        found.set(0, all.map(JsonCursor::size).orElse(0));
+        for (int i = 0; all.isPresent() && i < all.get().size(); i++) {
+            for (int child : numbers(all.get().at(i).optional("children"))) {
+                found.clear(child);
+            }
+        }
+        return found.stream().toArray();
+    }
+
+    private static int[] numbers(Optional<JsonCursor> list) throws SceneFormatException {
+        int[] numbers = new int[list.map(JsonCursor::size).orElse(0)];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = list.get().at(i).integer();
+        }
+        return numbers;
     }
 
     private record Ahead(int number, int parent) { }
 
     private void collect() throws SceneFormatException {
         Deque<Ahead> ahead = new ArrayDeque<>();
-        Optional<JsonCursor> top = top();
-        for (int i = top.map(JsonCursor::size).orElse(0) - 1; i >= 0; i--) {
-            ahead.push(new Ahead(top.get().at(i).integer(), -1));
+        int[] top = top();
+        for (int i = top.length - 1; i >= 0; i--) {
+            ahead.push(new Ahead(top[i], -1));
         }
         while (!ahead.isEmpty()) {
             Ahead next = ahead.pop();
@@ -70,9 +94,9 @@ final class Nodes {
                 throw new SceneFormatException(root.file(), "JSON " + node.path(), "a node with one parent", "several");
             }
             nodes.add(placed);
-            Optional<JsonCursor> children = node.optional("children");
-            for (int i = children.map(JsonCursor::size).orElse(0) - 1; i >= 0; i--) {
-                ahead.push(new Ahead(children.get().at(i).integer(), nodes.size() - 1));
+            int[] children = numbers(node.optional("children"));
+            for (int i = children.length - 1; i >= 0; i--) {
+                ahead.push(new Ahead(children[i], nodes.size() - 1));
             }
         }
     }

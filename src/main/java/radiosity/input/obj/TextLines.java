@@ -6,7 +6,7 @@ import radiosity.input.file.Utf8;
 
 /**
  * The lines of an OBJ or MTL file, each a keyword and words. A line that ends in a backslash continues in the next one;
- * empty lines and comments are skipped. Each byte is read a bounded number of times, whatever the file holds.
+ * empty lines and comments are skipped, also behind words, but not behind names, which may hold a #. Each byte is read a bounded number of times, whatever the file holds.
  */
 final class TextLines {
 
@@ -72,9 +72,13 @@ final class TextLines {
         return first;
     }
 
-    /** The next word of the line, the keyword first; empty at the end of the line. */
+    /** The next word of the line, the keyword first; empty at the end of the line, or where a comment begins. */
     String word() {
         int start = skipBlanks();
+        if (start < line.length() && line.charAt(start) == '#') {
+            word = line.length();
+            return "";
+        }
         while (word < line.length() && !isBlank(line.charAt(word))) {
             word++;
         }

@@ -16,8 +16,8 @@ import radiosity.scene.Vec3;
  * Reads points on surfaces, each with the normal of the side that is meant, from a text file of columns.
  *
  * <p>A header may name the columns x, y, z, nx, ny, nz in any order, among others; without a header they are the first
- * six. Columns are separated by commas, semicolons or tabs. Other lines before the numbers, empty lines and lines that
- * begin with # are left out.
+ * six. Columns are separated by commas, semicolons or tabs. Without a header that names the columns, other lines before
+ * the numbers are left out; so are, always, empty lines and lines that begin with #.
  */
 final class PointList {
 
@@ -26,7 +26,9 @@ final class PointList {
     private final String name;
     private final Taker taker;
     private int[] column = {0, 1, 2, 3, 4, 5};
-    private boolean numbersSeen;
+    /** Whether every further line is a point: after a header that names the columns, and after the first number. */
+    private boolean isBegun;
+    private boolean isEmpty = true;
     private int line;
 
     private PointList(String name, Taker taker) {
@@ -55,7 +57,7 @@ final class PointList {
         } catch (MalformedInputException e) {
             throw new SceneFormatException(file.toString(), "", "text", "something else");
         }
-        if (!points.numbersSeen) {
+        if (points.isEmpty) {
             throw new SceneFormatException(file.toString(), "", "points, as x, y, z, nx, ny, nz per line", "none");
         }
     }
@@ -66,11 +68,12 @@ final class PointList {
             return;
         }
         String[] fields = text.split("[,;\t]", -1);
-        if (!numbersSeen && !isNumber(fields[0])) {
+        if (!isBegun && !isNumber(fields[0])) {
             header(fields);
             return;
         }
-        numbersSeen = true;
+        isBegun = true;
+        isEmpty = false;
         double[] point = new double[6];
         for (int i = 0; i < 6; i++) {
             point[i] = number(fields, i);
@@ -88,6 +91,7 @@ final class PointList {
         long count = Arrays.stream(found).filter(i -> i >= 0).count();
         if (count == 6) {
             column = found;
+            isBegun = true;
         } else if (count > 0) {
             throw wrong("columns " + String.join(",", COLUMNS), String.join(",", names));
         }

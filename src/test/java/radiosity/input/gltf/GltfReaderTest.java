@@ -241,6 +241,17 @@ class GltfReaderTest {
         assertEquals(2, lie.v(1, 0), 1e-6, "1 - (-1)");
     }
 
+    /** A library of parts: the format allows a file without scenes. */
+    @Test
+    void fileWithoutScenes_hasTheNodesThatAreNoChildren() throws IOException {
+        int position = model.floats("VEC3", Model.SQUARE);
+        String text = model.text("'nodes':[{'name':'part','mesh':0},{'name':'whole','children':[0]},"
+                + "{'name':'alone','mesh':0}]",
+                "'meshes':[{'primitives':[{'attributes':{'POSITION':" + position + "},'mode':6}]}]");
+        assertEquals(List.of("whole|-1", "part|0", "alone|-1"), read(text).hierarchy().nodes().stream()
+                .map((SceneNode n) -> n.name() + "|" + n.parent()).toList());
+    }
+
     @Test
     void hierarchy_namesAndInstances_areTheFiles() throws IOException {
         int move = model.floats("VEC3", 0, 0, 1, 0, 0, 2);

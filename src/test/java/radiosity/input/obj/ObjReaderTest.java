@@ -66,6 +66,14 @@ class ObjReaderTest {
     }
 
     @Test
+    void comments_mayFollowNumbers() throws IOException {
+        Scene scene = read("v 0 0 0 # the origin\nv 0 0 1\t# one\nv 1 0 1 1 # weight\nf 1 2 3 # a triangle\n",
+                ReadOptions.defaults());
+        assertEquals(List.of(), told.stream().filter(line -> line.contains("line")).toList());
+        assertEquals(1, scene.triangles());
+    }
+
+    @Test
     void smoothingGroupsAndNormals_giveTheSmoothingAngle() throws IOException {
         assertEquals(0, read(strip("f 1 2 3 4\n", "f 4 3 5 6\n", "f 6 5 7 8\n")).surface(0).smoothing());
         assertEquals(Math.toRadians(90), read(strip("s 1\nf 1 2 3 4\n", "f 4 3 5 6\n", "f 6 5 7 8\n")).surface(0)

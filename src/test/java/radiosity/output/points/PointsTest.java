@@ -134,6 +134,14 @@ class PointsTest {
     }
 
     @Test
+    void headerWithNames_isFollowedByPointsOnly_alsoWhereTheirFirstColumnIsText() throws IOException {
+        run("id,x,y,z,nx,ny,nz", "a,0.25,0,0.5,0,1,0", "b,0.5,0,0.5,0,1,0");
+        assertEquals(3, Files.readAllLines(out).size());
+        assertEquals(linear(new Vec3(.25, 0, .5)).r(), row(1)[6], 1e-12);
+        assertEquals(linear(new Vec3(.5, 0, .5)).r(), row(2)[6], 1e-12);
+    }
+
+    @Test
     void headerWithoutNames_leavesTheFirstSixColumns() throws IOException {
         run("made by hand", "0.25;0;0.5;0;1;0;99");
         assertEquals(linear(new Vec3(.25, 0, .5)).r(), row(1)[6], 1e-12);
