@@ -6,7 +6,8 @@ import radiosity.input.file.Utf8;
 
 /**
  * The lines of an OBJ or MTL file, each a keyword and words. A line that ends in a backslash continues in the next one;
- * empty lines and comments are skipped, also behind words, but not behind names, which may hold a #. Each byte is read a bounded number of times, whatever the file holds.
+ * empty lines and comments are skipped, also comments behind words, but not behind names, which may hold a #. Each byte
+ * is read a bounded number of times, whatever the file holds.
  */
 final class TextLines {
 
