@@ -24,6 +24,8 @@ public final class EdgeMatcher {
     private static final double SAME_DIRECTION = 1e-5;
     /** Least distance between points on an edge, in heights of the triangle above the edge, so that pieces are wide. */
     private static final double LEAST_WIDTH = 0.03125;
+    /** Most points around a triangle that is divided: more take long to cut, and their pieces would replace the mesh. */
+    private static final int MOST = 256;
 
     private final Scene scene;
     /** 1 per point: the lowest point with the same coordinates. */
@@ -41,7 +43,7 @@ public final class EdgeMatcher {
 
     /**
      * Divides the large triangles of a scene that have T-vertices on their edges; without any, the scene stays the
-     * same. Triangles with texture coordinates or colours stay whole.
+     * same. Triangles with texture coordinates or colours stay whole, and those with very many T-vertices.
      *
      * @param cut a scene that may consist of pieces already
      * @return the pieces, with the triangles of the same given scene as origins
@@ -54,7 +56,7 @@ public final class EdgeMatcher {
         double least = DiscontinuityMesher.LEAST_AREA * scene.area();
         for (int t = 0; t < scene.triangles(); t++) {
             List<Integer> loop = scene.area(t) > least && ScenePieces.isPlain(scene, t) ? matcher.loop(t) : List.of();
-            if (loop.size() <= 3) {
+            if (loop.size() <= 3 || loop.size() > MOST) {
                 pieces.add(t);
                 continue;
             }

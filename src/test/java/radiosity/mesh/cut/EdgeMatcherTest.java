@@ -83,6 +83,33 @@ class EdgeMatcherTest {
     }
 
     @Test
+    void triangleWithVeryManyTVertices_staysWhole() {
+        assertEquals(2 + 2 * 100 + 100 - 1, match(strip(100)).scene().triangles());
+        Scene strip = strip(300);
+        assertSame(strip, match(strip).scene());
+    }
+
+    /** A rectangle of n x 1, and above it n squares. */
+    private static Scene strip(int n) {
+        double[] points = new double[3 * (4 + 2 * (n + 1))];
+        int[] corners = new int[3 * (2 + 2 * n)];
+        double[][] rectangle = {{0, 0}, {n, 0}, {n, 1}, {0, 1}};
+        for (int p = 0; p < points.length / 3; p++) {
+            points[3 * p] = p < 4 ? rectangle[p][0] : (p - 4) / 2;
+            points[3 * p + 1] = p < 4 ? rectangle[p][1] : 1 + p % 2;
+        }
+        int[] two = {0, 1, 2, 0, 2, 3};
+        System.arraycopy(two, 0, corners, 0, 6);
+        for (int i = 0; i < n; i++) {
+            int a = 4 + 2 * i;
+            int[] square = {a, a + 2, a + 3, a, a + 3, a + 1};
+            System.arraycopy(square, 0, corners, 6 + 6 * i, 6);
+        }
+        return new Scene("strip", points, corners, new int[corners.length / 3], List.of(WALL), List.of(),
+                Optional.empty());
+    }
+
+    @Test
     void origins_areThoseOfTheSceneThatWasCutBefore() {
         Scene scene = scene(AROUND_A_WINDOW, new int[6]);
         ScenePieces.Cut cut = EdgeMatcher.match(new ScenePieces.Cut(scene, new int[] {7, 7, 8, 8, 9, 9}));
