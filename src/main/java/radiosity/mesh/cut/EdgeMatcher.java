@@ -24,7 +24,7 @@ public final class EdgeMatcher {
     private static final double SAME_DIRECTION = 1e-5;
     /** Least distance between points on an edge, in heights of the triangle above the edge, so that pieces are wide. */
     private static final double LEAST_WIDTH = 0.03125;
-    /** Most points around a triangle that is divided: more take long to cut, and their pieces would replace the mesh. */
+    /** Most points around a triangle that is divided: more take long to cut, and would replace the mesh by pieces. */
     private static final int MOST = 256;
 
     private final Scene scene;
