@@ -79,7 +79,7 @@ public final class EdgeMatcher {
         return loop;
     }
 
-    /** The corners of all triangles that lie in the plane of a triangle, face its way, and have its surface. */
+    /** The corners, each once, of all triangles that lie in the plane of a triangle, face its way, have its surface. */
     private List<Integer> corners(int t) {
         Vec3 normal = scene.cross(t).unit();
         Vec3 origin = scene.corner(t, 0);
@@ -91,10 +91,10 @@ public final class EdgeMatcher {
                 isInPlane = Math.abs(scene.corner(u, k).minus(origin).dot(normal)) <= near;
             }
             for (int k = 0; k < 3 && isInPlane; k++) {
-                found.add(scene.corners()[3 * u + k]);
+                found.add(number[scene.corners()[3 * u + k]]);
             }
         }
-        return found;
+        return found.stream().distinct().toList();
     }
 
     /** 6: low x, y, z, high x, y, z of a triangle, scene units. */
@@ -117,7 +117,7 @@ public final class EdgeMatcher {
         double length = along.length();
         Vec3 direction = along.times(1 / length);
         double least = Math.max(2 * near, LEAST_WIDTH * scene.cross(t).length() / length);
-        List<Integer> on = some.stream().map(p -> number[p]).distinct()
+        List<Integer> on = some.stream()
                 .filter(p -> scene.point(p).minus(from).cross(direction).length() <= near)
                 .sorted(Comparator.comparingDouble(p -> scene.point(p).minus(from).dot(direction))).toList();
         List<Integer> inside = new ArrayList<>();
