@@ -2,8 +2,9 @@ package radiosity.certificate;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.Block;
@@ -192,15 +193,21 @@ final class AuditPlaces {
      */
     AuditPoint[] find(List<NearbyPoints.Place> at, int[] number) {
         AuditPoint[] found = new AuditPoint[number.length];
-        BitSet wanted = new BitSet();
-        at.forEach(place -> wanted.set(place.face()));
-        List<Block> blocks = mesh.blocks.stream().filter(b -> IntStream.of(b.face()).anyMatch(wanted::get)).toList();
-        parallel.run(blocks.size(), b -> find(nodes.apply(blocks.get(b).id()), at, number, found));
+        Map<Integer, List<Integer>> onFace = new HashMap<>();
+        for (int i = 0; i < found.length; i++) {
+            onFace.computeIfAbsent(at.get(i).face(), face -> new ArrayList<>()).add(i);
+        }
+        int[][] wanted = mesh.blocks.stream().map(block -> IntStream.of(block.face()).distinct()
+                .filter(onFace::containsKey).flatMap(face -> onFace.get(face).stream().mapToInt(i -> i)).toArray())
+                .toArray(int[][]::new);
+        int[] blocks = IntStream.range(0, wanted.length).filter(b -> wanted[b].length > 0).toArray();
+        parallel.run(blocks.length, i -> find(nodes.apply(blocks[i]), wanted[blocks[i]], at, number, found));
         return found;
     }
 
-    private void find(RadiosityNodes its, List<NearbyPoints.Place> at, int[] number, AuditPoint[] found) {
-        for (int i = 0; i < found.length; i++) {
+    /** @param some numbers of the places that may lie on elements of the block with these nodes */
+    private void find(RadiosityNodes its, int[] some, List<NearbyPoints.Place> at, int[] number, AuditPoint[] found) {
+        for (int i : some) {
             int node = its.element(at.get(i).face(), at.get(i).path());
             if (node >= 0) {
                 found[i] = new AuditPoint(its, node, 0, at.get(i).weights(its.path(node)), number[i], false, burial,
