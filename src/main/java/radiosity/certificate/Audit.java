@@ -4,23 +4,22 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.DoubleFunction;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.LightSources;
-import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
-import radiosity.mesh.Block;
 import radiosity.mesh.PatchTree;
-import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.protocol.BlockState;
+import radiosity.protocol.Order;
+import radiosity.protocol.Partitions;
 import radiosity.protocol.Shot;
 import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
@@ -53,14 +52,8 @@ public final class Audit {
      * error is then unshot flux, for which the least number of points is enough.
      */
     private static final double MOSTLY = 0.5;
-    /**
-     * Light that a ray to a point may carry, relative to the first tolerance of a render with the error asked for. The
-     * noise of these rays is subtracted: many points with coarse rays tell more of an error with a heavy tail than few
-     * points with fine rays.
-     */
-    private static final double TO_POINT = 2;
-    /** The same at the corners of elements: fine enough that their noise is less than that of the solution's rays. */
-    private static final double TO_VERTEX = 0.5;
+    /** Number of elements whose light is gathered at a time; all points are sent with each of these orders. */
+    private static final int ELEMENTS_AT_A_TIME = 64_000;
     /** Form factor that a ray may carry where sums of form factors are calculated. */
     private static final double FACTOR_TOLERANCE = 0.05;
     /** Number of other patches with which the patch of each point is compared for reciprocity. */
@@ -69,6 +62,7 @@ public final class Audit {
     private static final double NOTHING = 1e-9;
 
     private final InitialMesh mesh;
+    private final Partitions partitions;
     private final Faces faces;
     private final List<byte[]> states;
     private final EnergyLedger ledger;
@@ -86,15 +80,17 @@ public final class Audit {
     private final int used;
 
     /**
-     * @param states   encoded state of each block, by block id
-     * @param ledger   flux at the time of the states
-     * @param elements number of elements in the scene
-     * @param asked    relative error of radiosity that is asked for
-     * @param round    number of rounds so far: after other rounds, other points are chosen, so that points by which
-     *                 the mesh was divided do not tell how well it is divided
+     * @param partitions which gather light at the audit's points
+     * @param states     encoded state of each block, by block id
+     * @param ledger     flux at the time of the states
+     * @param elements   number of elements in the scene
+     * @param asked      relative error of radiosity that is asked for
+     * @param round      number of rounds so far: after other rounds, other points are chosen, so that points by which
+     *                   the mesh was divided do not tell how well it is divided
      */
-    public Audit(InitialMesh mesh, List<byte[]> states, EnergyLedger ledger, int elements, double asked,
-                 int round, ParallelFor parallel) {
+    public Audit(InitialMesh mesh, Partitions partitions, List<byte[]> states, EnergyLedger ledger, int elements,
+                 double asked, int round, ParallelFor parallel) {
+        this.partitions = partitions;
         this.round = round;
         used = round % ROUNDS * START.length * MOST_POINTS;
         this.mesh = mesh;
@@ -179,7 +175,7 @@ public final class Audit {
         return new AuditResult(mesh, points, batches, ledger);
     }
 
-    private void look(List<AuditPoint> batch, UniformRadiosity ambient) {
+    private void look(List<AuditPoint> batch, UniformRadiosity ambient) throws IOException {
         LightSources lights = new LightSources(faces, mesh.bounds());
         List<NearbyPoints.Near> near = nearby.around(batch);
         parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient));
@@ -190,9 +186,7 @@ public final class Audit {
             point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
                     : escape.from(point.place, point.face, point.number);
         });
-        for (int cluster = 0; cluster < mesh.clusters.clusters.size(); cluster++) {
-            gather(batch, near, cluster, ambient);
-        }
+        gather(batch, near, ambient);
         points.addAll(batch);
         batches++;
     }
@@ -218,52 +212,76 @@ public final class Audit {
         return new UniformRadiosity(mesh.rooms, channels, sum);
     }
 
-    /** Gathers the light leaving the elements of a cluster, and the form factors to these elements, at a batch. */
-    private void gather(List<AuditPoint> batch, List<NearbyPoints.Near> near, int cluster, UniformRadiosity ambient) {
-        int corners = 3 * faces.channels();
-        List<Block> blocks = mesh.clusters.blocks(cluster);
-        Shot[] leaving = new Shot[blocks.size()];
-        Shot[] visible = new Shot[leaving.length];
-        parallel.run(leaving.length, i -> {
-            RadiosityNodes nodes = nodes(blocks.get(i).id());
-            leaving[i] = Shot.of(nodes, nodes.tops(), 0, nodes.light()::leaving);
-            visible[i] = Shot.of(nodes, nodes.tops(), 0, (element, values, at) ->
-                    Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0));
-        });
+    /** Has partitions gather the light of all elements, and the form factors to all elements, at a batch. */
+    private void gather(List<AuditPoint> batch, List<NearbyPoints.Near> near, UniformRadiosity ambient)
+            throws IOException {
         Weights weights = Weights.of(weight());
-        ShooterHierarchy light = mesh.clusters.join(cluster, List.of(leaving)).shooter(faces, weights, ambient);
-        ShooterHierarchy ones = mesh.clusters.join(cluster, List.of(visible))
-                .shooter(faces, Weights.of(ones(faces.channels())));
-        FormFactorCalculator[] coarse = calculators(t -> RayCaster.sparing(mesh.bounds(), 1, TO_POINT * t));
-        FormFactorCalculator[] fine = calculators(t -> new RayCaster(mesh.bounds(), 1, TO_VERTEX * t));
-        FormFactorCalculator factors = factors();
-        parallel.run(near.size(), i -> {
-            AuditPoint point = near.get(i).point();
-            point.gather(coarse[point.bright(weights)], light, near.get(i).time());
-        });
-        parallel.run(batch.size(), i -> {
-            AuditPoint point = batch.get(i);
+        AuditGather light = new AuditGather();
+        AuditGather factors = new AuditGather();
+        for (AuditPoint point : batch) {
             if (!point.isBuried) {
                 int bright = point.bright(weights);
-                point.gather(coarse[bright], light);
+                point.gather(light, bright);
                 if (point.isDetailed) {
-                    point.gatherAtVertex(fine[bright], light);
-                    point.addFactors(factors, ones);
+                    point.gatherAtVertex(light, bright);
+                    point.gatherFactors(factors);
                 }
             }
-        });
+        }
+        for (NearbyPoints.Near at : near) {
+            at.point().gather(light, at.point().bright(weights), at.time());
+        }
+        int corners = 3 * faces.channels();
+        gather(light, new Order.Rules(Accuracy.tolerance(asked), weights.value(), 0, ambient.level(), new double[0]),
+                nodes -> nodes.light()::leaving);
+        gather(factors, new Order.Rules(FACTOR_TOLERANCE, ones(faces.channels()), 0, new double[0], new double[0]),
+                nodes -> (element, values, at) ->
+                        Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0));
+    }
+
+    /** Has partitions gather at some places what all elements send, in orders of some clusters each. */
+    private void gather(AuditGather gather, Order.Rules rules, Function<RadiosityNodes, PatchTree.Quantity> sent)
+            throws IOException {
+        if (gather.isEmpty()) {
+            return;
+        }
+        Order.Question question = new Order.Question.Irradiance(gather.points(places.elements()));
+        partitions.ask(clusters().stream()
+                .map(some -> new Order(Order.Kind.GATHER_AT, shots(some, sent), rules, question)).iterator(),
+                (order, answers) -> gather.take(answers), parallel.goOn());
+    }
+
+    /** The numbers of all clusters, in runs of about {@link #ELEMENTS_AT_A_TIME} elements. */
+    private List<int[]> clusters() {
+        int[] elements = places.elements();
+        List<int[]> runs = new ArrayList<>();
+        int from = 0;
+        int some = 0;
+        for (int cluster = 0; cluster < mesh.clusters.clusters.size(); cluster++) {
+            some += mesh.clusters.blocks(cluster).stream().mapToInt(block -> elements[block.id()]).sum();
+            if (some >= ELEMENTS_AT_A_TIME || cluster == mesh.clusters.clusters.size() - 1) {
+                runs.add(IntStream.rangeClosed(from, cluster).toArray());
+                from = cluster + 1;
+                some = 0;
+            }
+        }
+        return runs;
+    }
+
+    /** One shot per cluster: what its elements send. */
+    private List<Shot> shots(int[] some, Function<RadiosityNodes, PatchTree.Quantity> sent) {
+        Shot[] shots = new Shot[some.length];
+        parallel.run(some.length, i -> shots[i] = mesh.clusters.join(some[i],
+                mesh.clusters.blocks(some[i]).stream().map(block -> {
+                    RadiosityNodes nodes = nodes(block.id());
+                    return mesh.rounding.finely(Shot.of(nodes, nodes.tops(), 0, sent.apply(nodes)));
+                }).toList()));
+        return List.of(shots);
     }
 
     /** Whether an element has a corner that lies outside of solids, and that no surface in the same place covers. */
     private static boolean isVisible(RadiosityNodes nodes, int element) {
         return IntStream.range(0, 3).anyMatch(k -> !nodes.points().isBuried(nodes.corner(element, k)));
-    }
-
-    /** One calculator per value of {@link AuditPoint#bright}: each further one lets a ray carry twice as much. */
-    private FormFactorCalculator[] calculators(DoubleFunction<FormFactorCalculator> ofTolerance) {
-        FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
-        Arrays.setAll(made, bright -> ofTolerance.apply((1 << bright) * Accuracy.tolerance(asked)));
-        return made;
     }
 
     private FormFactorCalculator factors() {

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import radiosity.mesh.Block;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.VertexBulge;
@@ -37,6 +36,8 @@ final class AuditPlaces {
     /** About the number of detailed points of a batch; at most every third point is detailed. */
     private static final int DETAILED = 500;
     private static final int LEAST_PER_DETAILED = 3;
+    /** Number of blocks whose elements are in memory at a time. */
+    private static final int BLOCKS_AT_A_TIME = 32;
 
     private final InitialMesh mesh;
     private final Faces faces;
@@ -67,9 +68,22 @@ final class AuditPlaces {
         this.leaving = ofAllLayers(leaving);
         burial = new InteriorTest(faces, mesh.bounds(), mesh.coincident, mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
-        parallel.run(weighed.length, b -> weighed[b] = weigh(nodes.apply(b)));
         bulges = new VertexBulge(faces.channels());
-        mesh.blocks.forEach(block -> bulges.add(nodes.apply(block.id()), 0));
+        for (int first = 0; first < weighed.length; first += BLOCKS_AT_A_TIME) {
+            look(first, Math.min(BLOCKS_AT_A_TIME, weighed.length - first));
+        }
+    }
+
+    /** Weighs the elements of some blocks, and adds their curved light to that of all, in the order of blocks. */
+    private void look(int first, int count) {
+        RadiosityNodes[] its = new RadiosityNodes[count];
+        parallel.run(count, i -> {
+            its[i] = nodes.apply(first + i);
+            weighed[first + i] = weigh(its[i]);
+        });
+        for (RadiosityNodes of : its) {
+            bulges.add(of, 0);
+        }
     }
 
     private double[] ofAllLayers(double[] channels) {
@@ -123,6 +137,11 @@ final class AuditPlaces {
         return b > 0 ? a / b : 0;
     }
 
+    /** 1 per block: number of its visible elements. */
+    int[] elements() {
+        return Arrays.stream(weighed).mapToInt(of -> of.node.length).toArray();
+    }
+
     /*---- Picking ----*/
 
     /**
@@ -143,34 +162,51 @@ final class AuditPlaces {
         double all = Arrays.stream(whole).sum();
         double[] step = new double[surfaces];
         Arrays.setAll(step, s -> whole[s] / Math.max(LEAST_PER_SURFACE, Math.round(wanted * whole[s] / all)));
-        List<AuditPoint> points = new ArrayList<>();
+        List<Pick> picks = new ArrayList<>();
         double[] next = Arrays.stream(step).map(s -> s * start).toArray();
         int[] count = new int[surfaces];
         int perDetailed = Math.max(LEAST_PER_DETAILED, wanted / DETAILED);
-        for (Block block : mesh.blocks) {
-            pick(block.id(), step, next, count, perDetailed, known, points);
+        int[] until = new int[weighed.length];
+        for (int block = 0; block < weighed.length; block++) {
+            pick(block, step, next, count, perDetailed, picks);
+            until[block] = picks.size();
         }
-        return points;
+        AuditPoint[] points = new AuditPoint[picks.size()];
+        parallel.run(until.length, block -> {
+            int from = block == 0 ? 0 : until[block - 1];
+            RadiosityNodes its = from < until[block] ? nodes.apply(block) : null;
+            for (int i = from; i < until[block]; i++) {
+                Pick pick = picks.get(i);
+                double area = pick.step * its.area(pick.node) / pick.weight;
+                points[i] = point(its, pick.node, area, known + i + 1, pick.isDetailed);
+            }
+        });
+        return List.of(points);
     }
 
     /**
-     * Appends the points that lie on elements of a block.
+     * An element on which a point is to lie.
+     *
+     * @param node   the element
+     * @param weight its sampling weight
+     * @param step   sampling weight from one point of its surface to the next
+     */
+    private record Pick(int node, double weight, double step, boolean isDetailed) { }
+
+    /**
+     * Appends the elements of a block on which points are to lie.
      *
      * @param step  1 per surface: sampling weight from one point to the next
      * @param next  modified, 1 per surface: sampling weight left up to the next point
      * @param count modified, 1 per surface: number of points in this batch; one of each {@code perDetailed} is detailed
      */
-    private void pick(int block, double[] step, double[] next, int[] count, int perDetailed, int known,
-                      List<AuditPoint> points) {
+    private void pick(int block, double[] step, double[] next, int[] count, int perDetailed, List<Pick> picks) {
         Weighed of = weighed[block];
-        RadiosityNodes its = null;
         for (int i = 0; i < of.node.length; i++) {
             int s = of.surface[i];
             next[s] -= of.weight[i];
             for (; next[s] < 0; next[s] += step[s]) {
-                its = its == null ? nodes.apply(block) : its;
-                double area = step[s] * its.area(of.node[i]) / of.weight[i];
-                points.add(point(its, of.node[i], area, known + points.size() + 1, count[s]++ % perDetailed == 0));
+                picks.add(new Pick(of.node[i], of.weight[i], step[s], count[s]++ % perDetailed == 0));
             }
         }
     }

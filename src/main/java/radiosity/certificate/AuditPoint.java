@@ -3,10 +3,7 @@ package radiosity.certificate;
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
-import radiosity.formfactor.FormFactorCalculator;
-import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.LightSources;
-import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.BrightVertices;
 import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
@@ -17,6 +14,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.protocol.Mark;
+import radiosity.protocol.GatherPoints;
 import radiosity.util.Hash;
 
 /** A point at which a solution is audited: the solution's light there, and the light gathered anew. */
@@ -67,12 +65,12 @@ final class AuditPoint {
      * Irradiance gathered anew, W/m²: {@link #TIMES} times at the point, and as often at the nearest corner where the
      * point is detailed.
      */
-    private final GatherSink.Irradiance[] anew = new GatherSink.Irradiance[TIMES];
-    private final GatherSink.Irradiance[] anewAtVertex = new GatherSink.Irradiance[TIMES];
+    private final double[][] anew;
+    private final double[][] anewAtVertex;
     /** {@link #TIMES}: a point on a surface near by, whose error counts for that time; see {@link NearbyPoints}. */
     private final AuditPoint[] near = new AuditPoint[TIMES];
-    /** Sum of the form factors to all elements; 0 where the point is not detailed. */
-    double factors;
+    /** One per channel, of which the first counts: sum of the form factors to all elements; 0 without details. */
+    private final double[] factors;
     /** Part of the light leaving the point that arrives nowhere, from 0 to 1. */
     double lost;
 
@@ -114,8 +112,9 @@ final class AuditPoint {
         bulge = channels(c -> nodes.light().bulge(node, c));
         atVertex = channels(c -> nodes.light().irradiance(node, nearest, c));
         fromLights = new double[faces.channels()];
-        Arrays.setAll(anew, i -> new GatherSink.Irradiance(faces.channels()));
-        Arrays.setAll(anewAtVertex, i -> new GatherSink.Irradiance(faces.channels()));
+        anew = new double[TIMES][faces.channels()];
+        anewAtVertex = new double[TIMES][faces.channels()];
+        factors = new double[faces.channels()];
     }
 
     private double[] channels(IntToDoubleFunction value) {
@@ -125,7 +124,7 @@ final class AuditPoint {
     /** Whether the point sees no front of a surface and has no light, as on the outside of a room. */
     boolean isDark() {
         return lost == 1 && Arrays.stream(interpolated).allMatch(h -> h == 0)
-                && Arrays.stream(anew[0].value).allMatch(h -> h == 0);
+                && Arrays.stream(anew[0]).allMatch(h -> h == 0);
     }
 
     /*---- Gathering anew ----*/
@@ -135,42 +134,43 @@ final class AuditPoint {
         return BrightVertices.powers(faces, face, interpolated, 0, weights);
     }
 
-    /** Adds the light of a shooter at the point. */
-    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter) {
-        for (int i = 0; i < TIMES; i++) {
-            gather(calculator, shooter, i);
-        }
-    }
-
-    /** Adds the light of a shooter at the point, for one of {@link #TIMES}. */
-    void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, int time) {
-        gather(calculator, shooter, place, 0, time, anew[time]);
-    }
-
     /** Lets the error of a point near by count among the light that arrives here, for one of {@link #TIMES}. */
     void setNear(int time, AuditPoint point) {
         near[time] = point;
     }
 
-    /** Adds the light of a shooter at the nearest corner of the element. */
-    void gatherAtVertex(FormFactorCalculator calculator, ShooterHierarchy shooter) {
-        for (int i = 0; i < TIMES && !vertexIsBuried; i++) {
-            gather(calculator, shooter, corner, 3 * nearest, TIMES + i, anewAtVertex[i]);
+    /** Has the light of elements gathered at the point. */
+    void gather(AuditGather gather, int bright) {
+        for (int i = 0; i < TIMES; i++) {
+            gather(gather, bright, i);
         }
     }
 
-    /** Adds the form factors to a shooter whose radiosity is 1. */
-    void addFactors(FormFactorCalculator calculator, ShooterHierarchy ones) {
-        GatherSink.Irradiance sum = new GatherSink.Irradiance(faces.channels());
-        gather(calculator, ones, place, 0, 0, sum);
-        factors += sum.value[0];
+    /** Has the light of elements gathered at the point, for one of {@link #TIMES}. */
+    void gather(AuditGather gather, int bright, int time) {
+        gather.add(place, 0, face, key(time), GatherPoints.Rays.COARSE, bright, anew[time]);
     }
 
-    private void gather(FormFactorCalculator calculator, ShooterHierarchy shooter, float[] x, int at, int time,
-                        GatherSink to) {
-        long key = Hash.mix(Hash.mix(5 + time, face), number);
-        calculator.gather(x[at], x[at + 1], x[at + 2], faces.normal(face, 0), faces.normal(face, 1),
-                faces.normal(face, 2), key, shooter, to);
+    /** Has the light of elements gathered at the nearest corner of the element. */
+    void gatherAtVertex(AuditGather gather, int bright) {
+        for (int i = 0; i < TIMES && !vertexIsBuried; i++) {
+            gather.add(corner, 3 * nearest, face, key(TIMES + i), GatherPoints.Rays.FINE, bright, anewAtVertex[i]);
+        }
+    }
+
+    /** Has the form factors to elements whose radiosity is 1 added up. */
+    void gatherFactors(AuditGather gather) {
+        gather.add(place, 0, face, key(0), GatherPoints.Rays.FORM_FACTORS, 0, factors);
+    }
+
+    /** The number from which rays follow. */
+    private long key(int time) {
+        return Hash.mix(Hash.mix(5 + time, face), number);
+    }
+
+    /** Sum of the form factors to all elements; 0 where the point is not detailed. */
+    double factors() {
+        return factors[0];
     }
 
     /** Adds the light of sources without geometry, and the uniform radiosity of a closed room. */
@@ -184,14 +184,14 @@ final class AuditPoint {
         }
     }
 
-    private void begin(GatherSink.Irradiance[] to, LightSources lights, float[] x, int at, UniformRadiosity ambient) {
-        double[] first = to[0].value;
+    private void begin(double[][] to, LightSources lights, float[] x, int at, UniformRadiosity ambient) {
+        double[] first = to[0];
         lights.add(x, at, face, first, 0);
         for (int c = 0; c < first.length; c++) {
             first[c] += ambient.at(face, c);
         }
         for (int i = 1; i < TIMES; i++) {
-            System.arraycopy(first, 0, to[i].value, 0, first.length);
+            System.arraycopy(first, 0, to[i], 0, first.length);
         }
     }
 
@@ -221,7 +221,7 @@ final class AuditPoint {
 
     /** Irradiance gathered anew, minus the part that is due to errors of surfaces near by, W/m². */
     private double corrected(int time, int channel) {
-        return anew[time].value[channel] - (near[time] == null ? 0 : near[time].excess(time, channel));
+        return anew[time][channel] - (near[time] == null ? 0 : near[time].excess(time, channel));
     }
 
     /** Error of the radiosity that the solution gives off here, as one of {@link #TIMES} found it, W/m². */
@@ -286,12 +286,12 @@ final class AuditPoint {
         return isBuried ? 0 : reflectance[colour];
     }
 
-    private static double mean(GatherSink.Irradiance[] anew, int channel) {
-        return (anew[0].value[channel] + anew[1].value[channel]) / TIMES;
+    private static double mean(double[][] anew, int channel) {
+        return (anew[0][channel] + anew[1][channel]) / TIMES;
     }
 
-    private static double noise(GatherSink.Irradiance[] anew, int channel) {
-        return (anew[0].value[channel] - anew[1].value[channel]) / TIMES;
+    private static double noise(double[][] anew, int channel) {
+        return (anew[0][channel] - anew[1][channel]) / TIMES;
     }
 
     private double sum(int colour, IntToDoubleFunction value) {

@@ -64,8 +64,8 @@ final class AuditResult {
 
     Certificate certificate(double unshotFlux, double reciprocity) {
         List<AuditPoint> detailed = detailed(points);
-        double most = detailed.stream().mapToDouble(p -> p.factors).max().orElse(0);
-        return new Certificate(points.size(), missing(unshotFlux, most), mean(detailed, p -> p.factors), most,
+        double most = detailed.stream().mapToDouble(AuditPoint::factors).max().orElse(0);
+        return new Certificate(points.size(), missing(unshotFlux, most), mean(detailed, AuditPoint::factors), most,
                 reciprocity, expected(), Math.sqrt(errors.sampling), Math.sqrt(errors.meshing), errors.bias,
                 biasUncertainty(), surfaces(reflecting()));
     }

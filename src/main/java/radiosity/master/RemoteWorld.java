@@ -1,8 +1,13 @@
 package radiosity.master;
 
 import java.io.IOException;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.Iterator;
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import radiosity.master.InFlightSteps.Step;
@@ -93,14 +98,26 @@ public final class RemoteWorld extends World {
     /** Asks in parts: hosts make the rows of the next parts while the answer to one part is on its way. */
     @Override
     public void rows(Order order, Planner planner) throws IOException {
+        ask(order.asking(Order.Question.candidates(0)).parts(ROWS_AT_A_TIME).iterator(),
+                (part, rows) -> planner.take(part.shots().size(), rows), () -> true);
+    }
+
+    @Override
+    public void ask(Iterator<Order> orders, Answers to, BooleanSupplier goOn) throws IOException {
         finish(NOBODY);
         admit();
-        List<Step> parts = new ArrayList<>();
-        for (Order part : order.asking(Order.Question.candidates(0)).parts(ROWS_AT_A_TIME)) {
-            parts.add(steps.begin(part, prepare(part), NOBODY));
-        }
-        for (Step part : parts) {
-            planner.take(part.order().shots().size(), answers(part, NOBODY));
+        Deque<Step> asked = new ArrayDeque<>();
+        while (orders.hasNext() || !asked.isEmpty()) {
+            if (!goOn.getAsBoolean()) {
+                throw new CancellationException();
+            }
+            if (orders.hasNext() && asked.size() < InFlightSteps.AHEAD) {
+                Order order = orders.next();
+                asked.add(steps.begin(order, prepare(order), NOBODY));
+            } else {
+                Step first = asked.remove();
+                to.take(first.order(), answers(first, NOBODY));
+            }
         }
     }
 

@@ -51,17 +51,13 @@ public final class PartitionImpl implements Partition {
     /** Receivers of the coarse mesh while their rows are made; else null. */
     private CoarseReceivers coarse;
 
-    public PartitionImpl(InitialMesh mesh, List<Block> mine, int threads) {
-        this(mesh, mine, threads, false);
-    }
-
     /** @param restored whether {@link #restore} will set all blocks, so no buried vertices or first light are needed */
-    public PartitionImpl(InitialMesh mesh, List<Block> mine, int threads, boolean restored) {
+    public PartitionImpl(InitialMesh mesh, List<Block> mine, ParallelFor parallel, boolean restored) {
         this.mesh = mesh;
         this.mine = mine;
         faces = mesh.faces;
         channels = faces.channels();
-        parallel = new ParallelFor(threads);
+        this.parallel = parallel;
         receivers = new Gatherer(mesh, parallel);
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
         lights = new LightSources(faces, mesh.bounds());
@@ -90,6 +86,7 @@ public final class PartitionImpl implements Partition {
                     .map(mesh.rounding::upward).toList(), channels, out));
             case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
             case ROWS -> rows(order);
+            case GATHER_AT -> gatherAt(order);
             default -> Wire.bytes(answer(order)::write);
         };
     }
@@ -282,6 +279,13 @@ public final class PartitionImpl implements Partition {
         CoarseReceivers asked = coarse == null ? new CoarseReceivers(mesh, mine, receivers, parallel) : coarse;
         coarse = order.more() ? asked : null;
         return asked.rows(order);
+    }
+
+    private byte[] gatherAt(Order order) {
+        if (!(order.question() instanceof Order.Question.Irradiance asked)) {
+            throw new IllegalArgumentException("order: expected points to gather at, got " + order.question());
+        }
+        return new PointGatherer(mesh, mine, order, asked.points(), parallel).irradiance();
     }
 
     private void subdivide(int round) {

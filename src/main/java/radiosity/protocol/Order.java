@@ -22,9 +22,10 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
                     Question question) {
 
     private static final double[] NONE = {};
-    /** Values written in place of the number of candidates, for the questions that ask for none. */
+    /** Values written in place of the number of candidates, for questions that ask for none. */
     private static final int NOTHING = -1;
     private static final int GHOST_VALUES = -2;
+    private static final int IRRADIANCE = -3;
 
     /**
      * How vertices gather and elements are divided.
@@ -88,6 +89,9 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
          */
         record Candidates(int most, double flux) implements Question { }
 
+        /** Answer the irradiance at some points, see {@link Kind#GATHER_AT}. */
+        record Irradiance(GatherPoints points) implements Question { }
+
         Question NOTHING = new Nothing();
         Question GHOST_VALUES = new GhostValues();
 
@@ -128,7 +132,9 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         /** Gather where the last order for {@link Question.GhostValues} did not: at vertices that no other host has. */
         REST,
         /** At vertices of negative irradiance, gather all light ever shot anew; not to be cut into parts. */
-        MEND;
+        MEND,
+        /** Answer the irradiance that the shots alone cause at the points of the question, for an estimate. */
+        GATHER_AT;
 
         /** Whether vertices gather all light that was ever shot: hosts have it, so the master does not send it. */
         public boolean gathersTotals() {
@@ -216,9 +222,9 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         return new Order(kind, number, begun, more, others, rules, question);
     }
 
-    /** Whether the order asks for an {@link Answer}. */
+    /** Whether an answer to the order is read. */
     public boolean isAnswered() {
-        return question instanceof Question.Candidates;
+        return question instanceof Question.Candidates || question instanceof Question.Irradiance;
     }
 
     /** Whether vertices gather only where other hosts need the irradiance. */
@@ -259,8 +265,15 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         out.writeDouble(rules.anew);
         Wire.writeMarks(out, rules.marks);
         out.writeBoolean(begun);
-        out.writeInt(isAnswered() ? most() : givesGhosts() ? GHOST_VALUES : NOTHING);
-        out.writeDouble(question instanceof Question.Candidates asked ? asked.flux : 0);
+        if (question instanceof Question.Candidates asked) {
+            out.writeInt(asked.most);
+            out.writeDouble(asked.flux);
+        } else if (question instanceof Question.Irradiance asked) {
+            out.writeInt(IRRADIANCE);
+            asked.points.write(out);
+        } else {
+            out.writeInt(givesGhosts() ? GHOST_VALUES : NOTHING);
+        }
     }
 
     public static Order decode(byte[] bytes) throws IOException {
@@ -279,12 +292,15 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
 
     private static Question question(DataInputStream in) throws IOException {
         int most = in.readInt();
-        double flux = in.readDouble();
-        if (most < GHOST_VALUES) {
+        if (most < IRRADIANCE) {
             throw new IOException("order: expected a number of candidates, got " + most);
         }
-        return most == NOTHING ? Question.NOTHING : most == GHOST_VALUES ? Question.GHOST_VALUES
-                : new Question.Candidates(most, flux);
+        return switch (most) {
+            case NOTHING -> Question.NOTHING;
+            case GHOST_VALUES -> Question.GHOST_VALUES;
+            case IRRADIANCE -> new Question.Irradiance(GatherPoints.read(in));
+            default -> new Question.Candidates(most, in.readDouble());
+        };
     }
 
     private static Kind kind(int number) throws IOException {

@@ -2,7 +2,9 @@ package radiosity.solver;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import radiosity.mesh.Block;
 import radiosity.partition.Partition;
@@ -18,6 +20,8 @@ public final class LocalWorld extends World {
 
     private final List<Partition> partitions = new ArrayList<>();
     private final LongSupplier clock;
+    /** Whether the work of partitions goes on; else it is cancelled. */
+    private BooleanSupplier goOn = () -> true;
 
     /**
      * @param threads at least 1; no more than the number of processors are used
@@ -39,7 +43,7 @@ public final class LocalWorld extends World {
         for (int p = 0; p < parts; p++) {
             int owner = p;
             List<Block> mine = mesh.blocks.stream().filter(b -> b.id() % parts == owner).toList();
-            partitions.add(new PartitionImpl(mesh, mine, threads));
+            partitions.add(new PartitionImpl(mesh, mine, parallel.cancelledUnless(() -> goOn.getAsBoolean()), false));
         }
     }
 
@@ -50,6 +54,19 @@ public final class LocalWorld extends World {
             answers.add(partition.round(order));
         }
         return answers;
+    }
+
+    @Override
+    public void ask(Iterator<Order> orders, Answers answers, BooleanSupplier whileAsking) throws IOException {
+        goOn = whileAsking;
+        try {
+            while (orders.hasNext()) {
+                Order order = orders.next();
+                answers.take(order, round(order));
+            }
+        } finally {
+            goOn = () -> true;
+        }
     }
 
     /** Takes the answers as objects, without encoding. */

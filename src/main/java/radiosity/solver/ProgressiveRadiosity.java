@@ -374,7 +374,7 @@ public final class ProgressiveRadiosity {
         }
         know();
         Answer now = last.newest();
-        Audit audit = new Audit(world.mesh, world.blocks(), counters.flux.byChannel(now), now.elements,
+        Audit audit = new Audit(world.mesh, world, world.blocks(), counters.flux.byChannel(now), now.elements,
                 planner.aim().orElse(world.mesh.accuracy()), counters.rounds(), parallel);
         certificate = Optional.of(audit.certificate(Flux.sum(counters.shown(now).unshotFlux)))
                 .filter(found -> found.points() > 0);

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
+import radiosity.protocol.Partitions;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 import radiosity.scene.Scene;
@@ -19,7 +20,7 @@ import radiosity.util.ParallelFor;
  * <p>A world updates its elements for the shots it is given; which shots, and until when, is decided by
  * {@link ProgressiveRadiosity}.
  */
-public abstract class World implements AutoCloseable {
+public abstract class World implements Partitions, AutoCloseable {
 
     public final InitialMesh mesh;
     /** Threads of this process, for work that partitions do not do. */

@@ -55,6 +55,11 @@ public final class ParallelFor {
         return new ParallelFor(threads, goOn);
     }
 
+    /** Whether a loop goes on, see {@link #cancelledUnless}; for the calling thread only. */
+    public BooleanSupplier goOn() {
+        return goOn;
+    }
+
     /** Does the pieces 0 to count - 1 and returns when all are done; rethrows the first exception of a piece. */
     public void run(int count, IntConsumer piece) {
         Thread caller = Thread.currentThread();

@@ -17,6 +17,7 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 import radiosity.setup.InitialMesh;
+import radiosity.util.ParallelFor;
 
 /** The blocks that a host owns in a session: a {@link PartitionImpl} that is replaced when the blocks change. */
 final class HostedBlocks {
@@ -40,7 +41,7 @@ final class HostedBlocks {
 
     /** @param restored whether the states of all these blocks will be restored */
     private PartitionImpl of(Set<Integer> ids, boolean restored) {
-        return new PartitionImpl(mesh, ids.stream().map(this::known).toList(), threads, restored);
+        return new PartitionImpl(mesh, ids.stream().map(this::known).toList(), new ParallelFor(threads), restored);
     }
 
     private Block known(int id) {

@@ -3,12 +3,11 @@ package radiosity.certificate;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
-import radiosity.formfactor.FormFactorCalculator;
-import radiosity.formfactor.GatherSink;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Scene;
@@ -77,10 +76,15 @@ class NearbyPointsTest {
         AuditPlaces places = new AuditPlaces(mesh, nodes, new double[] {1}, new double[] {1}, parallel);
         List<AuditPoint> points = places.pick(200, .5, 0);
         List<NearbyPoints.Near> near = new NearbyPoints(faces, mesh.bounds(), places).around(points);
-        FormFactorCalculator once = (x, y, z, nx, ny, nz, key, shooter, sink) ->
-                ((GatherSink.Irradiance) sink).value[0] += REFLECTANCE;
-        points.forEach(point -> point.gather(once, null));
-        near.forEach(it -> it.point().gather(once, null, it.time()));
+        AuditGather gather = new AuditGather();
+        points.forEach(point -> point.gather(gather, 0));
+        near.forEach(it -> it.point().gather(gather, 0, it.time()));
+        int count = gather.points(new int[mesh.blocks.size()]).count();
+        ByteBuffer found = ByteBuffer.allocate(count * (Integer.BYTES + Double.BYTES));
+        for (int i = 0; i < count; i++) {
+            found.putInt(i).putDouble(REFLECTANCE);
+        }
+        gather.take(List.of(found.array()));
         return points;
     }
 }

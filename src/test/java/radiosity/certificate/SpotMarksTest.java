@@ -48,8 +48,8 @@ class SpotMarksTest {
         try (LocalWorld world = new LocalWorld(scene, undivided, 2)) {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, new StopRule(1000, .02));
             radiosity.run(progress -> true);
-            Audit audit = new Audit(world.mesh, world.blocks(), radiosity.ledger(), radiosity.progress().elements(),
-                    ASKED, 7, new ParallelFor(2));
+            Audit audit = new Audit(world.mesh, world, world.blocks(), radiosity.ledger(),
+                    radiosity.progress().elements(), ASKED, 7, new ParallelFor(2));
             audit.certificate(0);
             Marked marked = audit.marked(meshError);
             assertEquals(!marked.marks().isEmpty(), marked.marks().stream().anyMatch(mark -> holds(world, mark)));
