@@ -1,8 +1,8 @@
 package radiosity.protocol;
 
-import java.io.DataInputStream;
 import java.io.DataOutput;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 
 /**
  * The size of a block, and the work on it since the last report.
@@ -23,7 +23,7 @@ public record BlockWork(int elements, int points, int gathered, float seconds) {
         out.writeFloat(seconds);
     }
 
-    static BlockWork read(DataInputStream in) throws IOException {
-        return new BlockWork(in.readInt(), in.readInt(), in.readInt(), in.readFloat());
+    static BlockWork read(ByteBuffer in) {
+        return new BlockWork(in.getInt(), in.getInt(), in.getInt(), in.getFloat());
     }
 }

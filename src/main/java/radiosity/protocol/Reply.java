@@ -2,6 +2,7 @@ package radiosity.protocol;
 
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.util.List;
 
 /**
@@ -33,8 +34,9 @@ public record Reply(byte[] answer, double cpu, double seconds, List<BlockWork> w
         double cpu = in.readDouble();
         double seconds = in.readDouble();
         BlockWork[] work = new BlockWork[Wire.count(in, BlockWork.BYTES)];
+        ByteBuffer ofBlocks = ByteBuffer.wrap(Wire.exactly(in, (long) BlockWork.BYTES * work.length));
         for (int b = 0; b < work.length; b++) {
-            work[b] = BlockWork.read(in);
+            work[b] = BlockWork.read(ofBlocks);
         }
         return new Reply(Wire.bytes(in), cpu, seconds, List.of(work), Wire.bytes(in));
     }

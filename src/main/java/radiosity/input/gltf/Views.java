@@ -92,8 +92,12 @@ final class Views {
 
     private void addLight(JsonCursor light, Nodes.Placed at) throws SceneFormatException {
         double[] colour = light.numbers("color", 1, 1, 1);
+        double intensity = light.number("intensity", 1);
         Rgb power = new Rgb(Math.max(0, colour[0]), Math.max(0, colour[1]), Math.max(0, colour[2]))
-                .times(Math.max(0, light.number("intensity", 1)));
+                .times(Math.max(0, intensity));
+        if (Math.min(intensity, Math.min(colour[0], Math.min(colour[1], colour[2]))) < 0) {
+            notes.note(light.path(), "negative intensities and colors of lights count as 0");
+        }
         String type = light.at("type").text();
         Optional<Light.Kind> kind = switch (type) {
             case "directional" -> Optional.of(Light.Kind.DISTANT);

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.scene.Camera;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
@@ -297,6 +298,18 @@ class GltfReaderTest {
         assertEquals(.5, lights.get(2).edge());
         assertEquals(0, GltfReader.read(folder.resolve("a.gltf"), ReadOptions.defaults().withLights(
                 ReadOptions.Lights.IGNORE), told::add).lights().size());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"'intensity':-5", "'intensity':5,'color':[-1,0,-0.5]"})
+    void negativeLights_areDark_andTheUserIsTold(String written) throws IOException {
+        String text = square("", ",'extensions':{'KHR_lights_punctual':{'light':0}}", PAINT);
+        String light = ",'extensions':{'KHR_lights_punctual':{'lights':[{'type':'point'," + written + "}]}}}";
+        Scene scene = read(text.substring(0, text.length() - 1) + light.replace('\'', '"'));
+        assertEquals(List.of(), scene.lights());
+        assertEquals(1, told.stream()
+                .filter(line -> line.contains("negative intensities and colors of lights count as 0")).count(),
+                told::toString);
     }
 
     /** As with LightWave, although lights are ignored; the emission is photometric, as the scene is. */
