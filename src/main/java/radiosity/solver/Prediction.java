@@ -105,8 +105,8 @@ final class Prediction implements Planner {
     /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */
     private int mispredicted;
     /**
-     * Whether flux that rays lost has been given back since light was received last. This is done before light is
-     * predicted and shots are chosen: what is given back is light, too, and is shot with the rest.
+     * Whether flux that rays lost has been given back since light was received last, so that it is shot with the rest.
+     * On the first mesh that is done between white surfaces only, as elements there do not receive quite what arrives.
      */
     private boolean balanced = true;
     /** Whether the last edit has left so much flux unshot that rounds shoot what the coarse system predicts, too. */
@@ -171,7 +171,7 @@ final class Prediction implements Planner {
         if (coarse != null && !coarse.isMade()) {
             return rows();
         }
-        if (!balanced) {
+        if (!balanced && (refined || world.mesh.rounding.exact())) {
             return giveBack(last, true);
         }
         boolean isWorse = stage == Stage.SHOOT && unsent >= left;
