@@ -60,10 +60,18 @@ public final class GhostVertices {
         return keys.array();
     }
 
-    /** Key equal on all hosts for vertices that gather the same: with the same position, plane and creating split. */
+    /**
+     * Key equal on all hosts for vertices that gather the same: with the same position, plane and creating split, with
+     * the same light, and as bright, on which the number of rays depends. Two vertices in one place, made between other
+     * ends, may differ in either.
+     */
     public static long key(RadiosityNodes nodes, int v) {
         long key = Hash.mix(nodes.points().key(v), nodes.points().made(v));
         key = Hash.mix(key, nodes.points().plane(v));
+        key = Hash.mix(key, nodes.points().bright(v));
+        for (int i = nodes.channels() * v; i < nodes.channels() * (v + 1); i++) {
+            key = Hash.mix(key, Double.doubleToLongBits(nodes.light().irradiance()[i]));
+        }
         for (int a = 0; a < 3; a++) {
             key = Hash.mix(key, Float.floatToIntBits(nodes.points().receivers()[3 * v + a]));
         }
