@@ -56,22 +56,27 @@ public final class GhostVertices {
         named = ends(edges());
         ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of ghost vertices", Long.BYTES,
                 named.length));
-        IntStream.of(named).forEach(v -> keys.putLong(key(nodes, v)));
+        IntStream.of(named).forEach(v -> keys.putLong(keyWithLight(nodes, v)));
         return keys.array();
     }
 
     /**
-     * Key equal on all hosts for vertices that gather the same: with the same position, plane and creating split, with
-     * the same light, and as bright, on which the number of rays depends. Two vertices in one place, made between other
-     * ends, may differ in either.
+     * Key equal on all hosts for vertices that gather the same: those of one {@link #key}, of the same light, and as
+     * bright, on which the number of rays depends. Two vertices of one key, made between other ends, may differ in
+     * either.
      */
-    public static long key(RadiosityNodes nodes, int v) {
-        long key = Hash.mix(nodes.points().key(v), nodes.points().made(v));
-        key = Hash.mix(key, nodes.points().plane(v));
-        key = Hash.mix(key, nodes.points().bright(v));
+    static long keyWithLight(RadiosityNodes nodes, int v) {
+        long key = Hash.mix(key(nodes, v), nodes.points().bright(v));
         for (int i = nodes.channels() * v; i < nodes.channels() * (v + 1); i++) {
             key = Hash.mix(key, Double.doubleToLongBits(nodes.light().irradiance()[i]));
         }
+        return key;
+    }
+
+    /** Key equal on all hosts for vertices with the same position, plane and creating split. */
+    public static long key(RadiosityNodes nodes, int v) {
+        long key = Hash.mix(nodes.points().key(v), nodes.points().made(v));
+        key = Hash.mix(key, nodes.points().plane(v));
         for (int a = 0; a < 3; a++) {
             key = Hash.mix(key, Float.floatToIntBits(nodes.points().receivers()[3 * v + a]));
         }
