@@ -33,8 +33,8 @@ import radiosity.solution.Certificate;
  * after a round is small, and signed, at any reflectance.
  *
  * <p>The calculation as stages, see {@link #next}: SHOOT until little is unshot; SPLIT the mesh and let new vertices
- * GATHER all light shot so far, until no element is to be divided; SHOOT what the finer mesh changed; MEND vertices
- * with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Estimator} finds
+ * GATHER all light shot so far, until no element is to be divided; SHOOT what the finer mesh changed, at last without
+ * prediction and with few rays; MEND vertices with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Estimator} finds
  * the error and marks elements that err too much between their vertices, and {@link AccuracyLoop} decides between a
  * finer mesh (SPLIT again), more rays (RENEW, REGATHER and
  * AVERAGE: all vertices gather a second, independent sample) and the end (DONE). Before light is predicted, the flux
@@ -66,13 +66,6 @@ final class Prediction implements Planner {
      * down to which light is shot before the mesh is divided.
      */
     private static final double PREDICTED = 0.1;
-    /**
-     * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
-     * much may, as a root mean square, the radiosity change by the light that the unshot light is predicted to cause.
-     */
-    private static final double ENOUGH = 0.3;
-    /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
-    private static final double ENOUGH_ONE_SIDED = 0.1;
     /** Factor by which edits may let the error exceed the usual one before mesh or rays are refined. */
     private static final double WORSE = 1.15;
     /** Part of the unshot flux that a round in an edited scene may leave to later rounds. */
@@ -86,6 +79,7 @@ final class Prediction implements Planner {
     /** Null where the scene has more than {@link #MOST_PREDICTED} patches. */
     private final CoarseSystem coarse;
     private final AccuracyLoop loop;
+    private final UnshotLimit limit;
     private final Estimator estimator;
     /** See {@link Weights}: 1 / mean reflected radiosity, m²/W; irradiance of dark surfaces counts a little. */
     private final double[] weight;
@@ -129,6 +123,7 @@ final class Prediction implements Planner {
         Arrays.fill(weight, 1);
         coarse = world.mesh.coarse.patches() - world.mesh.representatives.followers() <= MOST_PREDICTED
                 ? new CoarseSystem(world.mesh, world.parallel) : null;
+        limit = new UnshotLimit(world, counters, coarse, loop, wanted, weight);
     }
 
     /** The order that makes the coarse system; a resumed calculation gives the order again. */
@@ -181,9 +176,12 @@ final class Prediction implements Planner {
             return null;
         }
         boolean isShot = refined && (stage == Stage.SHOOT || stage == Stage.SPLIT || stage == Stage.GATHER);
-        boolean isEnough = isShot && isEnough(last, unsent, h);
+        boolean isEnough = isShot && limit.isMet(last, unsent, h);
+        if (isEnough && !isWorse && limit.isAbove(unsent)) {
+            return shoot(withoutPrediction(last), unsent, true);
+        }
         if (isEnough || isShot && isWorse && mispredicted == MOST_MISPREDICTED) {
-            left = isEnough ? Math.min(unsent, enough()) : 0;
+            left = isEnough ? Math.min(unsent, limit.flux()) : 0;
             return isEnough && !loop.lacksRays() ? mend() : renew();
         }
         List<Shot> shots = isPredicted ? withPrediction(last, h) : withoutPrediction(last);
@@ -191,7 +189,7 @@ final class Prediction implements Planner {
             return null;
         }
         mispredicted += isWorse && mispredicted < MOST_MISPREDICTED ? 1 : 0;
-        return shoot(shots, unsent);
+        return shoot(shots, unsent, false);
     }
 
     /**
@@ -205,7 +203,7 @@ final class Prediction implements Planner {
             case MESH -> divide(last, estimate.get());
             case RAYS -> renew();
             case NOTHING -> {
-                if (mispredicted < MOST_MISPREDICTED && counters.flux.oneSided(last) > 2 * oneSidedEnough()) {
+                if (mispredicted < MOST_MISPREDICTED && counters.flux.oneSided(last) > 2 * limit.oneSided()) {
                     mispredicted++;
                     yield distribute(last, unsent, goOn);
                 }
@@ -221,46 +219,6 @@ final class Prediction implements Planner {
         splits = 0;
         mispredicted = 0;
         return split(last, estimate.marked().marks());
-    }
-
-    /**
-     * Unshot flux over emitted flux at which shooting ends: a part of the larger of the estimated error and the error
-     * asked for, or the user's own limit where that is lower than the default.
-     */
-    private double enough() {
-        double error = Math.max(loop.asked(), loop.found());
-        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error);
-    }
-
-    /** |Sum of unshot flux| over emitted flux at which shooting ends. */
-    private double oneSidedEnough() {
-        return Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked());
-    }
-
-    /**
-     * Whether the unshot flux is a small part of the error: either the flux itself is, or, unless the user sets a limit
-     * of unshot flux, the irradiance that the flux is predicted to cause. After new vertices have gathered, most unshot
-     * flux is their noise, of both signs, which cancels where it arrives.
-     *
-     * @param h predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
-     */
-    private boolean isEnough(Answer last, double unsent, double[] h) throws IOException {
-        if (unsent <= enough() && counters.flux.oneSided(last) <= oneSidedEnough()) {
-            return true;
-        }
-        if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
-            return false;
-        }
-        double[] radiosity = coarse.unshot(world.totals());
-        Weights weights = new Weights(world.mesh.rooms, world.channels(), weight);
-        for (int c = 0; c < world.channels(); c++) {
-            CoarseSystem.Change change = coarse.change(h, radiosity, weights, c);
-            if (change.size() > ENOUGH * Math.max(loop.asked(), loop.found())
-                    || Math.abs(change.bias()) > ENOUGH_ONE_SIDED * loop.asked()) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Irradiance that all unshot flux is predicted to cause; null where {@code goOn} ends the calculation. */
@@ -302,8 +260,8 @@ final class Prediction implements Planner {
         if (isPredicted && !coarse.isMade()) {
             return rows();
         }
-        boolean isShooting = unsent < left && !(refined && isPredicted ? isEnough(last, unsent, null)
-                : unsent <= (refined ? enough() : PREDICTED));
+        boolean isShooting = unsent < left && !(refined && isPredicted ? limit.isMet(last, unsent, null)
+                : unsent <= (refined ? limit.flux() : PREDICTED));
         if (isShooting && !balanced) {
             return giveBack(last, true);
         }
@@ -311,9 +269,9 @@ final class Prediction implements Planner {
         if (isShooting && isPredicted && h == null) {
             return null;
         }
-        isShooting &= !refined || !isEnough(last, unsent, h);
+        isShooting &= !refined || !limit.isMet(last, unsent, h);
         List<Shot> shots = !isShooting ? List.of() : isPredicted ? withPrediction(last, h) : largest();
-        return !shots.isEmpty() ? shoot(shots, unsent) : refined ? mend() : split(last, List.of());
+        return !shots.isEmpty() ? shoot(shots, unsent, changes > 0) : refined ? mend() : split(last, List.of());
     }
 
     /** Estimates the error; empty where there is no light, or the user lets much flux be unshot. */
@@ -333,7 +291,7 @@ final class Prediction implements Planner {
             return null;
         }
         changes = 0;
-        left = unsent <= enough() ? unsent : 0;
+        left = unsent <= limit.flux() ? unsent : 0;
         loop.forget();
         AccuracyLoop.Refine refine = loop.refine(estimate.get().certificate(), estimate.get().marked().share(),
                 last.elements);
@@ -427,11 +385,12 @@ final class Prediction implements Planner {
         return order(Order.Kind.GATHER, totals, AmbientLevel.of(world.mesh, totals));
     }
 
-    private Order shoot(List<Shot> shots, double unsent) {
+    /** @param sparing see {@link #order} */
+    private Order shoot(List<Shot> shots, double unsent, boolean sparing) {
         stage = Stage.SHOOT;
         balanced = false;
         left = unsent;
-        return order(Order.Kind.SHOOT, shots, AmbientLevel.of(world.mesh, shots));
+        return order(Order.Kind.SHOOT, shots, AmbientLevel.of(world.mesh, shots), sparing);
     }
 
     /**
@@ -474,22 +433,28 @@ final class Prediction implements Planner {
     }
 
     /**
-     * An order for all partitions. Partitions answer without candidates: most rounds need none, and all candidates
-     * together are the whole mesh.
-     *
-     * <p>A sparing order omits rays at random ("Russian roulette"). Orders to shoot predicted radiosity are not sparing
-     * but use the same rays in every round: in a white room the prediction multiplies differences between rounds by up
-     * to 10,000, and their sum would diverge. Orders to gather totals are sparing, as nothing is predicted from them,
-     * unless the user asks for less unshot flux than the default.
+     * An order for all partitions. Orders to gather totals are sparing, as nothing is predicted from them, unless the
+     * user asks for less unshot flux than the default.
      */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
         boolean isOfAll = kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER || kind == Order.Kind.MEND;
+        return order(kind, shots, even, changes > 0 || isOfAll && wanted >= StopRule.DEFAULT_UNSENT);
+    }
+
+    /**
+     * An order for all partitions. Partitions answer without candidates: most rounds need none, and all candidates
+     * together are the whole mesh.
+     *
+     * @param sparing whether rays are omitted at random ("Russian roulette"). Orders to shoot predicted radiosity are
+     *                not sparing but use the same rays in every round: in a white room the prediction multiplies
+     *                differences between rounds by up to 10,000, and their sum would diverge
+     */
+    private Order order(Order.Kind kind, List<Shot> shots, double[] even, boolean sparing) {
         boolean isAnew = kind == Order.Kind.REGATHER;
-        boolean sparing = world.settings().factors() == FormFactors.RAYCAST
-                && (changes > 0 || isOfAll && wanted >= StopRule.DEFAULT_UNSENT);
         return new Order(kind, shots,
                 new Order.Rules(isAnew ? loop.toleranceAnew() : loop.tolerance(), weight, loop.meshError(), even,
-                        new double[0], sparing, loop.weightAnew(), List.of()),
+                        new double[0], sparing && world.settings().factors() == FormFactors.RAYCAST,
+                        loop.weightAnew(), List.of()),
                 Order.Question.candidates(0));
     }
 
@@ -537,6 +502,20 @@ final class Prediction implements Planner {
 
     @Override
     public void read(DataInput in) throws IOException {
+        double before = read(in, weight);
+        if (stage == Stage.DONE && changes == 0 && wanted < before && left > limit.flux()) {
+            stage = Stage.SHOOT; // the resumed calculation has a lower limit of unshot flux
+            left = Double.POSITIVE_INFINITY;
+        }
+    }
+
+    /**
+     * Reads what {@link #write} has written.
+     *
+     * @param weights modified: the weights that were in use
+     * @return the unshot flux over emitted flux at which that calculation might end
+     */
+    private double read(DataInput in, double[] weights) throws IOException {
         stage = Stage.values()[in.readByte()];
         changes = in.readByte();
         loop.read(in);
@@ -548,13 +527,10 @@ final class Prediction implements Planner {
         mispredicted = in.readByte();
         balanced = in.readBoolean();
         isLargeChange = in.readBoolean();
-        for (int c = 0; c < weight.length; c++) {
-            weight[c] = in.readDouble();
+        for (int i = 0; i < weights.length; i++) {
+            weights[i] = in.readDouble();
         }
-        if (stage == Stage.DONE && changes == 0 && wanted < before && left > enough()) {
-            stage = Stage.SHOOT; // the resumed calculation has a lower limit of unshot flux
-            left = Double.POSITIVE_INFINITY;
-        }
+        return before;
     }
 
     /**
@@ -564,21 +540,10 @@ final class Prediction implements Planner {
      * @return how the earlier calculation ended; empty where that was stopped before its end
      */
     Optional<EarlierEnd> readChanged(DataInput in, InitialMesh earlier) throws IOException {
-        boolean isDone = Stage.values()[in.readByte()] == Stage.DONE;
-        int before = in.readByte();
-        loop.read(in);
-        splits = in.readInt();
-        elements = in.readInt();
-        refined = in.readBoolean();
-        in.readDouble();
-        in.readDouble();
-        in.readByte();
-        in.readBoolean();
-        in.readBoolean();
         double[] old = new double[Weights.count(earlier.rooms, world.channels())];
-        for (int c = 0; c < old.length; c++) {
-            old[c] = in.readDouble();
-        }
+        read(in, old);
+        boolean isDone = stage == Stage.DONE;
+        int before = changes;
         for (int i = 0; i < weight.length; i++) {
             int c = i % world.channels();
             double lamps = earlier.emitted[c] > 0 && world.mesh.emitted[c] > 0
@@ -588,6 +553,10 @@ final class Prediction implements Planner {
         stage = Stage.SHOOT;
         splits = 0;
         refined = false;
+        left = Double.POSITIVE_INFINITY;
+        mispredicted = 0;
+        balanced = true;
+        isLargeChange = false;
         changes = Math.min(MOST_CHANGES, before + 1);
         return !isDone ? Optional.empty() : Optional.of(new EarlierEnd(new Order.Rules(loop.tolerance(), old,
                 loop.meshError(), new double[0], new double[0]), before == 0));

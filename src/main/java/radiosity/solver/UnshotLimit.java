@@ -1,0 +1,98 @@
+package radiosity.solver;
+
+import java.io.IOException;
+import radiosity.mesh.Weights;
+import radiosity.prediction.CoarseSystem;
+import radiosity.protocol.Answer;
+import radiosity.settings.StopRule;
+
+/** How much unshot flux the default schedule may leave before it divides the mesh or estimates the error. */
+final class UnshotLimit {
+
+    /**
+     * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
+     * much may, as a root mean square, the radiosity change by the light that the unshot light is predicted to cause.
+     */
+    private static final double ENOUGH = 0.3;
+    /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
+    private static final double ENOUGH_ONE_SIDED = 0.1;
+
+    private final World world;
+    private final SolveCounters counters;
+    private final CoarseSystem coarse;
+    private final AccuracyLoop loop;
+    private final double wanted;
+    private final double[] weight;
+
+    /**
+     * @param counters flux of the calculation so far
+     * @param coarse   predicts what unshot light changes; null where nothing is predicted
+     * @param loop     errors asked for and estimated
+     * @param wanted   unshot flux over emitted flux at which the calculation may end
+     * @param weight   see {@link Weights}; kept, and read whenever a method is called
+     */
+    UnshotLimit(World world, SolveCounters counters, CoarseSystem coarse, AccuracyLoop loop, double wanted,
+            double[] weight) {
+        this.world = world;
+        this.counters = counters;
+        this.coarse = coarse;
+        this.loop = loop;
+        this.wanted = wanted;
+        this.weight = weight;
+    }
+
+    /**
+     * Unshot flux over emitted flux at which shooting ends: a part of the larger of the estimated error and the error
+     * asked for, or the user's own limit where that is lower than the default.
+     */
+    double flux() {
+        return wanted < StopRule.DEFAULT_UNSENT ? wanted : Math.max(wanted, ENOUGH * error());
+    }
+
+    private double error() {
+        return Math.max(loop.asked(), loop.found());
+    }
+
+    /** |Sum of unshot flux| over emitted flux at which shooting ends. */
+    double oneSided() {
+        return Math.max(wanted, ENOUGH_ONE_SIDED * loop.asked());
+    }
+
+    /**
+     * Whether the unshot flux is a small part of the error: either the flux itself is, or, unless the user sets a limit
+     * of unshot flux, the irradiance that the flux is predicted to cause. After new vertices have gathered, most unshot
+     * flux is their noise, of both signs, which cancels where it arrives.
+     *
+     * @param unsent unshot flux over emitted flux
+     * @param h      predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
+     */
+    boolean isMet(Answer last, double unsent, double[] h) throws IOException {
+        if (unsent <= flux() && counters.flux.oneSided(last) <= oneSided()) {
+            return true;
+        }
+        if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
+            return false;
+        }
+        double[] radiosity = coarse.unshot(world.totals());
+        Weights weights = new Weights(world.mesh.rooms, world.channels(), weight);
+        for (int c = 0; c < world.channels(); c++) {
+            CoarseSystem.Change change = coarse.change(h, radiosity, weights, c);
+            if (change.size() > ENOUGH * error() || Math.abs(change.bias()) > ENOUGH_ONE_SIDED * loop.asked()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Whether the rest that {@link #isMet} leaves is shot before an estimate all the same, by few rays. The coarse
+     * system does not see everything that unshot light changes: in a gap between a wall and the back of a cabinet,
+     * where both were lit as the mesh was coarse, each would keep the light that it has received of the other.
+     *
+     * @param unsent unshot flux over emitted flux
+     */
+    boolean isAbove(double unsent) {
+        return wanted == StopRule.DEFAULT_UNSENT && !world.mesh.rounding.exact()
+                && unsent > Math.max(wanted, ENOUGH * loop.asked());
+    }
+}
