@@ -271,7 +271,7 @@ final class Prediction implements Planner {
         }
         isShooting &= !refined || !limit.isMet(last, unsent, h);
         List<Shot> shots = !isShooting ? List.of() : isPredicted ? withPrediction(last, h) : largest();
-        return !shots.isEmpty() ? shoot(shots, unsent, changes > 0) : refined ? mend() : split(last, List.of());
+        return !shots.isEmpty() ? shoot(shots, unsent, true) : refined ? mend() : split(last, List.of());
     }
 
     /** Estimates the error; empty where there is no light, or the user lets much flux be unshot. */
