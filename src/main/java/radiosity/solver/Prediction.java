@@ -34,11 +34,11 @@ import radiosity.solution.Certificate;
  *
  * <p>The calculation as stages, see {@link #next}: SHOOT until little is unshot; SPLIT the mesh and let new vertices
  * GATHER all light shot so far, until no element is to be divided; SHOOT what the finer mesh changed, at last without
- * prediction and with few rays; MEND vertices with negative irradiance; BALANCE the received flux against the flux that was shot; then an {@link Estimator} finds
- * the error and marks elements that err too much between their vertices, and {@link AccuracyLoop} decides between a
- * finer mesh (SPLIT again), more rays (RENEW, REGATHER and
- * AVERAGE: all vertices gather a second, independent sample) and the end (DONE). Before light is predicted, the flux
- * that rays have lost is given back, by an order without a stage of its own.
+ * prediction and with few rays; MEND vertices with negative irradiance; BALANCE the received flux against the flux that
+ * was shot; then an {@link Estimator} finds the error and marks elements that err too much between their vertices, and
+ * {@link AccuracyLoop} decides between a finer mesh (SPLIT again), more rays (RENEW, REGATHER and AVERAGE: all vertices
+ * gather a second, independent sample) and the end (DONE). Before light is predicted, the flux that rays have lost is
+ * given back, by an order without a stage of its own.
  */
 final class Prediction implements Planner {
 
@@ -123,7 +123,7 @@ final class Prediction implements Planner {
         Arrays.fill(weight, 1);
         coarse = world.mesh.coarse.patches() - world.mesh.representatives.followers() <= MOST_PREDICTED
                 ? new CoarseSystem(world.mesh, world.parallel) : null;
-        limit = new UnshotLimit(world, counters, coarse, loop, wanted, weight);
+        limit = new UnshotLimit(world.mesh, counters, coarse, loop, wanted, weight);
     }
 
     /** The order that makes the coarse system; a resumed calculation gives the order again. */
@@ -176,7 +176,7 @@ final class Prediction implements Planner {
             return null;
         }
         boolean isShot = refined && (stage == Stage.SHOOT || stage == Stage.SPLIT || stage == Stage.GATHER);
-        boolean isEnough = isShot && limit.isMet(last, unsent, h);
+        boolean isEnough = isShot && isLittle(last, unsent, h);
         if (isEnough && !isWorse && limit.isAbove(unsent)) {
             return shoot(withoutPrediction(last), unsent, true);
         }
@@ -221,6 +221,17 @@ final class Prediction implements Planner {
         return split(last, estimate.marked().marks());
     }
 
+    /**
+     * Whether what is unshot may stay so: the unshot flux is small, or, unless the user sets a limit for it, is
+     * predicted to change little.
+     *
+     * @param h predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
+     */
+    private boolean isLittle(Answer last, double unsent, double[] h) throws IOException {
+        return limit.isMet(last, unsent)
+                || h != null && wanted == StopRule.DEFAULT_UNSENT && limit.changesLittle(h, world.totals());
+    }
+
     /** Irradiance that all unshot flux is predicted to cause; null where {@code goOn} ends the calculation. */
     private double[] predict(BooleanSupplier goOn) throws IOException {
         double[] unshot = coarse.unshot(world.joined(world.answer(MEANS).candidates));
@@ -260,7 +271,7 @@ final class Prediction implements Planner {
         if (isPredicted && !coarse.isMade()) {
             return rows();
         }
-        boolean isShooting = unsent < left && !(refined && isPredicted ? limit.isMet(last, unsent, null)
+        boolean isShooting = unsent < left && !(refined && isPredicted ? limit.isMet(last, unsent)
                 : unsent <= (refined ? limit.flux() : PREDICTED));
         if (isShooting && !balanced) {
             return giveBack(last, true);
@@ -269,7 +280,7 @@ final class Prediction implements Planner {
         if (isShooting && isPredicted && h == null) {
             return null;
         }
-        isShooting &= !refined || !limit.isMet(last, unsent, h);
+        isShooting &= !refined || !isLittle(last, unsent, h);
         List<Shot> shots = !isShooting ? List.of() : isPredicted ? withPrediction(last, h) : largest();
         return !shots.isEmpty() ? shoot(shots, unsent, true) : refined ? mend() : split(last, List.of());
     }

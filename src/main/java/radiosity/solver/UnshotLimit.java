@@ -1,10 +1,12 @@
 package radiosity.solver;
 
-import java.io.IOException;
+import java.util.List;
 import radiosity.mesh.Weights;
 import radiosity.prediction.CoarseSystem;
 import radiosity.protocol.Answer;
+import radiosity.protocol.Shot;
 import radiosity.settings.StopRule;
+import radiosity.setup.InitialMesh;
 
 /** How much unshot flux the default schedule may leave before it divides the mesh or estimates the error. */
 final class UnshotLimit {
@@ -17,7 +19,7 @@ final class UnshotLimit {
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */
     private static final double ENOUGH_ONE_SIDED = 0.1;
 
-    private final World world;
+    private final InitialMesh mesh;
     private final SolveCounters counters;
     private final CoarseSystem coarse;
     private final AccuracyLoop loop;
@@ -31,9 +33,9 @@ final class UnshotLimit {
      * @param wanted   unshot flux over emitted flux at which the calculation may end
      * @param weight   see {@link Weights}; kept, and read whenever a method is called
      */
-    UnshotLimit(World world, SolveCounters counters, CoarseSystem coarse, AccuracyLoop loop, double wanted,
+    UnshotLimit(InitialMesh mesh, SolveCounters counters, CoarseSystem coarse, AccuracyLoop loop, double wanted,
             double[] weight) {
-        this.world = world;
+        this.mesh = mesh;
         this.counters = counters;
         this.coarse = coarse;
         this.loop = loop;
@@ -59,23 +61,25 @@ final class UnshotLimit {
     }
 
     /**
-     * Whether the unshot flux is a small part of the error: either the flux itself is, or, unless the user sets a limit
-     * of unshot flux, the irradiance that the flux is predicted to cause. After new vertices have gathered, most unshot
-     * flux is their noise, of both signs, which cancels where it arrives.
+     * Whether the unshot flux itself is a small part of the error.
      *
      * @param unsent unshot flux over emitted flux
-     * @param h      predicted irradiance, channels per vertex, W/m²; null where nothing is predicted
      */
-    boolean isMet(Answer last, double unsent, double[] h) throws IOException {
-        if (unsent <= flux() && counters.flux.oneSided(last) <= oneSided()) {
-            return true;
-        }
-        if (h == null || wanted != StopRule.DEFAULT_UNSENT) {
-            return false;
-        }
-        double[] radiosity = coarse.unshot(world.totals());
-        Weights weights = new Weights(world.mesh.rooms, world.channels(), weight);
-        for (int c = 0; c < world.channels(); c++) {
+    boolean isMet(Answer last, double unsent) {
+        return unsent <= flux() && counters.flux.oneSided(last) <= oneSided();
+    }
+
+    /**
+     * Whether the radiosity changes by a small part of the error by the light that unshot flux is predicted to cause.
+     * After new vertices have gathered, most unshot flux is their noise, of both signs, which cancels where it arrives.
+     *
+     * @param h      predicted irradiance, channels per vertex of the coarse mesh, W/m²
+     * @param totals radiosity that every patch has shot so far
+     */
+    boolean changesLittle(double[] h, List<Shot> totals) {
+        double[] radiosity = coarse.unshot(totals);
+        Weights weights = new Weights(mesh.rooms, mesh.faces.channels(), weight);
+        for (int c = 0; c < mesh.faces.channels(); c++) {
             CoarseSystem.Change change = coarse.change(h, radiosity, weights, c);
             if (change.size() > ENOUGH * error() || Math.abs(change.bias()) > ENOUGH_ONE_SIDED * loop.asked()) {
                 return false;
@@ -85,14 +89,14 @@ final class UnshotLimit {
     }
 
     /**
-     * Whether the rest that {@link #isMet} leaves is shot before an estimate all the same, by few rays. The coarse
-     * system does not see everything that unshot light changes: in a gap between a wall and the back of a cabinet,
-     * where both were lit as the mesh was coarse, each would keep the light that it has received of the other.
+     * Whether the rest that {@link #changesLittle} leaves is shot before an estimate all the same, by few rays. The
+     * coarse system does not see everything that unshot light changes: in a gap between a wall and the back of a
+     * cabinet, where both were lit as the mesh was coarse, each would keep the light that it has received of the other.
      *
      * @param unsent unshot flux over emitted flux
      */
     boolean isAbove(double unsent) {
-        return wanted == StopRule.DEFAULT_UNSENT && !world.mesh.rounding.exact()
+        return wanted == StopRule.DEFAULT_UNSENT && !mesh.rounding.exact()
                 && unsent > Math.max(wanted, ENOUGH * loop.asked());
     }
 }
