@@ -3,18 +3,24 @@ package radiosity.extremes;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.Radiosity;
 import radiosity.RadiosityResult;
+import radiosity.master.RemoteWorld;
+import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.settings.RadiositySettings;
+import radiosity.settings.StopRule;
+import radiosity.solution.Solution;
+import radiosity.solver.LocalWorld;
+import radiosity.solver.SameBitsTest;
 import radiosity.testkit.Box;
+import radiosity.testkit.ColouredRoom;
 import radiosity.testkit.RoomScenes;
+import radiosity.testkit.TestLink;
 
 /** Whole renders of things that stand close to a wall: what a coarse mesh lights in the gap is taken back. */
 @Tag("slow")
@@ -25,19 +31,23 @@ class GapTest {
     /** Light between wall and panel over that beside the panel: .21 here, and .52 where unshot light is left. */
     private static final double MOST = .3;
 
-    @Test
-    void wallBehindPanels_isDark() throws IOException {
+    private static Scene scene() {
         SceneBuilder builder = new SceneBuilder();
         Box room = new Box(Vec3.ZERO, new Vec3(4, 2.5, 3.5));
         for (int side = 0; side < 6; side++) {
             builder.polygon(RoomScenes.grey("room", 0, .75), room.inside(side));
         }
-        add(builder, RoomScenes.grey("lamp", 25, 0), new Vec3(1.7, 2.4, 1.5), new Vec3(2.3, 2.45, 2));
+        RoomScenes.addSolid(builder, RoomScenes.grey("lamp", 25, 0), new Vec3(1.7, 2.4, 1.5), new Vec3(2.3, 2.45, 2));
         for (int i = 0; i < 6; i++) {
-            add(builder, RoomScenes.grey("panel", 0, .7), new Vec3(4 - GAP - .004, .9, .5 + .45 * i),
+            RoomScenes.addSolid(builder, RoomScenes.grey("panel", 0, .7), new Vec3(4 - GAP - .004, .9, .5 + .45 * i),
                     new Vec3(4 - GAP, 1.3, .8 + .45 * i));
         }
-        RadiosityResult result = Radiosity.of(builder.scene("gaps")).accuracy(ASKED).threads(2).run(progress -> true);
+        return builder.scene("gaps");
+    }
+
+    @Test
+    void wallBehindPanels_isDark() throws IOException {
+        RadiosityResult result = Radiosity.of(scene()).accuracy(ASKED).threads(2).run(progress -> true);
         Vec3 inward = new Vec3(-1, 0, 0);
         double beside = result.points().at(new Vec3(4, .7, 1.1), inward).irradiance().r();
         double behind = result.points().at(new Vec3(4, 1.13, 1.11), inward).irradiance().r();
@@ -46,12 +56,14 @@ class GapTest {
         assertTrue(expected <= ASKED, "error " + expected);
     }
 
-    private static void add(SceneBuilder builder, Surface surface, Vec3 low, Vec3 high) {
-        Box box = new Box(low, high);
-        for (int side = 0; side < 6; side++) {
-            List<Vec3> outside = new ArrayList<>(List.of(box.inside(side)));
-            Collections.reverse(outside);
-            builder.polygon(surface, outside.toArray(Vec3[]::new));
+    @Test
+    void rest_isShotByTheSameRays_onTwoHosts() throws IOException {
+        RadiositySettings settings = RadiositySettings.defaults().accurate(ASKED);
+        StopRule stop = new StopRule(Integer.MAX_VALUE, StopRule.DEFAULT_UNSENT, 2);
+        Solution alone = SameBitsTest.solve(new LocalWorld(scene(), settings, 2), stop);
+        try (RemoteWorld hosts = new RemoteWorld(scene(), settings, 1, line -> { }, TestLink.sound(2, 1),
+                System::nanoTime)) {
+            ColouredRoom.assertSame(alone, SameBitsTest.solve(hosts, stop));
         }
     }
 }

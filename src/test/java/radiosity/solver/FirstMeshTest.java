@@ -3,9 +3,6 @@ package radiosity.solver;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Scene;
@@ -35,29 +32,20 @@ class FirstMeshTest {
         }
         for (int i = 0; i < 4; i++) {
             Vec3 at = new Vec3(1 + 5 * (i % 2), 2.98, 1 + 3 * (i / 2));
-            add(builder, RoomScenes.grey("panel", 25, .4), at, at.plus(new Vec3(.6, .02, .6)));
+            RoomScenes.addSolid(builder, RoomScenes.grey("panel", 25, .4), at, at.plus(new Vec3(.6, .02, .6)));
         }
         for (int shelf = 0; shelf < 3; shelf++) {
             for (int board = 0; board < 4; board++) {
                 Vec3 at = new Vec3(1, .1 + .45 * board, 1 + 1.8 * shelf);
-                add(builder, RoomScenes.grey("board", 0, .5), at, at.plus(new Vec3(5.5, .02, .45)));
+                RoomScenes.addSolid(builder, RoomScenes.grey("board", 0, .5), at, at.plus(new Vec3(5.5, .02, .45)));
                 for (int box = 0; box < 12; box++) {
                     Vec3 on = at.plus(new Vec3(.05 + .45 * box, .02, .02));
-                    add(builder, RoomScenes.grey("box", 0, .3), on,
+                    RoomScenes.addSolid(builder, RoomScenes.grey("box", 0, .3), on,
                             on.plus(new Vec3(.2 + .02 * ((box + board) % 8), .2 + .03 * (box % 5), .4)));
                 }
             }
         }
         return builder.scene("shop");
-    }
-
-    private static void add(SceneBuilder builder, Surface surface, Vec3 low, Vec3 high) {
-        Box box = new Box(low, high);
-        for (int side = 0; side < 6; side++) {
-            List<Vec3> outside = new ArrayList<>(List.of(box.inside(side)));
-            Collections.reverse(outside);
-            builder.polygon(surface, outside.toArray(Vec3[]::new));
-        }
     }
 
     @Test

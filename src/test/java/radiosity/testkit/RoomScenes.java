@@ -1,5 +1,7 @@
 package radiosity.testkit;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -21,6 +23,16 @@ public final class RoomScenes {
     /** A surface with the same values in all channels, in W/m² and as a part. */
     public static Surface grey(String name, double exitance, double reflectance) {
         return new Surface(name, Rgb.grey(exitance), Rgb.grey(reflectance), false);
+    }
+
+    /** Adds a box seen from outside. */
+    public static void addSolid(SceneBuilder builder, Surface surface, Vec3 low, Vec3 high) {
+        Box box = new Box(low, high);
+        for (int side = 0; side < 6; side++) {
+            List<Vec3> outside = new ArrayList<>(List.of(box.inside(side)));
+            Collections.reverse(outside);
+            builder.polygon(surface, outside.toArray(Vec3[]::new));
+        }
     }
 
     public static Scene cube(Surface all) {
