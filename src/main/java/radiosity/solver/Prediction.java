@@ -177,7 +177,7 @@ final class Prediction implements Planner {
         }
         boolean isShot = refined && (stage == Stage.SHOOT || stage == Stage.SPLIT || stage == Stage.GATHER);
         boolean isEnough = isShot && isLittle(last, unsent, h);
-        if (isEnough && !isWorse && limit.isAbove(unsent)) {
+        if (isEnough && !isWorse && limit.leavesTooMuch(unsent)) {
             return shoot(withoutPrediction(last), unsent, true);
         }
         if (isEnough || isShot && isWorse && mispredicted == MOST_MISPREDICTED) {

@@ -89,13 +89,14 @@ final class UnshotLimit {
     }
 
     /**
-     * Whether the rest that {@link #changesLittle} leaves is shot before an estimate all the same, by few rays. The
-     * coarse system does not see everything that unshot light changes: in a gap between a wall and the back of a
-     * cabinet, where both were lit as the mesh was coarse, each would keep the light that it has received of the other.
+     * Whether the rest that {@link #isMet} and {@link #changesLittle} leave is shot before an estimate all the same, by
+     * few rays. The coarse system does not see everything that unshot light changes: in a gap between a wall and the
+     * back of a cabinet, where both were lit as the mesh was coarse, each would keep the light that it has received of
+     * the other. Not in white rooms, where rays must be the same in every round.
      *
      * @param unsent unshot flux over emitted flux
      */
-    boolean isAbove(double unsent) {
+    boolean leavesTooMuch(double unsent) {
         return wanted == StopRule.DEFAULT_UNSENT && !mesh.rounding.exact()
                 && unsent > Math.max(wanted, ENOUGH * loop.asked());
     }
