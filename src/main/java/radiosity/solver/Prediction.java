@@ -92,8 +92,8 @@ final class Prediction implements Planner {
     private boolean refined;
     /**
      * Unshot flux over emitted flux before the last SHOOT; where that round leaves more, the next one is shot without
-     * prediction. After the last round of shooting: the unshot flux that is left, at most {@link #enough}, or 0 where
-     * more shooting would be in vain.
+     * prediction. After the last round of shooting: the unshot flux that is left, at most {@link UnshotLimit#flux}, or
+     * 0 where more shooting would be in vain.
      */
     private double left = Double.POSITIVE_INFINITY;
     /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */

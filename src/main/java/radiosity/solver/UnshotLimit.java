@@ -12,8 +12,8 @@ import radiosity.setup.InitialMesh;
 final class UnshotLimit {
 
     /**
-     * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. So
-     * much may, as a root mean square, the radiosity change by the light that the unshot light is predicted to cause.
+     * Sum of |unshot flux| over emitted flux that may be left, per relative error: most unshot flux has both signs. The
+     * root mean square of the change of radiosity that unshot light is predicted to cause has the same limit.
      */
     private static final double ENOUGH = 0.3;
     /** |Sum of unshot flux| over emitted flux, or mean of the change, per relative error asked for: this is a bias. */

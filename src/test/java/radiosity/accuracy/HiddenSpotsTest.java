@@ -29,10 +29,7 @@ class HiddenSpotsTest {
 
     private static SceneBuilder walls() {
         SceneBuilder builder = new SceneBuilder();
-        Box room = new Box(Vec3.ZERO, new Vec3(3, 3, 3));
-        for (int side = 0; side < 6; side++) {
-            builder.polygon(WALL, room.inside(side));
-        }
+        RoomScenes.addRoom(builder, WALL, new Box(Vec3.ZERO, new Vec3(3, 3, 3)));
         return builder;
     }
 

@@ -33,10 +33,7 @@ class GapTest {
 
     private static Scene scene() {
         SceneBuilder builder = new SceneBuilder();
-        Box room = new Box(Vec3.ZERO, new Vec3(4, 2.5, 3.5));
-        for (int side = 0; side < 6; side++) {
-            builder.polygon(RoomScenes.grey("room", 0, .75), room.inside(side));
-        }
+        RoomScenes.addRoom(builder, RoomScenes.grey("room", 0, .75), new Box(Vec3.ZERO, new Vec3(4, 2.5, 3.5)));
         RoomScenes.addSolid(builder, RoomScenes.grey("lamp", 25, 0), new Vec3(1.7, 2.4, 1.5), new Vec3(2.3, 2.45, 2));
         for (int i = 0; i < 6; i++) {
             RoomScenes.addSolid(builder, RoomScenes.grey("panel", 0, .7), new Vec3(4 - GAP - .004, .9, .5 + .45 * i),

@@ -25,6 +25,13 @@ public final class RoomScenes {
         return new Surface(name, Rgb.grey(exitance), Rgb.grey(reflectance), false);
     }
 
+    /** Adds a box seen from inside. */
+    public static void addRoom(SceneBuilder builder, Surface surface, Box room) {
+        for (int side = 0; side < 6; side++) {
+            builder.polygon(surface, room.inside(side));
+        }
+    }
+
     /** Adds a box seen from outside. */
     public static void addSolid(SceneBuilder builder, Surface surface, Vec3 low, Vec3 high) {
         Box box = new Box(low, high);
