@@ -11,8 +11,8 @@ import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
 /**
- * Finds by rays how much of the light that leaves surfaces arrives nowhere: it leaves the scene or falls on a back
- * side.
+ * Finds by rays how much of the light that leaves surfaces arrives nowhere: it leaves the scene, falls on a back side,
+ * or falls on a place inside a solid, where no vertex receives.
  *
  * <p>Rays are distributed as diffuse light: uniform in the unit circle below the hemisphere (W. Nusselt, Graphische
  * Bestimmung des Winkelverhältnisses bei der Wärmestrahlung, 1928).
@@ -53,8 +53,11 @@ public final class EscapingLight {
             x[a] = (float) (place[a] + LIFT * n[a]);
             d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n[a]);
         }
-        int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], FAR, true, new float[3]);
-        return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
+        float[] hit = new float[3];
+        int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], FAR, true, hit);
+        return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0
+                || solids.hold(x[0] + hit[0] * d[0], x[1] + hit[0] * d[1], x[2] + hit[0] * d[2], front[3 * t],
+                        front[3 * t + 1], front[3 * t + 2]);
     }
 
     /**

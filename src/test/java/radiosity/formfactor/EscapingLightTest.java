@@ -75,4 +75,18 @@ class EscapingLightTest {
             assertFalse(light.escapes(middle, 0, p, q), "direction " + p + " " + q);
         }
     }
+
+    /** A lamp that touches a cupboard from below, with a box in it whose sides see nothing but the cupboard's backs. */
+    @Test
+    void escapes_whereLightFallsOnWhatIsInsideASolid() {
+        SceneBuilder builder = new SceneBuilder();
+        builder.polygon(RoomScenes.grey("lamp", 1, .5), new Vec3(.4, .4, 0), new Vec3(.6, .4, 0), new Vec3(.6, .6, 0));
+        RoomScenes.addSolid(builder, RoomScenes.grey("cupboard", 0, .5), Vec3.ZERO, new Vec3(1, 1, 1));
+        RoomScenes.addSolid(builder, RoomScenes.grey("content", 0, .5), new Vec3(.3, .3, .4), new Vec3(.7, .7, .6));
+        Faces faces = new Faces(builder.scene("a cupboard"));
+        EscapingLight light = new EscapingLight(faces, new RadiosityBounds(faces.occluders()));
+        for (int i = 0; i < 100; i++) {
+            assertTrue(light.escapes(faces.middle(0), 0, .018 * (i / 10 - 4.5), .018 * (i % 10 - 4.5)), "ray " + i);
+        }
+    }
 }
