@@ -56,8 +56,14 @@ public final class EscapingLight {
         float[] hit = new float[3];
         int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], FAR, true, hit);
         return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0
-                || solids.hold(x[0] + hit[0] * d[0], x[1] + hit[0] * d[1], x[2] + hit[0] * d[2], front[3 * t],
-                        front[3 * t + 1], front[3 * t + 2]);
+                || isInsideSolid(t, x, d, hit[0]);
+    }
+
+    /** Whether a ray from x in direction d meets a triangle inside a solid; one that shows both sides never is. */
+    private boolean isInsideSolid(int t, float[] x, float[] d, float distance) {
+        boolean isTwoSided = front[3 * t] == 0 && front[3 * t + 1] == 0 && front[3 * t + 2] == 0;
+        return !isTwoSided && solids.hold(x[0] + distance * d[0], x[1] + distance * d[1], x[2] + distance * d[2],
+                front[3 * t], front[3 * t + 1], front[3 * t + 2]);
     }
 
     /**
