@@ -40,6 +40,7 @@ import radiosity.input.SceneReader;
 import radiosity.output.gltf.SceneInfo;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
 import radiosity.settings.RadiositySettings;
 import radiosity.solution.SavedState;
 import radiosity.solver.ProgressiveRadiosity;
@@ -161,11 +162,20 @@ public final class RadiosityRenderer {
     private void begin(ProgressiveRadiosity radiosity, SavedCalculation before, Optional<SavedCalculation> changed)
             throws IOException {
         if (before != null) {
-            radiosity.resume(before.state());
+            resume(radiosity, before);
         } else if (options.file.change != null) {
             user.phase("changing the light");
             Optional<String> anew = radiosity.change(changed.isEmpty() ? SavedState.NONE : changed.get().state());
             anew.ifPresent(why -> user.message(options.file.change + ": the scene is rendered anew, as " + why));
+        }
+    }
+
+    private void resume(ProgressiveRadiosity radiosity, SavedCalculation before) throws IOException {
+        try {
+            radiosity.resume(before.state());
+        } catch (SceneFormatException e) {
+            throw Failure.file(before.file() + " does not go on with " + options.input().getFileName(),
+                    e.getMessage(), e);
         }
     }
 

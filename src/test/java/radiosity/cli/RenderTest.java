@@ -161,7 +161,8 @@ class RenderTest {
         ProgramRun run = ProgramRun.of("-tf", output, 10, "scenes/cornell-box-empty.lws",
                 directory.resolve("more.scene"));
         assertEquals(ExitCode.FILE, run.exitCode());
-        assertTrue(run.err().startsWith("the saved calculation: expected the same scene and settings"), run.err());
+        assertTrue(run.err().startsWith(output + " does not go on with cornell-box-empty.lws: the saved calculation: "
+                + "expected the same scene and settings"), run.err());
     }
 
     @Test
