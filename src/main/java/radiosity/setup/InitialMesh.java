@@ -20,6 +20,7 @@ import radiosity.mesh.cut.ScenePieces;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.room.ClosedRooms;
 import radiosity.mesh.room.DarkCavities;
+import radiosity.mesh.room.EnclosedTriangles;
 import radiosity.protocol.Rounding;
 import radiosity.protocol.Shot;
 import radiosity.scene.Light;
@@ -102,7 +103,7 @@ public final class InitialMesh {
         this.scene = cut.scene();
         origins = cut.origin();
         Faces sides = new Faces(this.scene, settings.layers());
-        faces = predicts() ? DiscontinuityMesher.cut(sides.without(DarkCavities.of(sides))) : sides;
+        faces = predicts() ? withoutDarkPlaces(sides) : sides;
         coincident = new CoincidentFaces(faces, bounds());
         rooms = new ClosedRooms(faces, this::isBuried, coincident.covered());
         faces.darken(rooms::isHidden);
@@ -129,6 +130,14 @@ public final class InitialMesh {
                 emitted[c] += faces.exitance(f, c) * faces.exposedArea(f) * squared;
             }
         }
+    }
+
+    /** The pieces of faces, without those that no light reaches inside of closed bodies. */
+    private static Faces withoutDarkPlaces(Faces sides) {
+        Faces fronts = sides.without(DarkCavities.of(sides));
+        Faces pieces = DiscontinuityMesher.cut(fronts);
+        pieces.enclose(EnclosedTriangles.of(fronts));
+        return pieces;
     }
 
     /** Area above which the triangles of long quadrangles are cut, square scene units; infinite without prediction. */

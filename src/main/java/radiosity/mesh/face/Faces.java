@@ -51,6 +51,8 @@ public final class Faces {
     /** 3 per face: the face of the same part beyond the edge opposite corner k; -1 on the border of the part. */
     public final int[] across;
     private final FaceMaterials materials;
+    /** The triangles inside closed solids, which no light reaches. */
+    private BitSet enclosed = new BitSet();
     /** 1 per face: area outside of solids that no other face covers, in squared scene sizes. */
     private double[] exposed;
 
@@ -184,6 +186,11 @@ public final class Faces {
      */
     public double exposedArea(int face) {
         return exposed[face];
+    }
+
+    /** @param triangles those inside closed solids, which are no occluders as no light reaches them; kept */
+    public void enclose(BitSet triangles) {
+        enclosed = triangles;
     }
 
     /** @param visible the share of each face outside of solids that no other face covers, from 0 to 1 */
@@ -321,12 +328,15 @@ public final class Faces {
         return 2 * area[face] / Math.sqrt(longest);
     }
 
-    /** The corners of all original triangles, including small ones, for {@code RadiosityBounds}: 9 per triangle. */
+    /**
+     * The corners of all original triangles, including small ones, for {@code RadiosityBounds}: 9 per triangle. Those
+     * of an enclosed triangle are all its first corner, so that no ray meets the triangle.
+     */
     public float[] occluders() {
         float[] corners = new float[9 * scene.triangles()];
         for (int t = 0; t < scene.triangles(); t++) {
             for (int k = 0; k < 3; k++) {
-                unit(scene.corner(t, k)).write(corners, 9 * t + 3 * k);
+                unit(scene.corner(t, enclosed.get(t) ? 0 : k)).write(corners, 9 * t + 3 * k);
             }
         }
         return corners;

@@ -29,10 +29,8 @@ public final class ClosedRooms {
     /** 1 per face: the lowest face of its shell. */
     private final int[] shell;
     private final boolean[] open;
-    /** 1 per lowest face: volume of the shell, in cubed scene sizes; negative where the shell is seen from inside. */
     private final double[] volume;
-    /** 6 per lowest face: box around the shell, low x, y, z, high x, y, z. */
-    private final float[] box;
+    private final double[] box;
     private final int[] room;
     private final FaceGroups members;
     private final FaceGroups parts;
@@ -64,14 +62,13 @@ public final class ClosedRooms {
         shells = new FaceShells(faces);
         shell = shells.shell;
         open = shells.open;
-        volume = new double[n];
-        box = new float[6 * n];
+        volume = shells.volume;
+        box = shells.box;
         room = new int[n];
         hidden = new boolean[n];
         Arrays.fill(room, -1);
         members = new FaceGroups(shell);
         parts = new FaceGroups(faces.part);
-        measure();
         all = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f).toArray());
         inward = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f && isWall(f)).toArray());
         doubtful = new ShellBoxes(IntStream.range(0, n).filter(f -> shell[f] == f && open[f]).toArray());
@@ -158,22 +155,6 @@ public final class ClosedRooms {
     /** Number of closed rooms. */
     public int count() {
         return count;
-    }
-
-    private void measure() {
-        for (int f = 0; f < shell.length; f++) {
-            int s = shell[f];
-            if (s == f) {
-                Arrays.fill(box, 6 * s, 6 * s + 3, Float.POSITIVE_INFINITY);
-                Arrays.fill(box, 6 * s + 3, 6 * s + 6, Float.NEGATIVE_INFINITY);
-            }
-            for (int i = 0; i < 9; i++) {
-                float x = faces.corner[9 * f + i];
-                box[6 * s + i % 3] = Math.min(box[6 * s + i % 3], x);
-                box[6 * s + 3 + i % 3] = Math.max(box[6 * s + 3 + i % 3], x);
-            }
-            volume[s] += SolidAngle.volume(faces, f);
-        }
     }
 
     private boolean isWall(int s) {

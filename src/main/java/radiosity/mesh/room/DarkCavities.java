@@ -1,14 +1,8 @@
 package radiosity.mesh.room;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
-import java.util.List;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
-import radiosity.scene.Light;
-import radiosity.scene.Vec3;
-import radiosity.util.BoxTree;
 
 /**
  * Finds the inner sides of closed bodies of two-sided triangles, such as the bars of a window in a model whose surfaces
@@ -20,31 +14,13 @@ public final class DarkCavities {
     private final Faces faces;
     private final FaceShells shells;
     private final FaceGroups members;
-    /** Places of sources of light and of the camera, in the scene brought to size 1. */
-    private final List<double[]> places = new ArrayList<>();
-    private final BoxTree tree;
+    private final LightPlaces lights;
 
     private DarkCavities(Faces faces) {
         this.faces = faces;
         shells = new FaceShells(faces);
         members = new FaceGroups(shells.shell);
-        for (int f = 0; f < faces.count(); f++) {
-            for (int place = 0; place < SolidAngle.PLACES && faces.emits(f); place++) {
-                places.add(SolidAngle.before(faces, f, place));
-            }
-        }
-        for (Light light : faces.scene().lights()) {
-            if (!light.kind().isOutside()) {
-                add(light.position());
-            }
-        }
-        faces.scene().camera().ifPresent(camera -> add(camera.position()));
-        tree = BoxTree.ofPoints(places.stream().flatMapToDouble(Arrays::stream).toArray());
-    }
-
-    private void add(Vec3 place) {
-        Vec3 at = faces.unit(place);
-        places.add(new double[] {at.x(), at.y(), at.z()});
+        lights = new LightPlaces(faces);
     }
 
     /** The faces that are inner sides of dark bodies, by number; none where no surface is two-sided. */
@@ -67,35 +43,11 @@ public final class DarkCavities {
     }
 
     private boolean isDark(int shell) {
-        if (shells.open[shell] || shells.seesBacks[shell]) {
+        if (!shells.isWhole(shell) || shells.volume[shell] >= 0) {
             return false;
         }
         int[] walls = members.of(shell);
-        double volume = 0;
-        double[] low = new double[3];
-        double[] high = new double[3];
-        Arrays.fill(low, Double.POSITIVE_INFINITY);
-        Arrays.fill(high, Double.NEGATIVE_INFINITY);
-        for (int f : walls) {
-            if (!isTwoSided(faces, f) || faces.emits(f)) {
-                return false;
-            }
-            volume += SolidAngle.volume(faces, f);
-            for (int i = 0; i < 9; i++) {
-                low[i % 3] = Math.min(low[i % 3], faces.corner[9 * f + i]);
-                high[i % 3] = Math.max(high[i % 3], faces.corner[9 * f + i]);
-            }
-        }
-        return volume < 0 && !tree.any((boxes, i) -> isWithin(boxes, i, low, high),
-                place -> SolidAngle.isInside(faces, places.get(place), walls));
-    }
-
-    /** Whether a box of the tree overlaps a region on every axis. */
-    private static boolean isWithin(double[] boxes, int i, double[] low, double[] high) {
-        boolean overlaps = true;
-        for (int a = 0; a < 3; a++) {
-            overlaps &= boxes[i + a] <= high[a] && low[a] <= boxes[i + 3 + a];
-        }
-        return overlaps;
+        return IntStream.of(walls).allMatch(f -> isTwoSided(faces, f) && !faces.emits(f))
+                && !lights.any(shells.box, 6 * shell, (before, behind) -> SolidAngle.isInside(faces, before, walls));
     }
 }

@@ -26,6 +26,10 @@ final class FaceShells {
     final boolean[] open;
     /** 1 per lowest face: whether a face of the shell looks at the back of another face across an edge. */
     final boolean[] seesBacks;
+    /** 1 per lowest face: volume of the shell, in cubed scene sizes; negative where the shell is seen from inside. */
+    final double[] volume;
+    /** 6 per lowest face: box around the shell, low x, y, z, high x, y, z. */
+    final double[] box;
     /** Per lowest face of an open shell: the two ends of each edge that belongs to one face only. */
     final Map<Integer, List<int[]>> rims = new HashMap<>();
 
@@ -44,12 +48,36 @@ final class FaceShells {
         shell = new int[n];
         open = new boolean[n];
         seesBacks = new boolean[n];
+        volume = new double[n];
+        box = new double[6 * n];
         begin(3 * n);
         for (int e = 0; e < 3 * n; e++) {
             put(faces.point[e], faces.point[3 * (e / 3) + (e + 1) % 3], e / 3);
         }
         divideLoose();
         join();
+        measure();
+    }
+
+    private void measure() {
+        for (int f = 0; f < shell.length; f++) {
+            int s = shell[f];
+            if (s == f) {
+                Arrays.fill(box, 6 * s, 6 * s + 3, Double.POSITIVE_INFINITY);
+                Arrays.fill(box, 6 * s + 3, 6 * s + 6, Double.NEGATIVE_INFINITY);
+            }
+            for (int i = 0; i < 9; i++) {
+                float x = faces.corner[9 * f + i];
+                box[6 * s + i % 3] = Math.min(box[6 * s + i % 3], x);
+                box[6 * s + 3 + i % 3] = Math.max(box[6 * s + 3 + i % 3], x);
+            }
+            volume[s] += SolidAngle.volume(faces, f);
+        }
+    }
+
+    /** Whether no face is missing from a shell: none has an edge of its own or looks at the back of another face. */
+    boolean isWhole(int s) {
+        return !open[s] && !seesBacks[s];
     }
 
     private void begin(int expected) {

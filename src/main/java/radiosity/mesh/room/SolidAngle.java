@@ -3,8 +3,9 @@ package radiosity.mesh.room;
 import radiosity.mesh.face.Faces;
 
 /**
- * Whether a point lies inside a whole shell that is seen from inside: the solid angle of the shell, seen from there, is
- * -4 pi and not 0 (A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983).
+ * Whether a point lies inside a whole shell: the solid angle of the shell, seen from there, is not 0 but -4 pi where
+ * the shell's faces look inwards, and 4 pi where they look outwards (A. van Oosterom, J. Strackee, The solid angle of a
+ * plane triangle, 1983).
  */
 final class SolidAngle {
 
@@ -17,13 +18,22 @@ final class SolidAngle {
 
     /** A point a little in front of a face: near corner {@code place}, or before the middle where that is 3. */
     static double[] before(Faces faces, int face, int place) {
+        return near(faces, face, place, BEFORE);
+    }
+
+    /** A point a little behind a face, see {@link #before}. */
+    static double[] behind(Faces faces, int face, int place) {
+        return near(faces, face, place, -BEFORE);
+    }
+
+    private static double[] near(Faces faces, int face, int place, double height) {
         double[] at = new double[3];
         for (int a = 0; a < 3; a++) {
             for (int k = 0; k < 3; k++) {
                 double weight = place == 3 ? 1 / 3.0 : place == k ? 0.9 : 0.05;
                 at[a] += weight * faces.corner(face, k, a);
             }
-            at[a] += BEFORE * faces.normal(face, a);
+            at[a] += height * faces.normal(face, a);
         }
         return at;
     }
@@ -34,12 +44,21 @@ final class SolidAngle {
     }
 
     /**
-     * Whether a point lies inside a shell.
+     * Whether a point lies inside a shell that is seen from inside, as the walls of a room are.
      *
      * @param at    x, y, z in the scene brought to size 1; not modified
-     * @param walls the faces of a whole shell that is seen from inside; not modified
+     * @param walls the faces of a whole shell; not modified
      */
     static boolean isInside(Faces faces, double[] at, int[] walls) {
+        return of(faces, at, walls) < -2 * Math.PI;
+    }
+
+    /** Whether a point lies inside a shell that is seen from outside, as a solid is, see {@link #isInside}. */
+    static boolean isInSolid(Faces faces, double[] at, int[] walls) {
+        return of(faces, at, walls) > 2 * Math.PI;
+    }
+
+    private static double of(Faces faces, double[] at, int[] walls) {
         double angle = 0;
         for (int f : walls) {
             double[] c = corners(faces, f, at[0], at[1], at[2]);
@@ -49,7 +68,7 @@ final class SolidAngle {
             double below = p * q * r + dot(c, 0, 3) * r + dot(c, 3, 6) * p + dot(c, 6, 0) * q;
             angle += 2 * StrictMath.atan2(triple(c), below);
         }
-        return angle < -2 * Math.PI;
+        return angle;
     }
 
     /** Corners of a face relative to a point, 9 numbers. */
