@@ -73,13 +73,19 @@ final class AccuracyLoop {
         return reached < Double.POSITIVE_INFINITY ? reached : asked;
     }
 
-    /** Lowers the relative error asked for. */
+    /**
+     * Lowers the relative error asked for, and the tolerances to those with which a calculation of that accuracy
+     * begins. If an estimate is known, they are lowered no further than mean square errors have to fall since then: a
+     * scene whose error is half of what its tolerances promise needs no finer ones to halve it.
+     */
     void aim(double error) {
         asked = error;
-        tolerance = Math.min(tolerance, Accuracy.tolerance(error));
-        boolean isFiner = Accuracy.meshError(error) < meshError;
-        meshError = Math.min(meshError, Accuracy.meshError(error));
-        reached = isFiner ? Double.NaN : Double.POSITIVE_INFINITY;
+        double falls = reached < Double.POSITIVE_INFINITY ? MARGIN * square(error / reached) : 0;
+        double rays = Math.max(Accuracy.tolerance(error), tolerance * StrictMath.pow(falls, Accuracy.POWER / 2));
+        double mesh = Math.max(Accuracy.meshError(error), meshError * falls);
+        reached = mesh < meshError ? Double.NaN : Double.POSITIVE_INFINITY;
+        tolerance = Math.min(tolerance, rays);
+        meshError = Math.min(meshError, mesh);
     }
 
     /** Forgets earlier estimates, which were those of another scene. */

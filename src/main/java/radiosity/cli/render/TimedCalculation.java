@@ -17,14 +17,14 @@ import radiosity.solution.Certificate;
 import radiosity.solver.ProgressiveRadiosity;
 
 /**
- * Calculates ever more exactly until a time limit ({@code --time}); the result is the solution with the smallest
- * estimated error.
+ * Calculates ever more exactly until a time limit ({@code --time}); the result is the last solution whose error was
+ * estimated.
  *
  * <p>Time decides which accuracies are asked for and after which estimate of the error the calculation ends, never the
  * bits of a solution: each solution is the one that {@code --accuracy} and {@code --estimates} give with the values
- * that the scene file names. Each solution whose error is the smallest so far is saved as soon as its error is
- * estimated. If the error is not estimated even once in time, the calculation is cut off after a shot, as by
- * {@code -it}.
+ * that the scene file names. Each solution is saved as soon as its error is estimated. A later one has a finer mesh or
+ * more rays, so it counts even if its estimate, which is uncertain, is a little larger. If the error is not estimated
+ * even once in time, the calculation is cut off after a shot, as by {@code -it}.
  */
 public final class TimedCalculation implements RenderJob.Aims {
 
@@ -50,17 +50,16 @@ public final class TimedCalculation implements RenderJob.Aims {
     private boolean isCutOff;
     /** Whether the user has got the message that the first estimate comes later than the limit. */
     private boolean isLate;
-    private RenderResult best;
-    /** The options that reproduce the best solution. */
+    /** The last solution whose error was estimated; null before there is one. */
+    private RenderResult kept;
+    /** The options that reproduce that solution. */
     private List<String> options = List.of();
     /** The accuracies asked for so far, as the user would write them; the last is being calculated. */
     private final List<String> accuracies = new ArrayList<>();
     /** The relative error asked for; 100 times the error may have more digits than the text. */
     private double aim;
-    /** Time left when that accuracy was asked for, s; of the first one: before the first shot. */
+    /** Time left before the first shot, s. */
     private double begin;
-    /** Time from there to the first estimate of a new solution, s; 0 before that. */
-    private double toFirst;
 
     public TimedCalculation(RenderJob calculation, RadiositySettings settings, TimeLimit limit, TimeCourse course,
                      ConsoleSession user, StopRequest stop, OutputFiles files) {
@@ -76,41 +75,39 @@ public final class TimedCalculation implements RenderJob.Aims {
     /**
      * Calculates until the limit, or beyond it until half of the light is distributed.
      *
-     * @return the solution with the smallest estimated error, or the first one as far as it got
+     * @return the last solution whose error was estimated, or the first one as far as it got
      */
     public RenderResult run() throws IOException {
         aim(AccuracyChoice.COARSEST);
         try {
             RenderResult last = calculation.run(settings.accurate(aim),
                     radiosity -> current = radiosity, this, Optional.empty(), this::goesOn);
-            if (last.isCut() && best == null) {
+            if (last.isCut() && kept == null) {
                 keep(last, isCutOff ? TimeLimit.cutOff(text(), last.progress().shots()) : TimeLimit.accuracy(text()));
-            } else if (last != best) {
-                keepBest(last, TimeLimit.accuracy(text()));
+            } else if (last != kept) {
+                keep(last, TimeLimit.accuracy(text()));
             }
         } catch (NoWorkerException | OutOfMemoryError e) {
-            if (best == null) {
+            if (kept == null) {
                 throw e;
             }
             user.message(accuracies.get(accuracies.size() - 1) + ": " + ErrorReport.line(e));
         }
-        return best;
+        return kept;
     }
 
     private void aim(double error) {
         String perCent = TimeLimit.perCent(error);
         accuracies.add(perCent);
         aim = new Values.PerCent().convert(perCent);
-        begin = course.left();
-        toFirst = 0;
         course.at(perCent);
     }
 
     /** Keeps a solution that is as exact as was asked for, and chooses the next relative error; empty for none. */
     @Override
     public OptionalDouble after(RenderResult result) throws IOException {
-        keepBest(result, TimeLimit.accuracy(text()));
-        choice.took(Math.min(aim, error(result)), toFirst, result.progress().elements());
+        keep(result, TimeLimit.accuracy(text()));
+        choice.reached(Math.min(aim, error(result)), begin - course.left(), result.progress().elements());
         double next = choice.next(left());
         if (next == 0) {
             return OptionalDouble.empty();
@@ -122,15 +119,8 @@ public final class TimedCalculation implements RenderJob.Aims {
     /** Keeps a solution on the way to the accuracy asked for, unless it is the one that the way began with. */
     @Override
     public void estimated(RenderJob.Estimated solution) throws IOException {
-        if (best == null || current.progress().rounds() > best.progress().rounds()) {
-            keepBest(solution.result(), TimeLimit.estimates(text(), current.estimates()));
-        }
-    }
-
-    private void keepBest(RenderResult result, List<String> same) throws IOException {
-        toFirst = toFirst == 0 ? begin - course.left() : toFirst;
-        if (best == null || error(result) < error(best)) {
-            keep(result, same);
+        if (kept == null || current.progress().rounds() > kept.progress().rounds()) {
+            keep(solution.result(), TimeLimit.estimates(text(), current.estimates()));
         }
     }
 
@@ -139,14 +129,14 @@ public final class TimedCalculation implements RenderJob.Aims {
     }
 
     private void keep(RenderResult result, List<String> same) throws IOException {
-        best = result;
+        kept = result;
         options = same;
         files.reproducedBy(same).saveScene(result.solution(), result.settings(), result.certificate());
     }
 
     @Override
     public Optional<RenderResult> kept() {
-        return Optional.ofNullable(best);
+        return Optional.ofNullable(kept);
     }
 
     /** The value of {@code --accuracy} of the calculation so far. */
@@ -168,13 +158,13 @@ public final class TimedCalculation implements RenderJob.Aims {
         if (stop.made() || left() > 0) {
             return !stop.made();
         }
-        isCutOff = best == null && shots > before && current.progress().unsent() <= LIT;
-        if (best == null && !isCutOff && !isLate) {
+        isCutOff = kept == null && shots > before && current.progress().unsent() <= LIT;
+        if (kept == null && !isCutOff && !isLate) {
             isLate = true;
             user.message(TimeLimit.OPTION + " " + limit.text()
                     + ": too short for this scene; going on until half of its light is distributed");
         }
-        return best == null && !isCutOff;
+        return kept == null && !isCutOff;
     }
 
     /** A line for the user: the time of the calculation, and the options that reproduce it to the last bit. */
@@ -186,7 +176,7 @@ public final class TimedCalculation implements RenderJob.Aims {
                     + "; the same as with " + same;
         }
         return TimeLimit.OPTION + " " + limit.text() + ": "
-                + (best.isCut() ? "stopped after " + time + " in the first calculation, the one of " + same
+                + (kept.isCut() ? "stopped after " + time + " in the first calculation, the one of " + same
                 : (stop.made() ? "stopped after " : "done in ") + time + "; the same as with " + same);
     }
 }
