@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import radiosity.scene.Camera;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
@@ -22,7 +23,8 @@ import radiosity.settings.Schedule;
 
 /**
  * Encodes the part of a scene that a host needs, and the settings: the original triangles, the object to which each
- * belongs, surfaces with their images as rasters of numbers, and lights. Names and the camera stay with the master.
+ * belongs, surfaces with their images as rasters of numbers, lights, and the camera, as a body around the camera keeps
+ * its inner sides. Names stay with the master.
  */
 public final class SceneBytes {
 
@@ -57,6 +59,10 @@ public final class SceneBytes {
             for (Light light : scene.lights()) {
                 write(out, light);
             }
+            out.writeBoolean(scene.camera().isPresent());
+            if (scene.camera().isPresent()) {
+                write(out, scene.camera().get());
+            }
         });
     }
 
@@ -80,8 +86,10 @@ public final class SceneBytes {
             lights.add(new Light("light " + i, constant(Light.Kind.values(), in.readByte()), rgb(in), vec(in), vec(in),
                     vec(in), vec(in), in.readDouble(), in.readDouble(), in.readDouble(), luminaire(in)));
         }
+        Optional<Camera> camera = in.readBoolean()
+                ? Camera.of(vec(in), vec(in), vec(in), in.readDouble(), in.readDouble()) : Optional.empty();
         return new Task(new Scene("the master's scene", points, corners, surfaceOf, surfaces, lights,
-                Optional.empty(), textureCoordinates, vertexColours, Hierarchy.unnamed(nodeOf)), settings);
+                camera, textureCoordinates, vertexColours, Hierarchy.unnamed(nodeOf)), settings);
     }
 
     private static void write(DataOutputStream out, RadiositySettings settings) throws IOException {
@@ -108,6 +116,14 @@ public final class SceneBytes {
         if (light.luminaire().isPresent()) {
             write(out, light.luminaire().get());
         }
+    }
+
+    private static void write(DataOutputStream out, Camera camera) throws IOException {
+        write(out, camera.position());
+        write(out, camera.forward());
+        write(out, camera.up());
+        out.writeDouble(camera.verticalHalfAngle());
+        out.writeDouble(camera.aspect());
     }
 
     private static void write(DataOutputStream out, Luminaire lamp) throws IOException {

@@ -31,6 +31,22 @@ public final class BoxTree {
         boolean meets(double[] boxes, int at);
     }
 
+    /**
+     * The boxes that overlap a box along each axis.
+     *
+     * @param box low x, y, z and high x, y, z, 6 from {@code of}; not modified, kept
+     * @param by  least length of the overlap; negative where boxes may be as far apart
+     */
+    public static Region overlapping(double[] box, int of, double by) {
+        return (boxes, at) -> {
+            boolean overlaps = true;
+            for (int a = 0; a < 3; a++) {
+                overlaps &= boxes[at + a] <= box[of + 3 + a] - by && box[of + a] <= boxes[at + 3 + a] - by;
+            }
+            return overlaps;
+        };
+    }
+
     /** @param boxes low x, y, z and high x, y, z, 6 per box; not modified, kept */
     public BoxTree(double[] boxes) {
         this.boxes = boxes;

@@ -140,13 +140,10 @@ public final class ClosedRooms {
 
         /** Whether a wanted shell other than s has a box that overlaps the box of s by {@code by} on every axis. */
         boolean any(int s, double by, IntPredicate wanted) {
+            BoxTree.Region overlapping = BoxTree.overlapping(box, 6 * s, by);
             BoxTree.Region region = (boxes, i) -> {
                 looks++;
-                boolean meets = true;
-                for (int a = 0; a < 3; a++) {
-                    meets &= boxes[i + a] <= box[6 * s + 3 + a] - by && box[6 * s + a] <= boxes[i + 3 + a] - by;
-                }
-                return meets;
+                return overlapping.meets(boxes, i);
             };
             return tree.any(region, i -> some[i] != s && wanted.test(some[i]));
         }

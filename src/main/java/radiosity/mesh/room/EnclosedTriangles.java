@@ -62,13 +62,7 @@ public final class EnclosedTriangles {
     private int[] contents(int of, int[] all, BoxTree tree) {
         double[] box = shells.box;
         IntStream.Builder found = IntStream.builder();
-        tree.any((boxes, i) -> {
-            boolean overlaps = true;
-            for (int a = 0; a < 3; a++) {
-                overlaps &= boxes[i + a] <= box[6 * of + 3 + a] && box[6 * of + a] <= boxes[i + 3 + a];
-            }
-            return overlaps;
-        }, i -> {
+        tree.any(BoxTree.overlapping(box, 6 * of, 0), i -> {
             boolean isWithin = all[i] != of;
             for (int a = 0; a < 3 && isWithin; a++) {
                 isWithin = box[6 * all[i] + a] > box[6 * of + a] - TOUCH

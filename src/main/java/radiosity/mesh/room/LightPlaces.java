@@ -49,12 +49,7 @@ final class LightPlaces {
      * @param inside receives x, y, z of the place, and of the place behind the same face
      */
     boolean any(double[] box, int of, BiPredicate<double[], double[]> inside) {
-        return tree.any((boxes, i) -> {
-            boolean overlaps = true;
-            for (int a = 0; a < 3; a++) {
-                overlaps &= boxes[i + a] <= box[of + 3 + a] && box[of + a] <= boxes[i + 3 + a];
-            }
-            return overlaps;
-        }, place -> inside.test(before.get(place), behind.get(place)));
+        return tree.any(BoxTree.overlapping(box, of, 0),
+                place -> inside.test(before.get(place), behind.get(place)));
     }
 }
