@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import radiosity.master.host.Link;
 import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneBuilder;
@@ -26,13 +27,16 @@ import radiosity.testkit.TestLink;
 class CameraInABodyTest {
 
     private static final RadiositySettings SETTINGS = RadiositySettings.defaults().accurate(.2);
+    private static final StopRule STOP = new StopRule(1000, StopRule.DEFAULT_UNSENT);
+    private static final Box ROOM = new Box(Vec3.ZERO, new Vec3(2, 2, 2));
+    private static final Box BODY = new Box(new Vec3(.5, .5, .5), new Vec3(1, 1, 1));
 
     private static SceneBuilder room(Optional<Camera> camera) {
         SceneBuilder builder = new SceneBuilder();
         Surface sheet = new Surface("sheet", Rgb.BLACK, Rgb.grey(.5), true);
         for (int side = 0; side < 6; side++) {
-            builder.polygon(RoomScenes.grey("wall", side == 0 ? 1 : 0, .5), new Box(Vec3.ZERO, new Vec3(2, 2, 2)).inside(side));
-            builder.polygon(sheet, new Box(new Vec3(.5, .5, .5), new Vec3(1, 1, 1)).inside(side));
+            builder.polygon(RoomScenes.grey("wall", side == 0 ? 1 : 0, .5), ROOM.inside(side));
+            builder.polygon(sheet, BODY.inside(side));
         }
         camera.ifPresent(builder::camera);
         return builder;
@@ -40,7 +44,7 @@ class CameraInABodyTest {
 
     private static SavedState state(World world) throws IOException {
         try (world) {
-            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, new StopRule(1000, StopRule.DEFAULT_UNSENT));
+            ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, STOP);
             radiosity.run(progress -> true);
             return radiosity.state();
         }
@@ -54,8 +58,9 @@ class CameraInABodyTest {
             LocalWorld local = new LocalWorld(room.scene("room"), SETTINGS, 1);
             assertEquals(at.isPresent() ? 36 : 24, sides(local));
             SavedState alone = state(local);
-            assertEquals(alone, state(new RemoteWorld(room.scene("room"), SETTINGS, 1, line -> { },
-                    List.of(new TestLink("a", 1, round -> false), new TestLink("b", 1, round -> false)), System::nanoTime)));
+            List<Link> hosts = List.of(new TestLink("a", 1, round -> false), new TestLink("b", 1, round -> false));
+            assertEquals(alone, state(new RemoteWorld(room.scene("room"), SETTINGS, 1, line -> { }, hosts,
+                    System::nanoTime)));
         }
     }
 

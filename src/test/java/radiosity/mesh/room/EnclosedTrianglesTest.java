@@ -20,13 +20,14 @@ class EnclosedTrianglesTest {
 
     private static final Surface WOOD = RoomScenes.grey("wood", 0, .5);
     private static final Surface LAMP = RoomScenes.grey("lamp", 1, .5);
+    private static final Box ROOM = new Box(new Vec3(-1, -1, -1), new Vec3(2, 2, 2));
     private static final Vec3 MIDDLE = new Vec3(.5, .5, .5);
 
     /** A room with a cupboard, below which a lamp hangs, and a box of 12 triangles in the cupboard. */
     private static SceneBuilder room(Vec3 low, Vec3 high) {
         SceneBuilder builder = new SceneBuilder();
         for (int side = 0; side < 6; side++) {
-            builder.polygon(RoomScenes.grey("wall", 0, .5), new Box(new Vec3(-1, -1, -1), new Vec3(2, 2, 2)).inside(side));
+            builder.polygon(RoomScenes.grey("wall", 0, .5), ROOM.inside(side));
         }
         RoomScenes.addSolid(builder, LAMP, new Vec3(.2, .2, -.1), new Vec3(.8, .8, 0));
         RoomScenes.addSolid(builder, WOOD, Vec3.ZERO, new Vec3(1, 1, 1));
