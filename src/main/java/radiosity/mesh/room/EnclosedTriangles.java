@@ -7,8 +7,8 @@ import radiosity.util.BoxTree;
 
 /**
  * Finds the triangles that lie inside a closed solid, such as what a cupboard holds that is modelled as one box. No
- * light enters a solid, so where neither a source nor the camera is inside, light reaches none of these triangles. A
- * surface that ends in the solid, as the upper side of a lamp below the cupboard, sees them all the same.
+ * light enters a solid, so where neither a source nor the camera is inside, light reaches none of these triangles.
+ * Rays from a surface in contact with the solid, as the upper side of a lamp below the cupboard, would meet them.
  */
 public final class EnclosedTriangles {
 
@@ -82,11 +82,23 @@ public final class EnclosedTriangles {
                 && !lights.any(shells.box, 6 * solid, (before, behind) -> SolidAngle.isInSolid(faces, before, walls)
                 && SolidAngle.isInSolid(faces, behind, walls));
         for (int s : contents) {
-            int[] some = members.of(s);
-            if (isDark && IntStream.of(some).allMatch(f -> isInside(f, walls, false) || isInside(f, walls, true))) {
-                IntStream.of(some).filter(f -> isInside(f, walls, false)).forEach(inside::set);
+            if (isDark) {
+                enclose(walls, members.of(s));
             }
         }
+    }
+
+    /** Notes which faces of a shell are inside a solid, if the shell is: each face is, or is on the solid's border. */
+    private void enclose(int[] walls, int[] some) {
+        BitSet found = new BitSet();
+        for (int f : some) {
+            if (isInside(f, walls, false)) {
+                found.set(f);
+            } else if (!isInside(f, walls, true)) {
+                return;
+            }
+        }
+        inside.or(found);
     }
 
     /** Whether all places a little in front of a face, or behind the face, are inside a solid. */
