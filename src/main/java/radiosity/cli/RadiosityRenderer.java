@@ -150,7 +150,7 @@ public final class RadiosityRenderer {
                     begin(radiosity, before, changed);
                 }
                 ending.begin(Optional.of(claim.journal()));
-            }, RenderJob.Aims.of(options.calculation.aims()), Optional.of(journal), () -> !stop.made());
+            }, RenderJob.Aims.of(options.calculation.aims(settings)), Optional.of(journal), () -> !stop.made());
             user.phase("writing " + options.output().getFileName());
             saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
         }
@@ -225,10 +225,7 @@ public final class RadiosityRenderer {
 
     private RadiositySettings settings(Scene scene, SavedCalculation saved, RadiositySettings otherwise) {
         RadiositySettings settings = options.calculation.settings(scene, saved == null ? otherwise : saved.settings());
-        if (saved != null) {
-            saved.checkSettings(settings);
-        }
-        return settings;
+        return saved == null ? settings : saved.goingOn(settings);
     }
 
     private void check(Scene scene, RadiositySettings settings) {

@@ -49,6 +49,17 @@ public record RadiositySettings(double patchArea, int rays, double meshing, Sche
                 Accuracy.meshError(error), layers, factors);
     }
 
+    /** These settings with the thresholds of others. */
+    public RadiositySettings asAccurateAs(RadiositySettings other) {
+        return new RadiositySettings(patchArea, rays, meshing, schedule, other.tolerance, other.meshError, layers,
+                factors);
+    }
+
+    /** Whether these settings are made for a larger error than a given one, which is above 0. */
+    public boolean isCoarserThan(double error) {
+        return Accuracy.tolerance(error) < (tolerance == 0 ? Accuracy.tolerance(Accuracy.DEFAULT) : tolerance);
+    }
+
     public static RadiositySettings defaults() {
         return new RadiositySettings(0, 0, Double.POSITIVE_INFINITY, Schedule.PREDICT);
     }

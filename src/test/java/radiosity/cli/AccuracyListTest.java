@@ -44,4 +44,12 @@ class AccuracyListTest {
             assertEquals(whole, render(LIST + " -tf " + directory.resolve("part.scene") + " " + shots, "on.scene"));
         }
     }
+
+    /** Who finds a file not exact enough asks for a smaller error, as if both had been asked for at first. */
+    @Test
+    void smallerErrorThanThatOfTheFile_goesOnToTheSameBits() throws IOException {
+        SavedState whole = render(LIST, "whole.scene");
+        render("--accuracy 50%", "first.scene");
+        assertEquals(whole, render("--accuracy 20% -tf " + directory.resolve("first.scene"), "on.scene"));
+    }
 }

@@ -49,7 +49,7 @@ public final class CalculationOptions {
 
     @Option(names = "--accuracy", paramLabel = "<n>%", converter = Values.PerCent.class, split = ",",
             description = "Expected error of the radiosity, of its mean. Default: 2%%. With several, as 10%%,2%%, the"
-                    + " later ones go on from the first. With --schedule predict.")
+                    + " later ones go on from the first; with -tf, from that of the file. With --schedule predict.")
     List<Double> accuracy;
 
     @Option(names = TimeLimit.OPTION, paramLabel = "<n>s", converter = TimeLimit.Parser.class,
@@ -131,9 +131,9 @@ public final class CalculationOptions {
         }
     }
 
-    /** Relative errors to reach after the first one, in their order. */
-    public List<Double> aims() {
-        return accuracy == null ? List.of() : accuracy.subList(1, accuracy.size());
+    /** Relative errors to reach after the one for which the settings are made, in their order. */
+    public List<Double> aims(RadiositySettings settings) {
+        return accuracy == null ? List.of() : accuracy.stream().filter(settings::isCoarserThan).toList();
     }
 
     /** Whether only the accuracy asked for ends the calculation. */

@@ -111,15 +111,21 @@ public record SavedCalculation(Path file, int shots, RadiositySettings settings)
         }
     }
 
-    /** Fails where an option differs from the settings of this calculation. */
-    public void checkSettings(RadiositySettings asked) {
-        checkSetting("-pa", settings.patchArea(), asked.patchArea());
-        checkSetting("-nr", settings.rays(), asked.rays());
-        checkSetting("-mt", settings.meshing(), asked.meshing());
-        checkSetting("--accuracy", perCent(settings), perCent(asked));
-        checkSetting("--layers", settings.layers(), asked.layers());
-        checkSetting("--form-factors", settings.factors(), asked.factors());
-        checkSetting("--schedule", settings.schedule(), asked.schedule());
+    /**
+     * The settings with which this calculation goes on: its own accuracy first, where a smaller error is asked for.
+     * Fails where another option differs.
+     */
+    public RadiositySettings goingOn(RadiositySettings asked) {
+        RadiositySettings next = settings.isCoarserThan(Accuracy.of(asked.tolerance())) ? asked.asAccurateAs(settings)
+                : asked;
+        checkSetting("-pa", settings.patchArea(), next.patchArea());
+        checkSetting("-nr", settings.rays(), next.rays());
+        checkSetting("-mt", settings.meshing(), next.meshing());
+        checkSetting("--accuracy", perCent(settings), perCent(next));
+        checkSetting("--layers", settings.layers(), next.layers());
+        checkSetting("--form-factors", settings.factors(), next.factors());
+        checkSetting("--schedule", settings.schedule(), next.schedule());
+        return next;
     }
 
     private void checkSetting(String option, Object saved, Object asked) {
