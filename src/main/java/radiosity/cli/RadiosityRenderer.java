@@ -156,6 +156,9 @@ public final class RadiosityRenderer {
         }
         Summary summary = write(result, Optional.empty(), saved, failures);
         journal.delete();
+        if (result.isCut() && options.file.change == null && options.file.frames == null) {
+            System.out.println("stopped: the same command with -tf " + options.output() + " goes on");
+        }
         finish(result, summary);
     }
 

@@ -89,6 +89,7 @@ class StopTest {
         String shown = Program.rest(render);
         assertEquals(ExitCode.DONE, render.waitFor(), shown);
         assertTrue(shown.contains("distributing light [") && shown.contains("] 0 %"), shown);
+        assertTrue(shown.contains("stopped: the same command with -tf foobar.scene goes on"), shown);
         goesOn(1);
     }
 
