@@ -1,18 +1,23 @@
 package radiosity.input.file;
 
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import radiosity.scene.SceneFormatException;
 
 /**
- * Remarks about one file: each kind of remark is reported once, with its first place and the number of its occurrences.
+ * Remarks about one file: each kind of remark is reported once, with its first place, the first details and the number
+ * of its occurrences.
  *
  * <p>Thus a file with a million bad polygons makes one line. {@link #flush()} reports the remarks.
  */
 public final class Diagnostics {
 
     private static final int LONGEST = 200;
+    /** Number of different details that are reported of one kind of remark. */
+    private static final int MOST_DETAILS = 5;
 
     private final String file;
     private final Consumer<String> warnings;
@@ -21,12 +26,29 @@ public final class Diagnostics {
 
     private static final class Remark {
         final String place;
-        final String detail;
+        final Set<String> details = new LinkedHashSet<>();
+        boolean hasMore;
         int count;
 
-        Remark(String place, String detail) {
+        Remark(String place) {
             this.place = place;
-            this.detail = detail;
+        }
+
+        void add(String detail) {
+            count++;
+            boolean isNew = !detail.isEmpty() && !details.contains(detail);
+            int length = details.stream().mapToInt(String::length).sum() + detail.length();
+            if (isNew && (details.isEmpty() || details.size() < MOST_DETAILS && length <= LONGEST)) {
+                details.add(detail);
+            } else {
+                hasMore |= isNew;
+            }
+        }
+
+        @Override
+        public String toString() {
+            String all = details.isEmpty() ? "" : ": " + String.join(", ", details) + (hasMore ? ", ..." : "");
+            return all + (count > 1 ? " (" + count + " times)" : "");
         }
     }
 
@@ -53,10 +75,10 @@ public final class Diagnostics {
     /**
      * @param place  place in the file; empty for the whole file
      * @param remark kind of the remark, a fixed text of this program
-     * @param detail content of the file at the place; only the first detail of a kind is reported
+     * @param detail content of the file at the place; only the first different details of a kind are reported
      */
     public void note(String place, String remark, String detail) {
-        remarks.computeIfAbsent(remark, r -> new Remark(place, shorten(detail))).count++;
+        remarks.computeIfAbsent(remark, r -> new Remark(place)).add(shorten(detail));
     }
 
     /** Reports, at once, something that is no fault of the file and so no error under --strict either. */
@@ -75,23 +97,18 @@ public final class Diagnostics {
      */
     public void flush() throws SceneFormatException {
         for (Map.Entry<String, Remark> entry : remarks.entrySet()) {
-            Remark remark = entry.getValue();
-            String text = text(entry.getKey(), remark);
+            String place = entry.getValue().place;
+            String text = entry.getKey() + entry.getValue();
             if (strict) {
-                throw new SceneFormatException(file, remark.place, "no warning (--strict)", text);
+                throw new SceneFormatException(file, place, "no warning (--strict)", text);
             }
-            warnings.accept(line(remark.place, text));
+            warnings.accept(line(place, text));
         }
         remarks.clear();
     }
 
     private String line(String place, String text) {
         return SceneFormatException.escape(file + (place.isEmpty() ? "" : ", " + place) + ": " + text);
-    }
-
-    private static String text(String kind, Remark remark) {
-        String detail = remark.detail.isEmpty() ? "" : ": " + remark.detail;
-        return kind + detail + (remark.count > 1 ? " (" + remark.count + " times)" : "");
     }
 
     static String shorten(String text) {

@@ -424,7 +424,7 @@ class GltfReaderTest {
                 + "{'attributes':{'POSITION':0},'mode':6,'material':1}]}]",
                 "'materials':[{'name':'a'},{'name':'a','alphaMode':'BLEND'}]");
         assertEquals(List.of("a", "a#1"), read(text).surfaces().stream().map(Surface::name).toList());
-        assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a (2 times)",
+        assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a, a#1 (2 times)",
                 "a.gltf: transparent surfaces are taken as opaque: a#1"), told);
     }
 

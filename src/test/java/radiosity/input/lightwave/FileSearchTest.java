@@ -165,7 +165,8 @@ class FileSearchTest {
         String text = "LWSC\n1\nLoadObject near.lwo\nLoadObject gone.lwo\nLoadObject gone2.lwo\n";
         Files.writeString(scene, text);
         LightWaveReader.read(scene, ReadOptions.defaults(), told::add);
-        assertEquals(List.of("a.lws, line 4: objects that are not found are left out: gone.lwo (2 times)"), told);
+        assertEquals(List.of("a.lws, line 4: objects that are not found are left out: gone.lwo, gone2.lwo"
+                + " (2 times)"), told);
         ReadOptions strict = ReadOptions.defaults().withStrict(true);
         SceneFormatException error = assertThrows(SceneFormatException.class,
                 () -> LightWaveReader.read(scene, strict, told::add));

@@ -121,8 +121,9 @@ class ObjReaderTest {
     @Test
     void missingLibrary_isOneLine_andSoAreItsMaterials() throws IOException {
         Scene scene = read(SQUARES);
-        assertEquals(List.of("room.obj: material libraries that are not found leave a light grey: Room (2 times)",
-                "room.obj: materials that no library describes are taken as a light grey: paint (2 times)"), told);
+        assertEquals(List.of("room.obj: material libraries that are not found leave a light grey: Room, Materials.mtl"
+                + " (2 times)", "room.obj: materials that no library describes are taken as a light grey: paint, glow"
+                + " (2 times)"), told);
         assertEquals(Rgb.grey(.8), scene.surfaces().get(0).reflectance());
         SceneFormatException strict = assertThrows(SceneFormatException.class,
                 () -> read(SQUARES, ReadOptions.defaults().withStrict(true)));
