@@ -4,12 +4,15 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import radiosity.mesh.room.DarkCavities;
 import radiosity.protocol.Answer;
 import radiosity.protocol.Order;
 import radiosity.protocol.Partitions;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 import radiosity.scene.Scene;
+import radiosity.scene.Surface;
 import radiosity.settings.RadiositySettings;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
@@ -56,6 +59,12 @@ public abstract class World implements Partitions, AutoCloseable {
     /** Triangles of the scene that are too small to radiate; they still occlude. */
     public int droppedTriangles() {
         return mesh.faces.dropped();
+    }
+
+    /** The closed bodies that are {@linkplain DarkCavities#insideOut inside out}: the surfaces of each. */
+    public List<List<Surface>> insideOut() {
+        return DarkCavities.insideOut(mesh.faces).stream().map(body -> IntStream.of(body)
+                .mapToObj(f -> mesh.scene.surface(mesh.faces.triangle(f))).distinct().toList()).toList();
     }
 
     /** 1 where everything in the scene is grey, else 3; times the number of layers. */

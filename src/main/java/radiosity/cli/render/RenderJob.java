@@ -150,6 +150,7 @@ public final class RenderJob {
                     + (world.droppedTriangles() == 1 ? " is too small to be lit; it still casts shadows"
                     : " are too small to be lit; they still cast shadows"));
         }
+        new SceneChecks(scene, warnings).insideOut(world.insideOut());
         SceneChecks.sizes(world.patches(), world.channels(), world.settings().layers() ? scene.lamps().size() : 0);
         Schedule schedule = world.settings().schedule();
         if (schedule.isForSmallScenes() && world.patches() > Schedule.MOST_PATCHES) {

@@ -1,5 +1,6 @@
 package radiosity.cli.render;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import radiosity.cli.options.Failure;
@@ -27,6 +28,8 @@ public final class SceneChecks {
     /** Entries per vertex of the longest array that pictures and tables of points need: 6 per element. */
     private static final int LARGEST_PER_VERTEX = 12;
 
+    /** Number of surfaces that a warning names. */
+    private static final int MOST_NAMES = 5;
     /** How far beyond the bounds a luminaire may be, in diagonals of the scene. */
     private static final double MARGIN = 0.1;
 
@@ -94,6 +97,22 @@ public final class SceneChecks {
             warnings.accept(String.format(Locale.ROOT, "%s: expected at most %,d objects, whose names and hierarchy the"
                     + " scene file keeps, got %,d: it will have surfaces only", scene.name(), Hierarchy.MOST_WRITTEN,
                     objects.nodes().size()));
+        }
+    }
+
+    /**
+     * Warns of closed bodies that show their fronts to the inside only, where no light is.
+     *
+     * @param bodies the surfaces of each
+     */
+    public void insideOut(List<List<Surface>> bodies) {
+        if (!bodies.isEmpty()) {
+            List<String> names = bodies.stream().flatMap(List::stream).map(Surface::name).distinct().toList();
+            String some = String.join(", ", names.subList(0, Math.min(MOST_NAMES, names.size())));
+            warnings.accept(scene.name() + ": expected bodies that are seen from outside, got "
+                    + (bodies.size() == 1 ? "one" : bodies.size()) + " inside out, which will be black: " + some
+                    + (names.size() > MOST_NAMES ? ", ..." : "")
+                    + "; turn the polygons over, or make the surfaces two-sided");
         }
     }
 

@@ -1,13 +1,19 @@
 package radiosity.mesh.room;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.Faces;
+import radiosity.util.BoxTree;
 
 /**
- * Finds the inner sides of closed bodies of two-sided triangles, such as the bars of a window in a model whose surfaces
- * are all two-sided. No light enters such a body, so where neither a source nor the camera is inside, its inner sides
- * are black and unseen. Without these sides the body is a solid like one of one-sided triangles.
+ * Finds closed bodies that are seen from inside, where neither a source of light nor the camera is: no light enters, so
+ * they are black.
+ *
+ * <p>Such a body may be the inner sides of two-sided triangles, as of the bars of a window in a model whose surfaces
+ * are all two-sided. Without these sides the bars are solids like those of one-sided triangles. A body of one-sided
+ * triangles is inside out, unless it is the hollow of a solid: the corners of its triangles run the wrong way.
  */
 public final class DarkCavities {
 
@@ -30,24 +36,41 @@ public final class DarkCavities {
             return dark;
         }
         DarkCavities all = new DarkCavities(faces);
-        for (int f = 0; f < faces.count(); f++) {
-            if (all.shells.shell[f] == f && all.isDark(f)) {
-                IntStream.of(all.members.of(f)).forEach(dark::set);
-            }
-        }
+        all.cavities(true).forEach(shell -> IntStream.of(all.members.of(shell)).forEach(dark::set));
         return dark;
+    }
+
+    /** The bodies of one-sided triangles that are inside out: the faces of each. */
+    public static List<int[]> insideOut(Faces faces) {
+        DarkCavities all = new DarkCavities(faces);
+        double[] solids = IntStream.range(0, faces.count())
+                .filter(f -> all.shells.shell[f] == f && all.shells.isWhole(f) && all.shells.volume[f] > 0)
+                .mapToObj(f -> Arrays.copyOfRange(all.shells.box, 6 * f, 6 * f + 6)).flatMapToDouble(Arrays::stream)
+                .toArray();
+        BoxTree tree = new BoxTree(solids);
+        return all.cavities(false).filter(shell -> !tree.any(BoxTree.overlapping(all.shells.box, 6 * shell, 0),
+                solid -> holds(solids, 6 * solid, all.shells.box, 6 * shell))).mapToObj(all.members::of).toList();
+    }
+
+    private static boolean holds(double[] boxes, int at, double[] others, int of) {
+        return IntStream.range(0, 3).allMatch(a -> boxes[at + a] <= others[of + a]
+                && boxes[at + 3 + a] >= others[of + 3 + a]);
+    }
+
+    private IntStream cavities(boolean twoSided) {
+        return IntStream.range(0, faces.count()).filter(f -> shells.shell[f] == f && isDark(f, twoSided));
     }
 
     private static boolean isTwoSided(Faces faces, int face) {
         return faces.scene().surface(faces.triangle(face)).twoSided();
     }
 
-    private boolean isDark(int shell) {
+    private boolean isDark(int shell, boolean twoSided) {
         if (!shells.isWhole(shell) || shells.volume[shell] >= 0) {
             return false;
         }
         int[] walls = members.of(shell);
-        return IntStream.of(walls).allMatch(f -> isTwoSided(faces, f) && !faces.emits(f))
+        return IntStream.of(walls).allMatch(f -> isTwoSided(faces, f) == twoSided && !faces.emits(f))
                 && !lights.any(shells.box, 6 * shell, (before, behind) -> SolidAngle.isInside(faces, before, walls));
     }
 }

@@ -3,7 +3,10 @@ package radiosity.mesh.room;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Camera;
@@ -106,5 +109,38 @@ class DarkCavitiesTest {
             builder.polygon(wall, BODY.inside(side));
         }
         assertEquals(0, dark(builder));
+    }
+
+    private static SceneBuilder oneSided(SceneBuilder builder, Box box, boolean inside) {
+        Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(0.5), false);
+        for (int side = 0; side < 6; side++) {
+            List<Vec3> corners = Arrays.asList(box.inside(side));
+            if (!inside) {
+                Collections.reverse(corners);
+            }
+            builder.polygon(wall, corners.toArray(Vec3[]::new));
+        }
+        return builder;
+    }
+
+    private static int insideOut(SceneBuilder builder) {
+        return DarkCavities.insideOut(new Faces(builder.scene("body"))).size();
+    }
+
+    @Test
+    void oneSidedBodySeenFromInside_isInsideOut() {
+        assertEquals(1, insideOut(oneSided(lamp(0.9), BODY, true)));
+        assertEquals(0, insideOut(oneSided(lamp(0.9), BODY, false)));
+    }
+
+    @Test
+    void roomWithALamp_isNotInsideOut() {
+        assertEquals(0, insideOut(oneSided(lamp(0.5), BODY, true)));
+    }
+
+    @Test
+    void hollowOfASolid_isNotInsideOut() {
+        Box around = new Box(new Vec3(0.2, 0.2, 0.2), new Vec3(0.8, 0.8, 0.8));
+        assertEquals(0, insideOut(oneSided(oneSided(lamp(0.9), around, false), BODY, true)));
     }
 }
