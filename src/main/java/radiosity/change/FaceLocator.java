@@ -95,21 +95,4 @@ final class FaceLocator {
         }
         return clamped;
     }
-
-    /**
-     * Descends from a triangle to the child, of its four, in which a point lies.
-     *
-     * @param weights modified: 3, barycentric weights of the triangle's corners, then of the child's
-     * @return the number of the child, 0 to 3
-     */
-    static int descend(double[] weights) {
-        int child = 3;
-        for (int k = 0; k < 3; k++) {
-            child = weights[k] > 0.5 ? k : child;
-        }
-        for (int k = 0; k < 3; k++) {
-            weights[k] = child == 3 ? 1 - 2 * weights[k] : k == child ? 2 * weights[k] - 1 : 2 * weights[k];
-        }
-        return child;
-    }
 }

@@ -177,7 +177,7 @@ final class MeshTransfer {
                 }
                 made.split(node, SPLIT);
             }
-            path = NodePath.child(path, FaceLocator.descend(weights));
+            path = NodePath.child(path, Subdivision.enter(weights));
         }
     }
 
@@ -298,7 +298,7 @@ final class MeshTransfer {
         double[] weights = place.weights();
         int node = old.find(place.face(), path);
         while ((node < 0 || !old.isElement(node)) && NodePath.level(path) < NodePath.MAX_LEVEL) {
-            path = NodePath.child(path, FaceLocator.descend(weights));
+            path = NodePath.child(path, Subdivision.enter(weights));
             node = old.find(place.face(), path);
         }
         boolean isSeen = false;

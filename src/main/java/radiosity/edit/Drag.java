@@ -78,11 +78,6 @@ public final class Drag {
         return StrictMath.tan(camera.verticalHalfAngle());
     }
 
-    /** Whether the object has left its original place. */
-    public boolean isMoved() {
-        return turn != 0 || !by.equals(Vec3.ZERO);
-    }
-
     /** Returns the object's displacement and turn so far, limited to the box around all other objects. */
     public Edit.Moved edit() {
         Affine turned = new Edit.Moved(node, about, turn, Vec3.ZERO).map();
