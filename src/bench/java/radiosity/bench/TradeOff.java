@@ -3,7 +3,6 @@ package radiosity.bench;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BiFunction;
@@ -29,16 +28,13 @@ import radiosity.testkit.TruthFile;
  */
 public final class TradeOff {
 
-    /** How finely, relative to the default: rays and elements follow. */
-    private static final double[] FINENESS = {8, 4, 2, 1, 0.5};
-    private static final double TOLERANCE = 0.05;
-    private static final double MESH_ERROR = 4e-4;
+    /** Errors that are asked for, per cent. */
+    private static final double[] ACCURACIES = {20, 10, 5, 2, 1, 0.5};
     private static final double[] PATCHES = {75, 150, 300};
 
     /** Ways to solve a scene, each with a knob. */
     private static final List<Way> WAYS = List.of(
-            new Way("default", FINENESS, (scene, f) -> new RadiositySettings(0, 0, Double.POSITIVE_INFINITY,
-                    Schedule.PREDICT, TOLERANCE * f, MESH_ERROR * f)),
+            new Way("default", ACCURACIES, (scene, asked) -> RadiositySettings.defaults().accurate(asked / 100)),
             paper(FormFactors.RAYCAST), paper(FormFactors.PLAIN), paper(FormFactors.HEMICUBE),
             paper(FormFactors.NUSSELT));
 
@@ -77,15 +73,13 @@ public final class TradeOff {
         Plot plot = new Plot(name, "CPU seconds", "rmse / mean, per cent");
         measure(scene, WAYS.get(0), WAYS.get(0).knobs()[0], points);
         for (Way way : WAYS) {
-            List<double[]> curve = new ArrayList<>();
             for (double knob : way.knobs()) {
                 Measured m = measure(scene, way, knob, points);
-                System.out.printf("| %s | %s | %g | %d | %.2f | %.2f %% | %.2f %% | %.2f %% |%n", name, way.name(),
+                System.out.printf("| %s | %s | %.1f | %d | %.2f | %.2f %% | %.2f %% | %.2f %% |%n", name, way.name(),
                         knob,
                         m.elements(), m.seconds(), 100 * m.all().rmse(), 100 * m.near().rmse(), 100 * m.all().bias());
-                curve.add(new double[] {m.seconds(), 100 * m.all().rmse()});
+                plot.point(way.name(), m.seconds(), 100 * m.all().rmse());
             }
-            plot.curve(way.name(), curve);
         }
         Files.createDirectories(plots);
         Files.writeString(plots.resolve("tradeoff-" + name + ".svg"), plot.svg());
