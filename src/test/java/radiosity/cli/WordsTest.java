@@ -68,6 +68,21 @@ class WordsTest {
         assertEquals("warning: a.obj: " + words, run.err().strip());
     }
 
+    /** A tetrahedron below a lamp, with the corners of its faces in either order. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', nullValues = "none", value = {"f 1 3 2;f 1 2 4;f 1 4 3;f 2 3 4 | none",
+        "f 2 3 1;f 4 2 1;f 3 4 1;f 4 3 2 | expected bodies that are seen from outside, got one inside out, which will be"
+                + " black: vase; turn the polygons over, or make the surfaces two-sided"})
+    void bodiesThatAreInsideOut_areNamed(String faces, String words) throws IOException {
+        Files.writeString(folder.resolve("a.mtl"), "newmtl vase\nKd .5 .5 .5\nnewmtl lamp\nKe 1 1 1\n");
+        Path scene = Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                + "usemtl vase\n" + faces.replace(';', '\n')
+                + "\nv 0 9 0\nv 1 9 0\nv 0 9 1\nusemtl lamp\nf 5 6 7\n");
+        ProgramRun run = ProgramRun.of("-q", "-dr", scene, folder.resolve("a.scene"));
+        assertEquals(0, run.exitCode(), run.err());
+        assertEquals(words == null ? "" : "warning: a.obj: " + words, run.err().strip());
+    }
+
     private static String failing(int exitCode, String... arguments) {
         PrintStream err = System.err;
         ByteArrayOutputStream said = new ByteArrayOutputStream();
