@@ -27,7 +27,6 @@ public final class SceneChecks {
     private static final double LEAST_BYTES = 128;
     /** Entries per vertex of the longest array that pictures and tables of points need: 6 per element. */
     private static final int LARGEST_PER_VERTEX = 12;
-
     /** Number of surfaces that a warning names. */
     private static final int MOST_NAMES = 5;
     /** How far beyond the bounds a luminaire may be, in diagonals of the scene. */

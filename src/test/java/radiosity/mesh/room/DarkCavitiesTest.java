@@ -43,6 +43,23 @@ class DarkCavitiesTest {
         return DarkCavities.of(new Faces(builder.scene("body"))).cardinality();
     }
 
+    /** The sides of a box, seen from inside or from outside. */
+    private static SceneBuilder oneSided(SceneBuilder builder, Box box, boolean inside) {
+        Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(0.5), false);
+        for (int side = 0; side < 6; side++) {
+            List<Vec3> corners = Arrays.asList(box.inside(side));
+            if (!inside) {
+                Collections.reverse(corners);
+            }
+            builder.polygon(wall, corners.toArray(Vec3[]::new));
+        }
+        return builder;
+    }
+
+    private static int insideOut(SceneBuilder builder) {
+        return DarkCavities.insideOut(new Faces(builder.scene("body"))).size();
+    }
+
     @Test
     void closedBody_losesItsInnerSides() {
         Faces all = new Faces(body(6).scene("body"));
@@ -103,28 +120,7 @@ class DarkCavitiesTest {
 
     @Test
     void oneSidedBody_keepsAllSides() {
-        SceneBuilder builder = lamp(0.9);
-        Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(0.5), false);
-        for (int side = 0; side < 6; side++) {
-            builder.polygon(wall, BODY.inside(side));
-        }
-        assertEquals(0, dark(builder));
-    }
-
-    private static SceneBuilder oneSided(SceneBuilder builder, Box box, boolean inside) {
-        Surface wall = new Surface("wall", Rgb.BLACK, Rgb.grey(0.5), false);
-        for (int side = 0; side < 6; side++) {
-            List<Vec3> corners = Arrays.asList(box.inside(side));
-            if (!inside) {
-                Collections.reverse(corners);
-            }
-            builder.polygon(wall, corners.toArray(Vec3[]::new));
-        }
-        return builder;
-    }
-
-    private static int insideOut(SceneBuilder builder) {
-        return DarkCavities.insideOut(new Faces(builder.scene("body"))).size();
+        assertEquals(0, dark(oneSided(lamp(0.9), BODY, true)));
     }
 
     @Test
