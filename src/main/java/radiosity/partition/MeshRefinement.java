@@ -256,7 +256,7 @@ public final class MeshRefinement {
     /**
      * Whether a top node is to be divided by its area alone. A top node has no parent, so nothing is known of the light
      * between its receiving points, even if these are dark: its error may be all of its light. A black one is divided
-     * if it is large enough to be looked at, as a canvas whose corners lie behind its frame.
+     * if its visible part is large enough to be looked at, as a canvas whose corners lie in its frame.
      */
     private boolean wantsUnseen(int top) {
         double share = nodes.area(top) / area;
@@ -264,10 +264,15 @@ public final class MeshRefinement {
                 || share > Patcher.POINT && isBlack(top));
     }
 
-    /** Whether a node looks black at all of its corners, though not all of them lie inside solids. */
+    /**
+     * Whether a node looks black at all of its corners, though it can be seen: a corner lies outside of solids, or less
+     * of the face is hidden than the area of the node.
+     */
     private boolean isBlack(int node) {
         double brightest = 0;
-        boolean isVisible = false;
+        int face = nodes.face(node);
+        double wholeArea = faces.area(face) / (1L << 2 * NodePath.level(nodes.path(node)));
+        boolean isVisible = faces.mostHiddenArea(face) < wholeArea;
         for (int k = 0; k < 3; k++) {
             isVisible |= !nodes.points().isBuried(nodes.corner(node, k));
             for (int c = 0; c < nodes.channels(); c++) {

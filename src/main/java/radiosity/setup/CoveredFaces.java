@@ -34,9 +34,9 @@ final class CoveredFaces implements Patcher.PointRule {
         interior = new InteriorTest(faces, bounds, coincident, f -> false);
     }
 
-    /** The share of a face that lies outside of solids, above 0 and at most 1; 1 for large faces and for pieces. */
+    /** The share of a face that lies outside of solids, above 0 and at most 1; NaN for large faces and for pieces. */
     double visibleShare(int face) {
-        return isWhole(face) ? 1 : Math.max(LEAST, visibleShare(face, corners(face), 1));
+        return isWhole(face) ? Double.NaN : Math.max(LEAST, visibleShare(face, corners(face), 1));
     }
 
     /** Whether a face is large enough to be cut, or a piece of such a face. */

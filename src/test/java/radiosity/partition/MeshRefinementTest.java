@@ -50,6 +50,29 @@ class MeshRefinementTest {
         assertEquals(4, divided(bar(), .5, 1));
     }
 
+    /** Its corners lie inside the frame of the picture, but the face does not. */
+    @Test
+    void faceWithBuriedCorners_isDivided_whereItCanBeSeen() {
+        assertEquals(4, divided(buried(1), .5, 1));
+        assertEquals(4, divided(buried(.4), .5, 1));
+    }
+
+    /** Only a speck of it lies outside of solids, or it is not known how much. */
+    @Test
+    void faceWithBuriedCorners_isNotDivided_whereItCannotBeSeen() {
+        assertEquals(1, divided(buried(1e-4), .5, 1));
+        assertEquals(1, divided(buried(Double.NaN), .5, 1));
+    }
+
+    private static RadiosityNodes buried(double visible) {
+        RadiosityNodes bar = bar();
+        bar.faces().cover(face -> visible);
+        for (int k = 0; k < 3; k++) {
+            bar.points().bury(bar.corner(0, k));
+        }
+        return bar;
+    }
+
     /** No vertex of the evenly lit bar shows an error: it is divided around the mark, and nowhere else. */
     @Test
     void marks_areDividedWithAllAboveThem() {

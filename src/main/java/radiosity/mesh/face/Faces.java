@@ -55,6 +55,8 @@ public final class Faces {
     private BitSet enclosed = new BitSet();
     /** 1 per face: area outside of solids that no other face covers, in squared scene sizes. */
     private double[] exposed;
+    /** 1 per face: largest area that is inside solids or covered by other faces, in squared scene sizes. */
+    private double[] hidden;
 
     /** Faces with the light of all lamps in the same channels. */
     public Faces(Scene scene) {
@@ -83,6 +85,7 @@ public final class Faces {
         normal = list.normal;
         area = list.area;
         exposed = area;
+        hidden = area;
         point = list.point;
         part = new int[side.length];
         fan = new int[3 * side.length];
@@ -188,16 +191,29 @@ public final class Faces {
         return exposed[face];
     }
 
+    /**
+     * Largest area of a face that lies inside solids or is covered by other faces in the same place, in squared scene
+     * sizes: all of the face where the hidden area was not estimated.
+     */
+    public double mostHiddenArea(int face) {
+        return hidden[face];
+    }
+
     /** @param triangles those inside closed solids, which are no occluders as no light reaches them; kept */
     public void enclose(BitSet triangles) {
         enclosed = triangles;
     }
 
-    /** @param visible the share of each face outside of solids that no other face covers, from 0 to 1 */
+    /** @param visible the share of each face outside of solids that no other face covers, from 0 to 1; NaN if unknown */
     public void cover(IntToDoubleFunction visible) {
-        exposed = new double[area.length];
+        exposed = area.clone();
+        hidden = area.clone();
         for (int f = 0; f < count; f++) {
-            exposed[f] = area[f] * visible.applyAsDouble(f);
+            double share = visible.applyAsDouble(f);
+            if (!Double.isNaN(share)) {
+                exposed[f] = area[f] * share;
+                hidden[f] = area[f] - exposed[f];
+            }
         }
     }
 
