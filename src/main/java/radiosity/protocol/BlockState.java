@@ -71,7 +71,7 @@ public final class BlockState {
      *
      * @param nodes modified: divided as in the state, with the light of the state
      * @param tops  top nodes of the block's subtrees, in the block's order
-     * @throws UncheckedIOException where the state is too short
+     * @throws UncheckedIOException where the state is too short or too long
      */
     public static void restore(RadiosityNodes nodes, int[] tops, byte[] state) {
         BitSet met = new BitSet(nodes.vertices());
@@ -82,6 +82,10 @@ public final class BlockState {
             }
         } catch (BufferUnderflowException e) {
             throw new UncheckedIOException(new EOFException("block: expected more than " + state.length + " bytes"));
+        }
+        if (in.hasRemaining()) {
+            throw new UncheckedIOException(new IOException("block: expected " + in.position() + " bytes, got "
+                    + state.length));
         }
     }
 

@@ -45,7 +45,7 @@ public final class InitialMesh {
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Version of the saved state of calculations: a state with another version is refused. */
-    private static final int STATE = 9;
+    private static final int STATE = 10;
     /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
     /**
@@ -365,11 +365,7 @@ public final class InitialMesh {
             digest = digest(digest, light);
         }
         for (int f = 0; f < faces.count(); f++) {
-            digest = Hash.mix(digest, faces.side(f));
-            for (int c = 0; c < faces.channels(); c++) {
-                digest = Hash.mix(digest, Double.doubleToLongBits(faces.exitance(f, c)));
-                digest = Hash.mix(digest, Double.doubleToLongBits(faces.reflectance(f, c)));
-            }
+            digest = faces.digest(digest, f);
         }
         return digest;
     }

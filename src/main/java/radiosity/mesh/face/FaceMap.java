@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
+import radiosity.util.Hash;
 
 /**
  * The mean reflectance or exitance of a face and of the nodes below it, as an image and colours at corners make it,
@@ -103,5 +104,14 @@ final class FaceMap {
         int level = Math.min(depth, NodePath.level(path));
         int number = (int) (path >>> 2 * (NodePath.level(path) - level)) & (1 << 2 * level) - 1;
         return mean[3 * (first(level) + number) + colour];
+    }
+
+    /** Mixes the means over all nodes into a digest. */
+    long digest(long before) {
+        long digest = before;
+        for (float value : mean) {
+            digest = Hash.mix(digest, Float.floatToIntBits(value));
+        }
+        return digest;
     }
 }

@@ -88,4 +88,9 @@ final class FaceMaps {
     double at(int face, long path, int colour, double everywhere) {
         return maps == null || maps[face] == null ? everywhere : maps[face].at(path, colour);
     }
+
+    /** Mixes the means over the nodes of a face into a digest; leaves it where the quantity is constant on the face. */
+    long digest(long before, int face) {
+        return has(face) ? maps[face].digest(before) : before;
+    }
 }

@@ -4,6 +4,7 @@ import java.util.function.IntPredicate;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.util.ArraySize;
+import radiosity.util.Hash;
 
 /** Exitance and reflectance of faces: the mean over each face and over the nodes below it. */
 final class FaceMaterials {
@@ -60,5 +61,15 @@ final class FaceMaterials {
 
     double reflectance(int face, long path, int channel) {
         return reflectanceMaps.at(face, path, channel % colours, reflectance[channels * face + channel]);
+    }
+
+    /** Mixes the exitance and reflectance of a face into a digest. */
+    long digest(long before, int face) {
+        long digest = before;
+        for (int i = channels * face; i < channels * (face + 1); i++) {
+            digest = Hash.mix(digest, Double.doubleToLongBits(exitance[i]));
+            digest = Hash.mix(digest, Double.doubleToLongBits(reflectance[i]));
+        }
+        return reflectanceMaps.digest(exitanceMaps.digest(digest, face), face);
     }
 }

@@ -7,6 +7,7 @@ import java.util.function.IntToDoubleFunction;
 import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
 /**
@@ -168,6 +169,23 @@ public final class Faces {
         return fronts;
     }
 
+    /**
+     * The corners of a node.
+     *
+     * @param path of the node below the face, see {@link NodePath}
+     * @return x, y, z of three corners, in the scene brought to size 1
+     */
+    public float[] corners(int face, long path) {
+        float[] at = new float[9];
+        for (int i = 0; i < 9; i++) {
+            at[i] = corner(face, i / 3, i % 3);
+        }
+        for (int level = 1; level <= NodePath.level(path); level++) {
+            Subdivision.descend(at, NodePath.step(path, level));
+        }
+        return at;
+    }
+
     /** The original triangle of a face. */
     public int triangle(int face) {
         return side[face] >> 1;
@@ -204,7 +222,7 @@ public final class Faces {
         enclosed = triangles;
     }
 
-    /** @param visible the share of each face outside of solids that no other face covers, from 0 to 1; NaN if unknown */
+    /** @param visible share of a face outside of solids that no other face covers, from 0 to 1; NaN where unknown */
     public void cover(IntToDoubleFunction visible) {
         exposed = area.clone();
         hidden = area.clone();
@@ -323,6 +341,18 @@ public final class Faces {
     /** Reflectance rho, mean over a node, in [0, 1). */
     public double reflectance(int face, long path, int channel) {
         return materials.reflectance(face, path, channel);
+    }
+
+    /**
+     * Mixes into a digest what the vertices of a face and the light on it depend on besides the corners: the side, the
+     * coplanar region and the fans whose vertices the face shares, exitance and reflectance.
+     */
+    public long digest(long before, int face) {
+        long digest = Hash.mix(Hash.mix(before, side[face]), part[face]);
+        for (int k = 0; k < 3; k++) {
+            digest = Hash.mix(digest, fan[3 * face + k]);
+        }
+        return materials.digest(digest, face);
     }
 
     /** Weight of irradiance on a face: the reflectance, but not below a minimum, as irradiance is a result, too. */
