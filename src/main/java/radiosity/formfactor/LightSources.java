@@ -157,7 +157,7 @@ public final class LightSources {
     }
 
     private double distant(Light light, Vec3 x, Vec3 n) {
-        Vec3 towards = light.direction().times(-1);
+        Vec3 towards = light.direction().unit().times(-1);
         double cos = towards.dot(n);
         return cos > 0 && bounds.isFree(x, towards, new RadiosityBounds.Blocker()) ? cos : 0;
     }
@@ -171,7 +171,7 @@ public final class LightSources {
         if (!(cos > 0) || !sees(x, at)) {
             return 0;
         }
-        double beam = light.kind() == Light.Kind.SPOT ? beam(light, -towards.dot(light.direction()) / d) : 1;
+        double beam = light.kind() == Light.Kind.SPOT ? beam(light, -towards.dot(light.direction().unit()) / d) : 1;
         return beam * cos * range * range / (d * d);
     }
 
@@ -204,9 +204,9 @@ public final class LightSources {
         return sum * range * range / (along * beside * lamp.intensity().max());
     }
 
-    /** Number of points along an edge of this length. */
+    /** Number of points along an edge of this length; 1 for a luminaire without size, even at distance 0. */
     private static int points(double size, double distance) {
-        return (int) Math.max(1, Math.min(MOST_POINTS, Math.ceil(SMALL * size / distance)));
+        return size == 0 ? 1 : (int) Math.max(1, Math.min(MOST_POINTS, Math.ceil(SMALL * size / distance)));
     }
 
     /** Relative intensity of a spot: 1 inside the cone, falling to 0 across the cone's soft edge. */

@@ -11,8 +11,8 @@ import java.util.Optional;
  *                  surface from which the whole sky is visible (sky); irradiance at distance {@code range}, falling
  *                  with 1/r² (point, spot); exitance (area)
  * @param position  position of a point or spot light, centre of an area light, scene units
- * @param direction unit direction in which the light shines, in a clear sky away from the sun; not used by a point
- *                  light without luminaire
+ * @param direction direction in which the light shines, in a clear sky away from the sun, of any length above 0; not
+ *                  used by a point light without luminaire
  * @param right     half edge of an area light, scene units; for other lights a direction to its right, or zero
  * @param up        other half edge of an area light, scene units; for a sky, unit direction of its zenith
  * @param range     distance at which a point or spot light has the irradiance {@code power}, scene units, above 0
