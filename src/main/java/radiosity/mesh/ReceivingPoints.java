@@ -109,7 +109,7 @@ public final class ReceivingPoints {
 
     /**
      * Finds or makes the vertex at a corner of a face that received at its middle; a new one has the middle's
-     * irradiance.
+     * irradiance. It is not bright, whatever the middle is: faces in other blocks with other middles share it.
      *
      * @param w weights of the face's corners, 3 from {@code wAt}, in units of 2^-30; not modified
      */
@@ -126,7 +126,6 @@ public final class ReceivingPoints {
         int v = vertex(f, w, wAt, depth, at, 0, with, with);
         if (v == known) {
             System.arraycopy(irradiance, channels * middle, irradiance, channels * v, channels);
-            bright[v] = bright[middle];
         }
         return v;
     }
@@ -181,7 +180,7 @@ public final class ReceivingPoints {
     /**
      * Number of powers of two, from 0 to {@link Patcher#MOST_SLACK}, by which the light that one ray may carry to a
      * vertex is raised, as the vertex is bright, see {@link BrightVertices}. A new vertex is as bright as the darker
-     * of the ends between which it lies.
+     * of the ends between which it lies; one at a corner of a face that received at its middle is not bright.
      */
     public int bright(int v) {
         return bright[v];

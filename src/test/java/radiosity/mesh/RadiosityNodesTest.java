@@ -37,7 +37,10 @@ class RadiosityNodesTest {
         }
     }
 
-    /** By that face is decided how exactly a vertex gathers: it must not depend on who else is on the same host. */
+    /**
+     * By that face, and by how bright a vertex is, is decided how exactly the vertex gathers: neither may depend on who
+     * else is on the same host.
+     */
     @Test
     void verticesThatTwoFacesShare_haveTheSameFaceOnEveryHost() {
         Scene scene = new SceneBuilder()
@@ -56,6 +59,7 @@ class RadiosityNodesTest {
             for (int w : other.points().madeBy(1)) {
                 if (one.points().key(v) == other.points().key(w)) {
                     assertEquals(one.points().face(v), other.points().face(w));
+                    assertEquals(one.points().bright(v), other.points().bright(w));
                     shared++;
                 }
             }
@@ -90,6 +94,7 @@ class RadiosityNodesTest {
     private static RadiosityNodes divided(Patcher patcher, int face) {
         RadiosityNodes nodes = new RadiosityNodes(patcher,
                 List.of(new Block(0, new int[] {face}, new long[] {NodePath.FACE})));
+        nodes.points().setBright(nodes.corner(nodes.patch(0), 0), face % (Patcher.MOST_SLACK + 1));
         nodes.split(nodes.patch(0), 1);
         return nodes;
     }
