@@ -25,10 +25,11 @@ final class AccuracyLoop {
     /** Largest reduction of a mean square error from one estimate to the next, as a factor. */
     private static final double STEP = 0.4;
     /**
-     * An estimate is in vain where the error fell slower than the work to this negative power, work being elements
-     * times rays. Noise falls as the square root of rays, and the mesh error at shadow edges as that of elements.
+     * An estimate is in vain where the error fell so slowly that the error asked for, or half of the present error
+     * where that is more, would take more than this multiple of the work, work being elements times rays. Noise falls
+     * as the square root of rays, and the mesh error at shadow edges as that of elements.
      */
-    private static final double SLOWEST = 0.25;
+    private static final double MOST_WORK = 16;
     /** Growth of the work from which on an estimate in vain is counted. */
     private static final double GROWTH = 1.2;
     /** Estimates in vain, in a row, that end the loop: one of them may have met the worst element of the scene. */
@@ -152,7 +153,8 @@ final class AccuracyLoop {
         double certain = Math.sqrt(Math.max(0, square(found) - square(certificate.uncertainty())));
         double now = elements / tolerance;
         boolean isNewAim = Double.isNaN(reached);
-        boolean isBetter = isNewAim || work == 0 || found < reached * StrictMath.pow(now / work, -SLOWEST);
+        double slowest = StrictMath.log(Math.max(1, Math.min(2, found / asked))) / StrictMath.log(MOST_WORK);
+        boolean isBetter = isNewAim || work == 0 || found < reached * StrictMath.pow(now / work, -slowest);
         inVain = isBetter ? 0 : now > GROWTH * work ? inVain + 1 : inVain;
         reached = found;
         work = now;

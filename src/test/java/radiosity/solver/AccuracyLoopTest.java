@@ -142,6 +142,20 @@ class AccuracyLoopTest {
         assertEquals(Refine.NOTHING, loop.refine(certificate(1, .01, 1), 0, 16_000));
     }
 
+    /** From 2.88 to 2 % that takes 16 times the elements: affordable, though from 8 to 2 % it would not be. */
+    @Test
+    void slowProgressNearTheErrorAskedFor_goesOn() {
+        AccuracyLoop near = loop();
+        assertEquals(Refine.MESH, near.refine(certificate(.0288, .01, .0270), 0, 1000));
+        assertEquals(Refine.MESH, near.refine(certificate(.0262, .01, .0242), 0, 2000));
+        assertEquals(Refine.MESH, near.refine(certificate(.0239, .01, .0217), 0, 4000));
+        assertEquals(Refine.MESH, near.refine(certificate(.0219, .01, .0195), 0, 8000));
+        AccuracyLoop far = loop();
+        assertEquals(Refine.MESH, far.refine(certificate(.0864, .01, .0858), 0, 1000));
+        assertEquals(Refine.MESH, far.refine(certificate(.0786, .01, .0780), 0, 2000));
+        assertEquals(Refine.NOTHING, far.refine(certificate(.0717, .01, .0710), 0, 4000));
+    }
+
     /** Nothing was fine enough to be divided: then more has to be, until that is not the cause of the error. */
     @Test
     void sameElements_areDividedMore_untilThatIsEnough() {
