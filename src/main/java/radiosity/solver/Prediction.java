@@ -46,7 +46,7 @@ final class Prediction implements Planner {
     private static final double SETTLED = 0.05;
     /** SPLIT stages in a row: the depth that the mesh may gain between two estimates of the error. */
     private static final int MOST_SPLITS = 12;
-    /** Rounds that may leave more flux unshot than the round before; then nothing is predicted until the next SPLIT. */
+    /** Rounds that may go wrong, see {@link #mispredicted}; then nothing is predicted until marks divide the mesh. */
     private static final int MOST_MISPREDICTED = 3;
     /** Form factor that one ray may stand for in a row of the coarse system. */
     private static final double ROW_TOLERANCE = 0.02;
@@ -96,7 +96,10 @@ final class Prediction implements Planner {
      * 0 where more shooting would be in vain.
      */
     private double left = Double.POSITIVE_INFINITY;
-    /** Number of SHOOT stages since the last estimate that have left more flux unshot than there was before. */
+    /**
+     * Number of SHOOT stages that have left more flux unshot than there was before, and of those that followed an
+     * estimate as too much flux of one sign was left, since an estimate has marked elements to divide.
+     */
     private int mispredicted;
     /**
      * Whether flux that rays lost has been given back since light was received last, so that it is shot with the rest.
@@ -197,6 +200,9 @@ final class Prediction implements Planner {
      * null, the end; but where BALANCE has left much light of one sign unshot, a round that shoots it comes first.
      */
     private Order refine(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        if (coarse != null && !coarse.isMade()) {
+            return rows();
+        }
         Optional<Estimator.Estimate> estimate = estimate(goOn);
         return switch (estimate.map(found -> loop.refine(found.certificate(), found.marked().share(),
                 last.elements)).orElse(AccuracyLoop.Refine.NOTHING)) {
@@ -205,7 +211,9 @@ final class Prediction implements Planner {
             case NOTHING -> {
                 if (mispredicted < MOST_MISPREDICTED && counters.flux.oneSided(last) > 2 * limit.oneSided()) {
                     mispredicted++;
-                    yield distribute(last, unsent, goOn);
+                    Order order = distribute(last, unsent, goOn);
+                    mispredicted -= order == null ? 1 : 0; // stopped: whoever goes on begins with the estimate
+                    yield order;
                 }
                 stage = Stage.DONE;
                 yield null;
@@ -445,7 +453,7 @@ final class Prediction implements Planner {
 
     /**
      * An order for all partitions. Orders to gather totals are sparing, as nothing is predicted from them, unless the
-     * user asks for less unshot flux than the default.
+     * user asks for less unshot flux than the default; in an edited scene all orders are.
      */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even) {
         boolean isOfAll = kind == Order.Kind.GATHER || kind == Order.Kind.REGATHER || kind == Order.Kind.MEND;
