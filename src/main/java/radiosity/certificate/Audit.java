@@ -31,7 +31,10 @@ import radiosity.util.R2;
 /** Estimates the error of a solution by gathering its light anew at points of every surface: a {@link Certificate}. */
 public final class Audit {
 
-    /** Number of points per batch: one per this number of elements, within the least and the most. */
+    /**
+     * Number of points per batch: one per this number of elements, within the least and the most; a few more where a
+     * scene has many surfaces, as each has points of its own.
+     */
     private static final int ELEMENTS_PER_POINT = 20;
     private static final int LEAST_POINTS = 960;
     private static final int MOST_POINTS = 6000;
@@ -76,7 +79,7 @@ public final class Audit {
     private final List<AuditPoint> points = new ArrayList<>();
     private int batches;
     private final int round;
-    /** Number of points that earlier audits may have used. */
+    /** Number of points that earlier audits may have used, but for the few more that many surfaces ask for. */
     private final int used;
 
     /**
@@ -321,7 +324,7 @@ public final class Audit {
     private double exchange(AuditPoint from, AuditPoint to) {
         PatchTree tree = new PatchTree(to.face, to.top, new int[] {-1}, ones(3 * faces.channels()));
         ShooterHierarchy shooter = new ShooterHierarchy(faces, List.of(tree), Weights.of(ones(faces.channels())));
-        float[] corner = AuditPlaces.corners(faces, from.face, from.top);
+        float[] corner = faces.corners(from.face, from.top);
         GatherSink.Irradiance sum = new GatherSink.Irradiance(faces.channels());
         for (int k = 0; k < 3; k++) {
             double[] weight = {1 / 6.0, 1 / 6.0, 1 / 6.0};

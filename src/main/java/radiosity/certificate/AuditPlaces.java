@@ -12,7 +12,6 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.VertexBulge;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
-import radiosity.mesh.face.Subdivision;
 import radiosity.settings.Accuracy;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
@@ -250,18 +249,6 @@ final class AuditPlaces {
                         bulges);
             }
         }
-    }
-
-    /** Returns the three corners of a node, x, y, z each, in coordinates of the scene scaled to size 1. */
-    static float[] corners(Faces faces, int face, long path) {
-        float[] corner = new float[9];
-        for (int i = 0; i < 9; i++) {
-            corner[i] = faces.corner(face, i / 3, i % 3);
-        }
-        for (int level = 1; level <= NodePath.level(path); level++) {
-            Subdivision.descend(corner, NodePath.step(path, level));
-        }
-        return corner;
     }
 
     /** Returns the point x, y, z of a triangle with these barycentric weights. */

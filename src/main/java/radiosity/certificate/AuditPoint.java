@@ -93,7 +93,7 @@ final class AuditPoint {
             root = nodes.parent(root);
         }
         top = nodes.path(root);
-        place = AuditPlaces.within(AuditPlaces.corners(faces, face, nodes.path(node)), weight);
+        place = AuditPlaces.within(faces.corners(face, nodes.path(node)), weight);
         isBuried = burial.isBuried(place, 0, face);
         this.weight = weight;
         nearest = weight[0] >= weight[1] && weight[0] >= weight[2] ? 0 : weight[1] >= weight[2] ? 1 : 2;

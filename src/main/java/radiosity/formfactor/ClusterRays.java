@@ -6,6 +6,8 @@ import radiosity.util.R2;
 /** Estimates by one ray the light that a point receives from a cluster of triangles. */
 final class ClusterRays {
 
+    private static final double BELOW_1 = 0x1.fffffffffffffp-1;
+
     private final ShadowTest sight;
 
     ClusterRays(ShadowTest sight) {
@@ -33,7 +35,7 @@ final class ClusterRays {
             u += R2.U;
             v += R2.V;
             lot = R2.next(lot);
-            int node = pick(s, cluster, (pick + draw) / draws);
+            int node = pick(s, cluster, Math.min((pick + draw) / draws, BELOW_1));
             int fold = R2.fold(u, v);
             float b = R2.unit(u ^ fold);
             float c = R2.unit(v ^ fold);
@@ -87,7 +89,7 @@ final class ClusterRays {
                 x /= share;
                 node = a;
             } else {
-                x = Math.min((x - share) / (1 - share), 0x1.fffffffffffffp-1);
+                x = Math.min((x - share) / (1 - share), BELOW_1);
                 node = a + 1;
             }
         }

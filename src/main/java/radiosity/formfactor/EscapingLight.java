@@ -77,13 +77,7 @@ public final class EscapingLight {
     public double[] flux(List<PatchTree> trees, double perRay) {
         double[] sum = new double[2 * faces.channels()];
         for (PatchTree tree : trees) {
-            float[] at = new float[9];
-            for (int i = 0; i < 9; i++) {
-                at[i] = faces.corner(tree.face(), i / 3, i % 3);
-            }
-            for (int level = 1; level <= NodePath.level(tree.path()); level++) {
-                Subdivision.descend(at, NodePath.step(tree.path(), level));
-            }
+            float[] at = faces.corners(tree.face(), tree.path());
             double area = faces.exposedArea(tree.face()) / (1L << 2 * NodePath.level(tree.path()));
             add(tree, 0, at, area, Hash.mix(tree.face(), tree.path()), perRay, sum);
         }

@@ -142,12 +142,7 @@ public final class ShooterHierarchy {
         path[top] = tree.path();
         setRadiosity(tree, top, before);
         nodes = before + count;
-        for (int i = 0; i < 9; i++) {
-            corner[9 * top + i] = faces.corner(tree.face(), i / 3, i % 3);
-        }
-        for (int level = 1; level <= NodePath.level(tree.path()); level++) {
-            Subdivision.child(corner, 9 * top, NodePath.step(tree.path(), level), corner, 9 * top);
-        }
+        System.arraycopy(faces.corners(tree.face(), tree.path()), 0, corner, 9 * top, 9);
         area[top] = (float) (faces.area(tree.face()) / (1L << 2 * NodePath.level(tree.path())));
         survey(top);
         cones.set(top, normal, 3 * top);

@@ -3,7 +3,6 @@ package radiosity.mesh;
 import java.util.List;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
-import radiosity.mesh.face.Subdivision;
 import radiosity.util.ArraySize;
 
 /**
@@ -55,13 +54,7 @@ public final class RadiosityNodes {
     }
 
     private void plant(int f, long top) {
-        float[] at = new float[9];
-        for (int k = 0; k < 9; k++) {
-            at[k] = faces.corner(f, k / 3, k % 3);
-        }
-        for (int level = 1; level <= NodePath.level(top); level++) {
-            Subdivision.descend(at, NodePath.step(top, level));
-        }
+        float[] at = faces.corners(f, top);
         NodePath.weights(top, weights);
         int node = tree.addRoot(f, top);
         int depth = patcher.level(f);

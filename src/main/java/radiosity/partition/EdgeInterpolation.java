@@ -30,7 +30,10 @@ public final class EdgeInterpolation {
     private final ParallelFor parallel;
     private final int channels;
     private final EdgeMiddles middles;
-    /** False where light is reflected so often that an error of interpolation would be multiplied. */
+    /**
+     * Whether patches shoot as clusters, and light is not reflected so often that an error of interpolation would be
+     * multiplied.
+     */
     private final boolean interpolates;
 
     /** @param nodes the mesh, which may be divided later; its irradiance is added to */

@@ -187,7 +187,7 @@ public final class GhostVertices {
         if (values.readInt() != agreement) {
             return false;
         }
-        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(values, bytesPerVertex() * taken.cardinality()));
+        ByteBuffer bytes = ByteBuffer.wrap(Wire.exactly(values, (long) bytesPerVertex() * taken.cardinality()));
         for (int v = taken.nextSetBit(0); v >= 0; v = taken.nextSetBit(v + 1)) {
             for (int c = 0; c < nodes.channels(); c++) {
                 nodes.light().irradiance()[nodes.channels() * v + c] = bytes.getDouble();

@@ -285,7 +285,8 @@ public final class PartitionImpl implements Partition {
         if (!(order.question() instanceof Order.Question.Irradiance asked)) {
             throw new IllegalArgumentException("order: expected points to gather at, got " + order.question());
         }
-        return new PointGatherer(mesh, mine, order, asked.points(), parallel).irradiance();
+        return new PointGatherer(mesh, mine, order, asked.points(), parallel)
+                .irradiance(receivers.shooters(order));
     }
 
     private void subdivide(int round) {

@@ -10,8 +10,6 @@ import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.Block;
 import radiosity.mesh.Patcher;
-import radiosity.mesh.UniformRadiosity;
-import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.GatherPoints;
 import radiosity.protocol.Order;
@@ -50,11 +48,11 @@ final class PointGatherer {
     /**
      * Gathers shooter by shooter at runs of neighbouring points.
      *
+     * @param shooters those of the order; not modified
      * @return for each point of the blocks: its number, 4 bytes, and its irradiance, channels x 8 bytes, W/m²
      */
-    byte[] irradiance() {
+    byte[] irradiance(ShooterHierarchy[] shooters) {
         int channels = faces.channels();
-        ShooterHierarchy[] shooters = shooters();
         FormFactorCalculator[][] calculators = calculators();
         double[] irradiance = new double[ArraySize.of("light at points of an estimate", channels, mine.length)];
         parallel.run(mine.length, Gatherer.RUN, (from, to) -> {
@@ -83,14 +81,6 @@ final class PointGatherer {
         calculators[points.rays()[i]][points.slack()[i]].gather(points.place()[3 * i], points.place()[3 * i + 1],
                 points.place()[3 * i + 2], faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2),
                 points.key()[i], shooter, sum);
-    }
-
-    private ShooterHierarchy[] shooters() {
-        Weights weights = Weights.of(order.rules().weight());
-        UniformRadiosity ambient = new UniformRadiosity(mesh.rooms, faces.channels(), order.rules().ambient());
-        ShooterHierarchy[] made = new ShooterHierarchy[order.shots().size()];
-        parallel.run(made.length, i -> made[i] = order.shots().get(i).shooter(faces, weights, ambient));
-        return made;
     }
 
     /** One array per kind of rays, and in it one calculator per {@link GatherPoints#slack}. */

@@ -5,6 +5,7 @@ import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.cut.DiscontinuityMesher;
 import radiosity.mesh.face.Faces;
+import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.visibility.RadiosityBounds;
 
@@ -45,11 +46,7 @@ final class CoveredFaces implements Patcher.PointRule {
     }
 
     private float[] corners(int face) {
-        float[] corners = new float[9];
-        for (int i = 0; i < 9; i++) {
-            corners[i] = faces.corner(face, i / 3, i % 3);
-        }
-        return corners;
+        return faces.corners(face, NodePath.FACE);
     }
 
     /**

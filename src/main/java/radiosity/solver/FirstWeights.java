@@ -56,9 +56,15 @@ final class FirstWeights {
             double lit = predicted.of(f -> true, c) + reflected;
             weight[c] = lit > 0 ? area / lit : 0;
         }
-        for (int i = weight.length - 1; i >= 0 && weight.length > channels; i--) {
-            int c = i % channels;
-            weight[i] = weightIn(i / channels - 1, c, weight[c], unshot, predicted);
+        for (int room = weight.length / channels - 2; room >= -1 && weight.length > channels; room--) {
+            int only = room;
+            IntPredicate counts = f -> mesh.rooms.room(f) == only;
+            double[] leaving = new double[channels];
+            unshot.stream().flatMap(shot -> shot.trees().stream()).filter(tree -> counts.test(tree.face()))
+                    .forEach(tree -> tree.addFlux(mesh.faces, leaving));
+            for (int c = 0; c < channels; c++) {
+                weight[channels * (room + 1) + c] = weightIn(counts, c, weight[c], leaving[c], predicted);
+            }
         }
     }
 
@@ -66,23 +72,20 @@ final class FirstWeights {
      * Weight of a channel in one closed room, or on the faces outside of closed rooms; at least the weight in the whole
      * scene, and equal to that in a room without light.
      *
-     * @param room  index of the room, -1 for the faces outside
-     * @param least weight in the whole scene
+     * @param counts  whether a face is in the room
+     * @param least   weight in the whole scene
+     * @param leaving unshot flux of the room's faces, in W over the square of the scene size
      */
-    private double weightIn(int room, int c, double least, List<Shot> unshot, PredictedFlux predicted) {
+    private double weightIn(IntPredicate counts, int c, double least, double leaving, PredictedFlux predicted) {
         Faces faces = mesh.faces;
-        IntPredicate counts = f -> mesh.rooms.room(f) == room;
         double emitted = 0;
         double within = 0;
         for (int f = 0; f < faces.count(); f++) {
             within += counts.test(f) ? faces.area(f) : 0;
-            emitted += counts.test(f) ? faces.area(f) * faces.exitance(f, c) : 0;
+            emitted += counts.test(f) ? faces.exposedArea(f) * faces.exitance(f, c) : 0;
         }
-        double[] leaving = new double[channels];
-        unshot.stream().flatMap(shot -> shot.trees().stream()).filter(tree -> counts.test(tree.face()))
-                .forEach(tree -> tree.addFlux(faces, leaving));
         double unit = area / faces.area();
-        double lit = predicted.of(counts, c) + unit * Math.max(0, leaving[c] - emitted);
+        double lit = predicted.of(counts, c) + unit * Math.max(0, leaving - emitted);
         return lit > 0 ? Math.max(least, unit * within / lit) : least;
     }
 }

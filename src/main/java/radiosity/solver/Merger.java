@@ -2,6 +2,7 @@ package radiosity.solver;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.VertexBulge;
 import radiosity.protocol.BlockState;
@@ -123,7 +124,7 @@ final class Merger {
         for (int v = 0; v < known.length; v++) {
             known[v] = copies[v] > 0;
         }
-        boolean more = true;
+        boolean more = IntStream.range(0, known.length).anyMatch(v -> !known[v]);
         while (more) {
             more = fillBeside(known);
         }

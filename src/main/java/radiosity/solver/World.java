@@ -156,20 +156,20 @@ public abstract class World implements Partitions, AutoCloseable {
 
     /** Total radiosity that every shooter has shot. */
     public List<Shot> totals() throws IOException {
-        List<Shot> totals = new ArrayList<>();
-        for (byte[] bytes : round(Order.asking(Order.Kind.TOTALS, 0))) {
-            totals.addAll(Wire.shots(Wire.input(bytes)));
-        }
-        return joined(totals);
+        return shots(Order.Kind.TOTALS);
     }
 
     /** Unshot radiosity of every shooter, without rounding errors; see {@link Order.Kind#UNSHOT}. */
     public final List<Shot> unshot() throws IOException {
-        List<Shot> unshot = new ArrayList<>();
-        for (byte[] bytes : round(Order.asking(Order.Kind.UNSHOT, 0))) {
-            unshot.addAll(Wire.shots(Wire.input(bytes)));
+        return shots(Order.Kind.UNSHOT);
+    }
+
+    private List<Shot> shots(Order.Kind kind) throws IOException {
+        List<Shot> all = new ArrayList<>();
+        for (byte[] bytes : round(Order.asking(kind, 0))) {
+            all.addAll(Wire.shots(Wire.input(bytes)));
         }
-        return joined(unshot);
+        return joined(all);
     }
 
     /** Joins the shots of patches that shoot as one cluster, and sorts them. */

@@ -59,7 +59,7 @@ class SpotMarksTest {
 
     /** Whether a marked node lies on the wall and reaches within .3 m of the spot. */
     private static boolean holds(LocalWorld world, Mark mark) {
-        float[] corner = AuditPlaces.corners(world.mesh.faces, mark.face(), mark.path());
+        float[] corner = world.mesh.faces.corners(mark.face(), mark.path());
         Vec3 foot = world.mesh.faces.unit(new Vec3(X, 0, Z));
         double near = .3 / world.mesh.faces.size();
         return Math.abs(corner[1] - foot.y()) < 1e-6 && within(corner, 0, foot.x(), near)

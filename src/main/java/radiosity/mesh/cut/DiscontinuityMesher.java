@@ -128,8 +128,9 @@ public final class DiscontinuityMesher {
                 .addAll(new ConvexTriangulator(points, faces.exactNormal(polygon.face)).triangles(polygon.loop));
     }
 
+    /** Keeps a face that is not cut, or too thin for a triangle of its pieces. */
     private void leaveWhole(int face) {
-        if (pieces.get(face).size() == 1) {
+        if (pieces.get(face).size() <= 1) {
             pieces.remove(face);
         }
     }

@@ -34,11 +34,11 @@ final class FaceShells {
     final Map<Integer, List<int[]>> rims = new HashMap<>();
 
     /** 2 per edge or piece: ends, lower first. The sides at an edge are a list from {@code first} by {@code next}. */
-    private int[] ends = new int[64];
-    private int[] first = new int[32];
-    private int[] next = new int[64];
+    private int[] ends;
+    private int[] first;
+    private int[] next;
     /** 1 per side: 2 * face, + 1 where the face runs along the edge from the lower end to the higher. */
-    private int[] side = new int[64];
+    private int[] side;
     private int sides;
     private LongIndex edges;
 
