@@ -75,7 +75,8 @@ final class Merger {
                 }
                 corner[3 * elements + k] = number[v];
             }
-            faceOf[elements++] = mesh.faces.side(nodes.face(node));
+            int side = mesh.faces.side(nodes.face(node));
+            faceOf[elements++] = 2 * mesh.origins[side >> 1] + (side & 1);
         }
     }
 
@@ -110,7 +111,7 @@ final class Merger {
             irradiance[i] = share[c] * bulge.shown(vertexKey[v], c, irradiance[i] / Math.max(1, copies[v]));
         }
         fillBuried();
-        return new Solution(mesh.scene, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),
+        return new Solution(mesh.original, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),
                 Arrays.copyOf(irradiance, channels * vertices), Arrays.copyOf(corner, 3 * elements),
                 Arrays.copyOf(faceOf, elements), shots, rounds, unshotFlux, ledger, state);
     }

@@ -187,9 +187,17 @@ public final class QuadSplitter {
             int b = between(q[0], q[1], i + 1, n);
             int c = between(q[3], q[2], i + 1, n);
             int d = between(q[3], q[2], i, n);
-            pieces.add(a, b, c, t);
-            pieces.add(a, c, d, t);
+            pieces.add(a, b, c, isInside(t, a, b, c) ? t : u);
+            pieces.add(a, c, d, isInside(t, a, c, d) ? t : u);
         }
+    }
+
+    /** Whether the middle of a piece of a quadrangle lies in the quadrangle's triangle t, not in the partner of t. */
+    private boolean isInside(int t, int a, int b, int c) {
+        Vec3 begin = point(corner(t, shared[t]));
+        Vec3 along = point(corner(t, shared[t] + 1)).minus(begin);
+        Vec3 middle = point(a).plus(point(b)).plus(point(c)).times(1.0 / 3);
+        return along.cross(middle.minus(begin)).dot(normal(t)) > 0;
     }
 
     /** The point at i / n of the way between two points; the same point for all quadrangles on this edge. */

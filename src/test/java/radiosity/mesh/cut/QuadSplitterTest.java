@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.util.PointNumbers;
 
 class QuadSplitterTest {
@@ -42,7 +43,11 @@ class QuadSplitterTest {
         assertArrayEquals(new int[] {0, 1, 2, 3}, QuadSplitter.cut(rectangles(1.9, 1), EVERYTHING).origin());
         ScenePieces.Cut cut = QuadSplitter.cut(rectangles(12, 1), EVERYTHING);
         for (int i = 0; i < 48; i++) {
-            assertEquals(i < 24 ? 0 : 2, cut.origin()[i]);
+            int rectangle = i < 24 ? 0 : 1;
+            Vec3 middle = cut.scene().corner(i, 0).plus(cut.scene().corner(i, 1)).plus(cut.scene().corner(i, 2))
+                    .times(1.0 / 3);
+            boolean isBelow = middle.y() - rectangle < middle.x() / 12;
+            assertEquals(2 * rectangle + (isBelow ? 0 : 1), cut.origin()[i], "piece at " + middle);
         }
     }
 
