@@ -22,6 +22,11 @@ public final class EnteringLight {
     /** Distance from the middle of the scene at which rays begin, and their length, in units of the scene's size. */
     private static final double AWAY = 2;
     private static final double FAR = 4;
+    /**
+     * Distance between a ray and the two rays that confirm it, in units of the scene's size: by rounding, a ray may
+     * pass between two triangles that have an edge in common, and stand for more light than all lamps of a closed room.
+     */
+    private static final double BESIDE = 1e-5;
 
     private final Faces faces;
     private final RadiosityBounds bounds;
@@ -89,10 +94,15 @@ public final class EnteringLight {
         double height = 2 * half(v);
         Vec3 from = towards.times(AWAY).plus(u.times(width * (fraction(number * STEP) - 0.5)))
                 .plus(v.times(height * (fraction(number * STEP * STEP) - 0.5)));
-        int t = bounds.nearestFront(from, towards.times(-1), FAR, true, new float[3]);
-        boolean arrives = t >= 0
-                && front[3 * t] * towards.x() + front[3 * t + 1] * towards.y() + front[3 * t + 2] * towards.z() >= 0;
+        boolean arrives = arrives(from, towards) && arrives(from.plus(u.times(BESIDE)), towards)
+                && arrives(from.plus(v.times(BESIDE)), towards);
         return arrives ? width * height : 0;
+    }
+
+    private boolean arrives(Vec3 from, Vec3 towards) {
+        int t = bounds.nearestFront(from, towards.times(-1), FAR, true, new float[3]);
+        return t >= 0
+                && front[3 * t] * towards.x() + front[3 * t + 1] * towards.y() + front[3 * t + 2] * towards.z() >= 0;
     }
 
     private static double fraction(double x) {

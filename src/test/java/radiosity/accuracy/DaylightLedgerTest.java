@@ -8,9 +8,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.solution.EnergyLedger;
+import radiosity.solution.Solution;
+import radiosity.testkit.Box;
 import radiosity.testkit.Cells;
 import radiosity.testkit.RoomScenes;
 import radiosity.testkit.Solve;
@@ -44,6 +47,19 @@ class DaylightLedgerTest {
     @Test
     void skyThroughAnOpening_isWhatIsEmitted() {
         assertEnters(100 * .16, ledger(Light.sky(Light.Kind.SKY_OVERCAST, 100, UP, UP)));
+    }
+
+    /** A ray that passes between two walls by rounding stands for more light than the lamp. */
+    @Test
+    void skyAroundAClosedRoom_entersNowhere() {
+        SceneBuilder builder = new SceneBuilder();
+        RoomScenes.addRoom(builder, WALL, new Box(Vec3.ZERO, new Vec3(4, 2.5, 5)));
+        Scene room = builder.polygon(RoomScenes.grey("lamp", 1, 0), new Vec3(.8, 2.48, 1), new Vec3(1.2, 2.48, 1),
+                new Vec3(1.2, 2.48, 1.4), new Vec3(.8, 2.48, 1.4)).scene("closed room");
+        Solution solution = Solve.byDefault().accurate(.2).solution(room.with(room.surfaces(),
+                List.of(Light.sky(Light.Kind.SKY_UNIFORM, 1e6, UP, UP), Light.sun(new Vec3(1, 2, 2), 1e6))));
+        assertEquals(.16, solution.ledger().emitted()[0], 1e-6);
+        assertEquals(0, solution.ledger().imbalance(0), 1e-12);
     }
 
     @Test
