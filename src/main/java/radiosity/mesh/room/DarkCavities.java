@@ -13,7 +13,8 @@ import radiosity.util.BoxTree;
  *
  * <p>Such a body may be the inner sides of two-sided triangles, as of the bars of a window in a model whose surfaces
  * are all two-sided. Without these sides the bars are solids like those of one-sided triangles. A body of one-sided
- * triangles is inside out, unless it is the hollow of a solid: the corners of its triangles run the wrong way.
+ * triangles is inside out, unless it is the hollow of a solid, or a room without a lamp that holds the whole scene: the
+ * corners of its triangles run the wrong way.
  */
 public final class DarkCavities {
 
@@ -48,8 +49,23 @@ public final class DarkCavities {
                 .mapToObj(f -> Arrays.copyOfRange(all.shells.box, 6 * f, 6 * f + 6)).flatMapToDouble(Arrays::stream)
                 .toArray();
         BoxTree tree = new BoxTree(solids);
-        return all.cavities(false).filter(shell -> !tree.any(BoxTree.overlapping(all.shells.box, 6 * shell, 0),
-                solid -> holds(solids, 6 * solid, all.shells.box, 6 * shell))).mapToObj(all.members::of).toList();
+        double[] scene = all.extent();
+        return all.cavities(false).filter(shell -> !holds(all.shells.box, 6 * shell, scene, 0))
+                .filter(shell -> !tree.any(BoxTree.overlapping(all.shells.box, 6 * shell, 0),
+                        solid -> holds(solids, 6 * solid, all.shells.box, 6 * shell)))
+                .mapToObj(all.members::of).toList();
+    }
+
+    /** Box around all faces: low x, y, z, high x, y, z. */
+    private double[] extent() {
+        double[] box = Arrays.copyOf(shells.box, 6);
+        for (int f = 0; f < faces.count(); f++) {
+            for (int i = 0; i < 6 && shells.shell[f] == f; i++) {
+                double at = shells.box[6 * f + i];
+                box[i] = i < 3 ? Math.min(box[i], at) : Math.max(box[i], at);
+            }
+        }
+        return box;
     }
 
     private static boolean holds(double[] boxes, int at, double[] others, int of) {

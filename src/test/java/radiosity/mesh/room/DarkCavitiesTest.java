@@ -56,6 +56,15 @@ class DarkCavitiesTest {
         return builder;
     }
 
+    /** Whoever forgets the lamps is not to turn the walls over. */
+    @Test
+    void roomWithoutLamp_isNotInsideOut() {
+        Box room = new Box(Vec3.ZERO, new Vec3(1, 1, 1));
+        assertEquals(0, insideOut(oneSided(new SceneBuilder(), room, true)));
+        assertEquals(0, insideOut(oneSided(oneSided(new SceneBuilder(), room, true), BODY, false)));
+        assertEquals(1, insideOut(oneSided(oneSided(new SceneBuilder(), room, true), BODY, true)));
+    }
+
     private static int insideOut(SceneBuilder builder) {
         return DarkCavities.insideOut(new Faces(builder.scene("body"))).size();
     }
