@@ -141,6 +141,15 @@ class UnitOptionsTest {
                 .mapToDouble(Double::parseDouble).toArray(), 0, "the light itself is the same");
     }
 
+    /** As of a table in another unit. */
+    @Test
+    void pointsOnNoSurface_areCounted() throws IOException {
+        Path in = Files.writeString(folder.resolve("in.csv"), "278,0,-280,0,1,0\n2.78,0,-2.80,9,1,0\n");
+        ProgramRun run = render("--points", in, folder.resolve("out.csv"));
+        assertTrue((run.out() + run.err()).contains(in + ": 1 point lies on no surface, and has no light"),
+                run.out() + run.err());
+    }
+
     /** The room has lights in candela: photometric and in metres without any option. */
     @Test
     void gltfWithLights_isPhotometricAndInMetres() {

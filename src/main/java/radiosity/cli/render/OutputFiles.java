@@ -179,8 +179,13 @@ public final class OutputFiles {
                     options.picture.camera(solution), options.picture.width())));
         }
         if (options.file.points != null) {
-            failures.tried(() -> write(options.file.points.out(),
-                    out -> new Points(solution).write(options.file.points.in(), out)));
+            failures.tried(() -> write(options.file.points.out(), out -> {
+                long missed = new Points(solution).write(options.file.points.in(), out);
+                if (missed > 0) {
+                    user.message(options.file.points.in() + ": " + missed
+                            + (missed == 1 ? " point lies" : " points lie") + " on no surface, and has no light");
+                }
+            }));
         }
         if (options.file.lightmap != null) {
             failures.tried(() -> write(options.file.lightmap, file -> saveLightmap(file, solution)));

@@ -23,7 +23,7 @@ import radiosity.solution.Solution;
  *
  * @param where    the surface or plane of the grid, as the user named it
  * @param rows     x, y, z, nx, ny, nz and illuminance of each point: 7 numbers
- * @param mean     average illuminance
+ * @param mean     average illuminance; NaN where there is no point, as the next two
  * @param minimum  least illuminance
  * @param maximum  largest illuminance
  * @param left     number of points left out: inside solids, or outside of rooms
@@ -65,18 +65,22 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         double[] values = Arrays.stream(lit).mapToDouble(row -> row[6]).sorted().toArray();
         int n = values.length;
         String[] quantity = {units.irradianceWord(), units.irradiance()};
-        return n == 0 ? new Grid(where, lit, 0, 0, 0, rows.length, quantity)
+        return n == 0 ? new Grid(where, lit, Double.NaN, Double.NaN, Double.NaN, rows.length, quantity)
                 : new Grid(where, lit, Arrays.stream(values).sum() / n, values[0], values[n - 1], rows.length - n,
                 quantity);
     }
 
-    /** Uniformity U0: minimum over average; 0 if all is dark. */
+    /** Uniformity U0: minimum over average; 0 if all is dark, NaN if there is no point. */
     public double uniformity() {
-        return mean > 0 ? minimum / mean : 0;
+        return mean == 0 ? 0 : minimum / mean;
     }
 
     /** The figures in one line of text. */
     public String summary() {
+        if (rows.length == 0) {
+            return where + ": no points, as " + left + " inside solids or outside are left out; a smaller --spacing"
+                    + " gives more";
+        }
         return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
                 + " points", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length)
                 + (left > 0 ? " (" + left + " inside solids or outside are left out)" : "");
@@ -105,7 +109,7 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         text.append("\n# minimum ").append(quantity[0]).append(',').append(minimum).append(',').append(quantity[1]);
         text.append("\n# maximum ").append(quantity[0]).append(',').append(maximum).append(',').append(quantity[1]);
         text.append("\n# uniformity U0 (minimum / average),").append(uniformity()).append("\n# diversity (minimum /"
-                + " maximum),").append(maximum > 0 ? minimum / maximum : 0).append("\n# points,").append(rows.length);
+                + " maximum),").append(maximum == 0 ? 0 : minimum / maximum).append("\n# points,").append(rows.length);
         return text.append("\nx,y,z,nx,ny,nz,E_").append(quantity[1].replace("/", "_")).append('\n');
     }
 }

@@ -19,6 +19,7 @@ import radiosity.scene.Surface;
 import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.testkit.Box;
 import radiosity.testkit.Cells;
 import radiosity.testkit.RoomScenes;
 import radiosity.testkit.Solve;
@@ -128,6 +129,23 @@ class GridTest {
         assertEquals(11, grid.rows().length);
         assertEquals(5, grid.left());
         assertEquals(2, grid.mean(), .02);
+    }
+
+    /** The only cell's middle lies in the box. */
+    @Test
+    void gridWithoutPoints_hasNoFigures() {
+        SceneBuilder builder = new SceneBuilder();
+        RoomScenes.addRoom(builder, RoomScenes.grey("wall", 1, .5), new Box(Vec3.ZERO, new Vec3(4, 3, 4)));
+        Box box = new Box(new Vec3(1, 0, 1), new Vec3(3, 1, 3));
+        for (int side = 0; side < 6; side++) {
+            Vec3[] inside = box.inside(side);
+            builder.polygon(RoomScenes.grey("box", 0, .5), inside[3], inside[2], inside[1], inside[0]);
+        }
+        Grid grid = Grid.of(Solve.byDefault().accurate(.2).solution(builder.scene("box in a room")), "y=0.5", 4);
+        assertEquals(0, grid.rows().length);
+        assertTrue(Double.isNaN(grid.mean()) && Double.isNaN(grid.uniformity()));
+        assertEquals("y=0.5: no points, as 1 inside solids or outside are left out; a smaller --spacing gives more",
+                grid.summary());
     }
 
     @Test
