@@ -176,9 +176,9 @@ class FileChecksTest {
 
     @Test
     void outputInPlaceOfAnObject_isExitCode2() throws IOException {
-        for (String name : new String[] {"room.obj", "ROOM.MTL"}) {
+        for (String name : new String[] {"room.obj", "ROOM.MTL", "room.bin", "lamp.ies", "lamp.LDT"}) {
             Path object = written(name, "v 0 0 0");
-            fails(ExitCode.COMMAND_LINE, "expected a file to overwrite, got an object or its materials",
+            fails(ExitCode.COMMAND_LINE, "expected a file to overwrite, got a part of a model",
                     () -> checks.output(object));
         }
     }

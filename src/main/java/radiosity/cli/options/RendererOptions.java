@@ -25,7 +25,7 @@ import radiosity.rmi.HostAddress;
             "",
             "Exit codes: 0 done, also when stopped by a key; 1 failed; 2 wrong command line; 3 a file cannot be read"
                 + " or written; 4 no host could be used; 5 less exact than --accuracy asked for; 130, 143 saved after"
-                + " Ctrl-C, SIGTERM, or left to the journal after 10 s."})
+                + " Ctrl-C, SIGTERM, or left to the journal (with --time: as saved last) after 9 s."})
 public final class RendererOptions {
 
     @Parameters(arity = "0..*", paramLabel = "<files>", hidden = true)
@@ -66,7 +66,8 @@ public final class RendererOptions {
     /** Names of pictures, of scenes to read, and of other files that are no scene files. */
     private static final Pattern PICTURE = Pattern.compile("(?i).*\\.(png|jpe?g|hdr|exr|gif|bmp|tiff?|webp)");
     private static final Pattern MODEL = Pattern.compile("(?i).*\\.(lws|lwo|gltf|glb|obj)");
-    private static final Pattern OTHER = Pattern.compile("(?i).*\\.(lws|lwo|obj|mtl|gltf|fbx|csv|txt|json|key)");
+    private static final Pattern OTHER =
+            Pattern.compile("(?i).*\\.(lws|lwo|obj|mtl|gltf|bin|ies|ldt|fbx|csv|txt|json|key)");
 
     @Spec
     CommandSpec command;

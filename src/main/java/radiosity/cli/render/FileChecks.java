@@ -23,8 +23,8 @@ import radiosity.rmi.HostKey;
  */
 public final class FileChecks {
 
-    /** Names of OBJ files and material libraries, which cannot be recognised by their first bytes. */
-    private static final Pattern OBJECTS = Pattern.compile("(?i).*\\.(obj|mtl)");
+    /** Names of OBJ files, material libraries, glTF buffers and luminaires, which their first bytes do not tell. */
+    private static final Pattern OBJECTS = Pattern.compile("(?i).*\\.(obj|mtl|bin|ies|ldt)");
 
     private final List<Path> inputs = new ArrayList<>();
     /** Files that the program writes; the values end the message that refuses another output with that name. */
@@ -108,13 +108,13 @@ public final class FileChecks {
         }
     }
 
-    /** Fails for an existing OBJ file, material library or LightWave file: naming one as an output is a slip. */
+    /** Fails for an existing file that may be a model or a part of one: naming one as an output is a slip. */
     private static void refuseModels(Path file) {
         if (!Files.exists(file)) {
             return;
         }
         if (OBJECTS.matcher(String.valueOf(file.getFileName())).matches()) {
-            throw Failure.commandLine(file.toString(), "expected a file to overwrite, got an object or its materials");
+            throw Failure.commandLine(file.toString(), "expected a file to overwrite, got a part of a model");
         }
         try (InputStream in = Files.newInputStream(file)) {
             String magic = new String(in.readNBytes(4), StandardCharsets.ISO_8859_1);
