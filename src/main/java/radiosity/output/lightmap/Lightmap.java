@@ -101,8 +101,9 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
             DisjointSets joined = Atlas.parts(solution);
             Map<Integer, List<Integer>> parts = new LinkedHashMap<>();
             for (int t = 0; t < scene.triangles(); t++) {
-                if (elementsOf.containsKey(2 * t)) {
-                    int vertex = solution.corners()[3 * elementsOf.get(2 * t).get(0)];
+                List<Integer> elements = elementsOf.getOrDefault(2 * t, elementsOf.get(2 * t + 1));
+                if (elements != null) {
+                    int vertex = solution.corners()[3 * elements.get(0)];
                     parts.computeIfAbsent(joined.of(vertex), p -> new ArrayList<>(1)).add(t);
                 }
             }
