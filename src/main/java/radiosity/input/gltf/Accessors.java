@@ -94,7 +94,8 @@ final class Accessors {
     private static float[] values(JsonCursor where, Elements of, int count) throws SceneFormatException {
         int size = size(where, of.type);
         long step = of.stride == 0 ? (long) size * of.components : of.stride;
-        if (of.offset < 0 || step < (long) size * of.components
+        if (of.offset < 0 || of.offset > of.bytes.capacity() || step < (long) size * of.components
+                || count > 1 && step > of.bytes.capacity()
                 || count > 0 && of.offset + step * (count - 1L) + (long) size * of.components > of.bytes.capacity()) {
             throw where.wrong("elements within " + of.bytes.capacity() + " bytes");
         }
@@ -163,7 +164,7 @@ final class Accessors {
     private static int[] indices(JsonCursor where, int type, ByteBuffer bytes, long offset, int count)
             throws SceneFormatException {
         int size = size(where, type);
-        if (offset < 0 || offset + (long) size * count > bytes.capacity()) {
+        if (offset < 0 || offset > bytes.capacity() || offset + (long) size * count > bytes.capacity()) {
             throw where.wrong("indices within " + bytes.capacity() + " bytes");
         }
         if (type == 5126) {

@@ -41,9 +41,9 @@ final class IesParser {
         numbers = tokens(there ? text.substring(found.end()) : "");
     }
 
-    /** Whether a text is in this format, valid or not. */
+    /** Whether a text is in this format, valid or not; EULUMDAT begins with a company's name, which may be IES, too. */
     static boolean isIes(String text) {
-        return text.startsWith("IES") || TILT.matcher(text).find();
+        return TILT.matcher(text).find() || text.startsWith("IES") && !EulumdatParser.isEulumdat(text);
     }
 
     private static StringTokenizer tokens(String text) {

@@ -411,6 +411,8 @@ class GltfReaderTest {
         assertEquals("a.gltf, JSON /nodes/0: expected a node with one parent, got several",
                 refused(text.replace("\"name\":\"n\"", "\"children\":[0]")));
         assertTrue(refused(text.replace("\"count\":4", "\"count\":5")).contains("expected elements within 48 bytes"));
+        assertTrue(refused(text.replace("\"count\":4", "\"byteOffset\":9223372036854775807,\"count\":4"))
+                .contains("expected elements within 48 bytes"));
         assertTrue(refused("{\"asset\":{\"version\":\"2.0\"}").contains("expected JSON"));
         assertTrue(refused(text.replace("\"count\":4", "\"count\":2000000000")).contains("/accessors/0"));
         assertEquals(1, read(text.replace("\"scene\":0", "\"extensionsUsed\":[\"KHR_draco_mesh_compression\"]")).area(),

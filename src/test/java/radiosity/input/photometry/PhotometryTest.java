@@ -129,6 +129,13 @@ class PhotometryTest {
         assertEquals(.3, lamp.length(), 1e-12);
     }
 
+    /** The first line of EULUMDAT is the name of a company. */
+    @Test
+    void eulumdatOfACompanyCalledIes_isRead() throws IOException {
+        String file = eulumdat(1, (c, g) -> 100).replaceFirst("maker", "IES Leuchten GmbH");
+        assertEquals(250, Photometry.of(file.getBytes(StandardCharsets.ISO_8859_1), "l.ldt").intensity().at(0, 0), 1e-3);
+    }
+
     /** 12 planes, 13 angles, two sets of lamps of which the first has 2500 lm. */
     private static String eulumdat(int symmetry, DoubleBinaryOperator candela) {
         List<String> lines = new ArrayList<>(List.of("maker", "1", String.valueOf(symmetry), "12", "30", "13", "15", "",

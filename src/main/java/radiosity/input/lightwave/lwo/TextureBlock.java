@@ -35,9 +35,10 @@ public final class TextureBlock {
     /** Name of the texture coordinates of a UV projection. */
     public String map = "";
 
-    /** Whether another image has the same projection onto the points. */
+    /** Whether another image has the same projection onto the points, and goes on alike beyond its edges. */
     public boolean liesAs(TextureBlock other) {
-        return projection == other.projection && axis == other.axis && map.equals(other.map)
+        return wrapU == other.wrapU && wrapV == other.wrapV
+                && projection == other.projection && axis == other.axis && map.equals(other.map)
                 && Arrays.equals(centre, other.centre) && Arrays.equals(size, other.size)
                 && Arrays.equals(rotation, other.rotation) && Arrays.equals(turns, other.turns);
     }
