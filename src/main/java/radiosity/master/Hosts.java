@@ -132,6 +132,7 @@ final class Hosts {
     private void remove(Host host, String state) {
         gone.add(host.load.statistics(host.name(), state, 0, work.underWay().criticalPath()));
         present.remove(host);
+        work.log().forget(host);
         work.assignment().lose(host);
     }
 

@@ -77,8 +77,13 @@ public final class RemoteWorld extends World {
         steps = new InFlightSteps(calls, log, assignment, halo, present, clock);
         hosts = new Hosts(present, SceneBytes.write(scene, settings), mesh.fingerprint(), threads, notices,
                 new Hosts.Work(calls, steps, assignment, log));
-        hosts.open(links);
-        recover();
+        try {
+            hosts.open(links);
+            recover();
+        } catch (IOException | RuntimeException | Error e) {
+            hosts.close(); // nobody else can: the caller gets no world
+            throw e;
+        }
     }
 
     @Override
@@ -294,19 +299,20 @@ public final class RemoteWorld extends World {
             hosts.leaveAlone();
             halo.forget();
         } else if (come || due) {
-            move(assignment.moves(hosts.present()));
+            move();
         }
         recover();
     }
 
-    private void move(List<BlockAssignment.Move> moves) throws IOException {
-        if (moves.isEmpty()) {
+    /** Moves blocks from slow hosts to fast ones; a host may be lost in the exchange of ghost values before that. */
+    private void move() throws IOException {
+        if (assignment.moves(hosts.present()).isEmpty()) {
             assignment.moved(0);
             return;
         }
         long begin = now();
         exchange();
-        hosts.move(moves);
+        hosts.move(assignment.moves(hosts.present()));
         halo.forget();
         assignment.moved((now() - begin) * 1e-9);
     }

@@ -134,6 +134,11 @@ final class ShotLog {
         informed.clear();
     }
 
+    /** Forgets a host that was lost or has left. */
+    void forget(Host host) {
+        informed.remove(host);
+    }
+
     /** Sends all light ever shot to the hosts that do not have it. */
     void inform(List<Host> hosts) {
         List<Host> late = hosts.stream().filter(host -> !informed.contains(host)).toList();

@@ -40,7 +40,7 @@ public final class GaussSeidel {
     }
 
     /**
-     * Solves the system. Where {@link #MOST_SWEEPS} do not suffice, the result of the last sweep is returned.
+     * Solves the system. Where {@link #MOST_SWEEPS} do not suffice, what is expected after the last is returned.
      *
      * @param direct D, channels per row; not modified
      * @param goOn   whether to go on; asked before every sweep

@@ -86,6 +86,8 @@ public final class HostFinder implements AutoCloseable {
                     : later(link, notify, HostFailure.words(e.getCause()));
         } catch (HostLostException e) {
             return later(link, notify, e.getMessage());
+        } catch (OutOfMemoryError e) {
+            return later(link, notify, "out of memory here");
         } catch (InterruptedException e) {
             return later(link, notify, "interrupted");
         }
@@ -95,7 +97,7 @@ public final class HostFinder implements AutoCloseable {
     private void load(Host host, boolean notify) throws HostLostException {
         try {
             host.await(Host.start(() -> host.load(task, fingerprint)), notify ? notices : line -> { });
-        } catch (HostLostException e) {
+        } catch (HostLostException | OutOfMemoryError e) {
             host.close();
             throw e;
         }
