@@ -10,6 +10,7 @@ import radiosity.cli.options.ErrorReport;
 import radiosity.cli.options.ExitCode;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
+import radiosity.cli.render.Journal;
 import radiosity.cli.terminal.StopRequest;
 import radiosity.output.gltf.SceneFile;
 
@@ -71,8 +72,9 @@ final class Animation {
     }
 
     private boolean isThere(RendererOptions frame) throws IOException {
-        if (!Files.isRegularFile(frame.output()) || Files.getLastModifiedTime(frame.output())
-                .compareTo(Files.getLastModifiedTime(frame.input())) < 0) {
+        if (!Files.isRegularFile(frame.output()) || Files.exists(Journal.of(frame.output()))
+                || !frame.otherOutputs().stream().allMatch(Files::isRegularFile)
+                || Files.getLastModifiedTime(frame.output()).compareTo(Files.getLastModifiedTime(frame.input())) < 0) {
             return false;
         }
         try (SceneFile file = SceneFile.open(frame.output())) {

@@ -1,5 +1,6 @@
 package radiosity.gltf;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +19,11 @@ public record JsonCursor(String file, String path, JsonNode node) {
 
     public JsonCursor(String file, JsonNode root) {
         this(file, "", root);
+    }
+
+    /** Why a text is no JSON, in a parser's words without those about the parser's own settings. */
+    public static String reason(JsonProcessingException e) {
+        return e.getOriginalMessage().replaceAll("\\[Source: REDACTED \\(.*?\\); (line: \\d+, column: \\d+)\\]", "$1");
     }
 
     public JsonCursor at(String key) throws SceneFormatException {

@@ -45,9 +45,11 @@ public final class SceneReader {
                     : "; LightWave, glTF and OBJ are read"));
         }
         Diagnostics notes = new Diagnostics(name, warnings, options.strict());
-        if (format.get() != SceneFormat.LIGHTWAVE && (options.frame().isPresent()
-                || options.emission() != ReadOptions.Emission.LUMINOSITY)) {
-            notes.note("", "a frame and a property that emits are chosen for LightWave only");
+        if (format.get() != SceneFormat.LIGHTWAVE && options.frame().isPresent()) {
+            notes.note("", "a frame is chosen for LightWave only");
+        }
+        if (format.get() != SceneFormat.LIGHTWAVE && options.emission() != ReadOptions.Emission.LUMINOSITY) {
+            notes.note("", "a property that emits is chosen for LightWave only");
         }
         if (format.get() == SceneFormat.GLTF && options.srgb()) {
             notes.note("", "--srgb is for LightWave and OBJ only; glTF says itself what is sRGB");

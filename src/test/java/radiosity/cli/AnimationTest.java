@@ -74,6 +74,10 @@ class AnimationTest {
         ProgramRun rest = render();
         assertTrue(rest.err().contains("frame 20 (3 of 3)") && !rest.err().contains("frame 10"), rest.err());
         assertEquals(last, state(20));
+        Files.delete(directory.resolve("a-0010.json"));
+        rest = render();
+        assertTrue(rest.err().contains("frame 10 (2 of 3)"), "a frame without its report is not done: " + rest.err());
+        assertTrue(Files.exists(directory.resolve("a-0010.json")));
     }
 
     /** The first frame stops after a round; writing its pictures forgets the request, which it has fulfilled. */

@@ -3,9 +3,12 @@ package radiosity.cli.options;
 import static java.util.stream.Collectors.joining;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -161,6 +164,15 @@ public final class RendererOptions {
         file.report = file.report == null ? null : FrameRange.numbered(file.report, frame);
         file.points = file.points == null ? null
                 : new FileOptions.PointFiles(file.points.in(), FrameRange.numbered(file.points.out(), frame));
+    }
+
+    /** The files to write besides the scene file, but for grids. */
+    public List<Path> otherOutputs() {
+        List<Path> all = new ArrayList<>(picture.pictures);
+        all.addAll(picture.falseColours);
+        Stream.of(file.lightmap, file.report, file.points == null ? null : file.points.out()).filter(Objects::nonNull)
+                .forEach(all::add);
+        return all;
     }
 
     /** The scene to render. */

@@ -25,6 +25,14 @@ public final class SmoothEdges {
     private final List<double[]> smooth = new ArrayList<>();
     private final List<double[]> sharp = new ArrayList<>();
 
+    /** Distance between unit normals up to which they are equal: half a degree. */
+    private static final double EQUAL_NORMALS = 0.01;
+
+    /** Whether two unit normals, or two of length 0, are equal but for half a degree. */
+    public static boolean areEqual(Vec3 m, Vec3 n) {
+        return m.minus(n).length() <= EQUAL_NORMALS;
+    }
+
     /** Says whether two corners of different triangles, at the same point, have the same normal. */
     public interface Corners {
         boolean areAlike(int i, int j);

@@ -99,7 +99,7 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
             return new ObjectMapper(FACTORY).readTree(file, from + start, length - start);
         } catch (JsonProcessingException e) {
             String place = e.getLocation() == null ? "JSON" : "JSON, byte " + e.getLocation().getByteOffset();
-            throw notes.error(place, "JSON", e.getOriginalMessage());
+            throw notes.error(place, "JSON", JsonCursor.reason(e));
         } catch (SceneFormatException e) {
             throw e;
         } catch (IOException e) {

@@ -17,6 +17,7 @@ import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
 
 /** The meshes of a glTF file as triangles; a mesh without skin and node weights is read once for all its nodes. */
@@ -28,8 +29,6 @@ final class Meshes {
     /** Heap bytes that one triangle takes while it is read. */
     private static final int TRIANGLE_BYTES = 140;
 
-    /** Distance between unit normals up to which they are equal: half a degree. */
-    private static final double EQUAL_NORMALS = 0.01;
 
     private final JsonCursor root;
     private final Accessors accessors;
@@ -230,12 +229,8 @@ final class Meshes {
     }
 
     private static boolean areEqual(float[] normals, int v, int w) {
-        double square = 0;
-        for (int k = 0; k < 3; k++) {
-            double d = normals[3 * v + k] - normals[3 * w + k];
-            square += d * d;
-        }
-        return square <= EQUAL_NORMALS * EQUAL_NORMALS;
+        return SmoothEdges.areEqual(new Vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]),
+                new Vec3(normals[3 * w], normals[3 * w + 1], normals[3 * w + 2]));
     }
 
     /** The surfaces of the materials used so far, with smoothing angles by the normals of the meshes read so far. */

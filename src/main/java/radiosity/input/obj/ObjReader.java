@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.IntStream;
 import radiosity.input.assembly.Placing;
 import radiosity.input.assembly.SceneDraft;
 import radiosity.input.assembly.SmoothEdges;
@@ -26,6 +25,7 @@ import radiosity.scene.ImageMap;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
 
 /** Reads a Wavefront OBJ file and the material libraries that it names. */
@@ -206,7 +206,13 @@ public final class ObjReader {
                 int smooth = group.smooth().get(polygons.get(i / 3));
                 return smooth != 0 && smooth == group.smooth().get(polygons.get(j / 3));
             }
-            return IntStream.range(0, 3).allMatch(k -> file.normals.get(3 * n + k) == file.normals.get(3 * m + k));
+            return SmoothEdges.areEqual(normal(n), normal(m));
+        }
+
+        /** A normal of the file, brought to length 1, which OBJ does not ask for; one of length 0 as it is. */
+        private Vec3 normal(int n) {
+            Vec3 given = new Vec3(file.normals.get(3 * n), file.normals.get(3 * n + 1), file.normals.get(3 * n + 2));
+            return given.length() > 0 ? given.unit() : given;
         }
 
         void finish(Group group) throws SceneFormatException {

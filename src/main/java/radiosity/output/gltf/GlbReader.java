@@ -89,7 +89,7 @@ final class GlbReader implements Closeable {
         try {
             return JSON.readTree(text.array());
         } catch (JsonProcessingException e) {
-            throw wrong("chunk JSON", "JSON", e.getOriginalMessage());
+            throw wrong("chunk JSON", "JSON", JsonCursor.reason(e));
         } catch (IOException e) {
             throw wrong("chunk JSON", "JSON", String.valueOf(e.getMessage()));
         }

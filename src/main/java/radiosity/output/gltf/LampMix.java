@@ -3,6 +3,8 @@ package radiosity.output.gltf;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
@@ -16,6 +18,8 @@ import radiosity.scene.SceneFormatException;
 public record LampMix(List<Lamp> lamps, List<Rgb> factors) {
 
     private static final int CHANNELS = 3;
+    /** Three factors and a name, which may be empty. */
+    private static final Pattern LINE = Pattern.compile("\\s*(\\S+) +(\\S+) +(\\S+) (.*)");
 
     public static LampMix asRendered(List<Lamp> lamps) {
         return new LampMix(lamps, Collections.nCopies(lamps.size(), Rgb.grey(1)));
@@ -68,8 +72,8 @@ public record LampMix(List<Lamp> lamps, List<Rgb> factors) {
     }
 
     /**
-     * The mix that a text from {@link #text()} describes; lamps that it does not name are as rendered, and names that
-     * the scene does not have are ignored.
+     * The mix that a text from {@link #text()} describes; a name may be empty, or begin with a blank. Lamps that the
+     * text does not name are as rendered, and names that the scene does not have are ignored.
      *
      * @param file name of the file, for messages
      */
@@ -77,17 +81,17 @@ public record LampMix(List<Lamp> lamps, List<Rgb> factors) {
         LampMix mix = asRendered(lamps);
         String[] lines = text.split("\r?\n");
         for (int i = 0; i < lines.length; i++) {
-            String[] words = lines[i].trim().split(" +", CHANNELS + 1);
+            Matcher words = LINE.matcher(lines[i]);
             double[] factor = new double[CHANNELS];
-            boolean isSound = words.length > CHANNELS;
+            boolean isSound = words.matches();
             for (int c = 0; c < CHANNELS && isSound; c++) {
-                factor[c] = number(words[c]);
+                factor[c] = number(words.group(c + 1));
                 isSound = factor[c] >= 0 && factor[c] < Double.POSITIVE_INFINITY;
             }
             if (!isSound) {
                 throw new SceneFormatException(file, "line " + (i + 1), "three factors and a lamp's name", lines[i]);
             }
-            mix = mix.with(words[CHANNELS], new Rgb(factor[0], factor[1], factor[2]));
+            mix = mix.with(words.group(CHANNELS + 1), new Rgb(factor[0], factor[1], factor[2]));
         }
         return mix;
     }

@@ -413,7 +413,8 @@ class GltfReaderTest {
         assertTrue(refused(text.replace("\"count\":4", "\"count\":5")).contains("expected elements within 48 bytes"));
         assertTrue(refused(text.replace("\"count\":4", "\"byteOffset\":9223372036854775807,\"count\":4"))
                 .contains("expected elements within 48 bytes"));
-        assertTrue(refused("{\"asset\":{\"version\":\"2.0\"}").contains("expected JSON"));
+        String broken = refused("{\"asset\":{\"version\":\"2.0\"}");
+        assertTrue(broken.contains("expected JSON") && broken.contains("(start marker at line: 1, column: 1)"), broken);
         assertTrue(refused(text.replace("\"count\":4", "\"count\":2000000000")).contains("/accessors/0"));
         assertEquals(1, read(text.replace("\"scene\":0", "\"extensionsUsed\":[\"KHR_draco_mesh_compression\"]")).area(),
                 1e-12);

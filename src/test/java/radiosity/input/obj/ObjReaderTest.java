@@ -87,6 +87,14 @@ class ObjReaderTest {
                 .smoothing(), "normals that do not exist");
     }
 
+    /** As programs write them that give each polygon normals of its own, and of any length. */
+    @Test
+    void normalsThatDifferByRounding_areEqual() throws IOException {
+        String strip = strip("f 1//1 2//1 3//2 4//2\n", "f 4//3 3//3 5//4 6//4\n", "").replace("vn 1 0 0\nvn 0 1 0\n",
+                "vn 0 1 0\nvn 1 1 0\nvn 2.0001 2 0\nvn 1 0 0\n");
+        assertEquals(Math.toRadians(90), read(strip).surface(0).smoothing(), .02);
+    }
+
     private Scene read(String text) throws IOException {
         return read(text, ReadOptions.defaults());
     }

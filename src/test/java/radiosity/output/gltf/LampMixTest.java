@@ -36,6 +36,13 @@ class LampMixTest {
         assertTrue(mix.read("2 2 2 another lamp\r\n", "a.mix").isAsRendered(), "what is not named is as rendered");
     }
 
+    @Test
+    void anyName_isReadBack() throws IOException {
+        LampMix rendered = LampMix.asRendered(List.of(new Lamp("", false, 0), new Lamp(" two  words ", false, 1)));
+        LampMix mix = rendered.with(0, WARM).with(1, Rgb.BLACK);
+        assertEquals(mix, rendered.read(mix.text(), "a.mix"));
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"", "1 1 spot", "1 1 1", "-1 1 1 spot", "NaN 1 1 spot", "1e999 1 1 spot", "{\"a\": 1}"})
     void otherTexts_areRefused(String text) {
