@@ -158,6 +158,9 @@ final class Nodes {
                 values.put(name, accessors.floats(where.get(), name.equals("ROTATION") ? "VEC4" : "VEC3"));
             }
         }
+        if (count < 0) {
+            return Optional.empty(); // attributes of an application only: all instances stand where the node is
+        }
         List<Affine> instances = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             instances.add(of(values(values, "TRANSLATION", i, 0, 0, 0), values(values, "ROTATION", i, 0, 0, 0, 1),

@@ -42,17 +42,20 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
 
     /** Number of texels that triangles cover where the user gives no density. */
     private static final double USUAL_TEXELS = 600_000;
+    /** How often the density that is chosen for the user may be halved; then the texture is mostly margins. */
+    private static final int MOST_HALVED = 6;
 
     /**
      * Bakes the lightmap of a solution.
      *
-     * @param samples texels per scene unit, above 0; if empty, as many as cover about 600,000 texels
+     * @param samples texels per scene unit, above 0; if empty, as many as cover about 600,000 texels, and fewer where a
+     *                texture with so many would be too long
      * @throws IOException if the lightmap would be wider or higher than 8192 texels
      */
     public static Lightmap of(Solution solution, OptionalDouble samples) throws IOException {
         Solution closed = TJunctions.close(solution);
         double density = samples.orElseGet(() -> Math.sqrt(USUAL_TEXELS / solution.scene().area()));
-        return new Baker(closed, density).bake();
+        return new Baker(closed, density, samples.isEmpty()).bake();
     }
 
     /** Bakes one lightmap. */
@@ -60,13 +63,16 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
 
         private final Solution solution;
         private final Scene scene;
-        private final double samples;
+        private double samples;
+        private final boolean mayBeCoarser;
         /** The elements of each face. */
         private final Map<Integer, List<Integer>> elementsOf = new HashMap<>();
 
-        Baker(Solution solution, double samples) {
+        /** @param mayBeCoarser whether there may be fewer samples than given, so that the texture is not too large */
+        Baker(Solution solution, double samples, boolean mayBeCoarser) {
             this.solution = solution;
             this.samples = samples;
+            this.mayBeCoarser = mayBeCoarser;
             scene = solution.scene();
             for (int e = 0; e < solution.elements(); e++) {
                 elementsOf.computeIfAbsent(solution.faceOf()[e], f -> new ArrayList<>(2)).add(e);
@@ -75,8 +81,11 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
 
         Lightmap bake() throws IOException {
             List<List<Integer>> parts = planeParts();
-            Atlas atlas = new Atlas(parts.stream().map(part -> Chart.of(scene,
-                    part.stream().map(t -> 2 * t).toList(), samples, samples, Atlas.LARGEST)).toList());
+            Atlas atlas = atlas(parts);
+            for (int i = 0; mayBeCoarser && !atlas.fits() && i < MOST_HALVED; i++) {
+                samples /= 2;
+                atlas = atlas(parts);
+            }
             Texels texels = atlas.texels("--lightmap-texels");
             float[] places = new float[6 * scene.triangles()];
             for (int c = 0; c < parts.size(); c++) {
@@ -94,6 +103,11 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
                 }
             }
             return new Lightmap(texels.padded(Chart.PAD), places, samples, scene.units());
+        }
+
+        private Atlas atlas(List<List<Integer>> parts) {
+            return new Atlas(parts.stream().map(part -> Chart.of(scene, part.stream().map(t -> 2 * t).toList(),
+                    samples, samples, Atlas.LARGEST)).toList());
         }
 
         /** Connected, coplanar groups of triangles; triangles too small to have elements are left out. */

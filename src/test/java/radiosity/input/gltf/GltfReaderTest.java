@@ -271,6 +271,8 @@ class GltfReaderTest {
         assertEquals(4 + 4 + 4 + 1, scene.area(), 1e-12);
         assertEquals(2, scene.corner(2, 0).z(), "the first instance, moved by 1 in a node that is twice as large");
         assertEquals(4, scene.corner(4, 0).z());
+        assertEquals(4 + 4 + 1, read(text.replace("\"TRANSLATION\"", "\"_ID\"")).area(), 1e-12,
+                "instances without places of their own are drawn once");
     }
 
     @Test

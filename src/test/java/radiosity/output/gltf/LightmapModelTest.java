@@ -1,6 +1,7 @@
 package radiosity.output.gltf;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -36,7 +37,10 @@ import radiosity.output.lightmap.Lightmap;
 import radiosity.output.model.LightmapModel;
 import radiosity.output.model.SceneModel;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneBuilder;
+import radiosity.scene.Vec3;
 import radiosity.testkit.EvenLight;
+import radiosity.testkit.RoomScenes;
 
 /** A model gets a lightmap and stays what it was. */
 class LightmapModelTest {
@@ -129,6 +133,17 @@ class LightmapModelTest {
         List<JsonNode> nodes = new ArrayList<>();
         file.get("nodes").forEach(node -> nodes.add(((ObjectNode) node.deepCopy()).without("mesh")));
         return nodes;
+    }
+
+    /** A strip of 500 by 1, which at 600,000 texels would be 17,000 long. */
+    @Test
+    void longScene_getsFewerTexels() throws IOException {
+        Scene strip = new SceneBuilder().polygon(RoomScenes.grey("strip", 1, .5), Vec3.ZERO, new Vec3(0, 0, 500),
+                new Vec3(1, 0, 500), new Vec3(1, 0, 0)).scene("strip");
+        Lightmap chosen = Lightmap.of(EvenLight.on(strip), OptionalDouble.empty());
+        assertTrue(chosen.irradiance().height() <= 8192 && chosen.irradiance().width() <= 8192);
+        assertEquals(Math.sqrt(600_000 / 500.0) / 4, chosen.samples(), 1e-9);
+        assertThrows(IOException.class, () -> Lightmap.of(EvenLight.on(strip), OptionalDouble.of(17)));
     }
 
     /** A square of two triangles that share vertices, and one that is turned: at two nodes, and at two instances. */
