@@ -99,7 +99,7 @@ class WrongUsesTest {
             RadiosityRenderer --change @/a.lws @/a.lws @/o.scene   | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene
             RadiosityRenderer --lightmap @/o.glb --lightmap-texels 1e9 @/a.lws @/o.scene | 2 | --lightmap-texels: expected at most 14.78 samples per unit for white, whose texture may have 8192 texels, got 1.0E9
             RadiosityRenderer --srgb --strict @/room.glb @/o.scene | 3 | room.glb: expected no warning (--strict), got --srgb is for LightWave and OBJ only; glTF says itself what is sRGB
-            RadiosityRenderer --frame 3 --strict @/room.glb @/o.scene | 3 | room.glb: expected no warning (--strict), got a frame and a property that emits are chosen for LightWave only
+            RadiosityRenderer --frame 3 --strict @/room.glb @/o.scene | 3 | room.glb: expected no warning (--strict), got a frame is chosen for LightWave only
             RadiosityRenderer --unit mm @/room.glb @/o.scene       | 2 | --unit: expected with LightWave or OBJ, got it with room.glb, which is in metres
             RadiosityRenderer --unit mm --luminaire Bulb=@/poem.txt @/a.lws @/o.scene | 3 | a.lws: expected a light that is called Bulb (--luminaire), or three coordinates x,y,z, got no lights
             RadiosityRenderer -tf @/a.lws @/a.lws @/o.scene        | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene

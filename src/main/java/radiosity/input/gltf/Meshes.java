@@ -29,7 +29,6 @@ final class Meshes {
     /** Heap bytes that one triangle takes while it is read. */
     private static final int TRIANGLE_BYTES = 140;
 
-
     private final JsonCursor root;
     private final Accessors accessors;
     private final Materials materials;

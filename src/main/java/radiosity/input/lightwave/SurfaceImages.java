@@ -89,12 +89,13 @@ final class SurfaceImages {
         List<ImageMap> maps = new ArrayList<>(0);
         boolean specular = options.emission() == ReadOptions.Emission.SPECULAR;
         double share = specular ? surface.specular : surface.luminosity;
+        boolean mayEmit = share > 0 || surface.textures.stream().anyMatch(t -> t.channel.equals("LUMI"));
         Rgb colour = SurfaceValues.linear(surface.colour, options.srgb());
         for (TextureBlock texture : surface.textures) {
             switch (texture.channel) {
                 case "COLR" -> {
                     maps.add(map(texture, Target.REFLECTANCE, Rgb.grey(surface.diffuse), false));
-                    if (share > 0 && (specular || surface.luminousColour == null)) {
+                    if (specular ? share > 0 : mayEmit && surface.luminousColour == null) {
                         maps.add(map(texture, Target.EXITANCE, Rgb.grey(share), false));
                     }
                 }
@@ -106,7 +107,7 @@ final class SurfaceImages {
                     }
                 }
                 default -> {
-                    if (!specular && share > 0) {
+                    if (!specular && mayEmit) {
                         maps.add(map(texture, Target.EXITANCE, Rgb.grey(share), false));
                     }
                 }

@@ -102,12 +102,14 @@ public final class SurfaceMaps {
         for (int i = 0; i < rgb.length; i++) {
             int x = i / 3 % width;
             int y = i / 3 / width;
-            double value = base.channel(i % 3);
+            boolean isOfImages = base.channel(i % 3) == 0 && maps.size() > 1;
+            double value = isOfImages ? 1 : base.channel(i % 3);
             for (int m = 0; m < maps.size(); m++) {
                 ImageFile file = files.get(m);
                 double image = file.value(x * file.width() / width, y * file.height() / height, i % 3, maps.get(m)
                         .grey(), srgb || maps.get(m).coded());
-                value = varied(maps.get(m), value, base.channel(i % 3), i % 3, image);
+                value = isOfImages ? value * maps.get(m).opacity() * shown(maps.get(m), image)
+                        : varied(maps.get(m), value, base.channel(i % 3), i % 3, image);
             }
             rgb[i] = (float) Math.max(0, Math.min(Math.min(most, Float.MAX_VALUE), value));
         }
@@ -116,10 +118,15 @@ public final class SurfaceMaps {
 
     /**
      * Applies an image to a value: several images for one quantity, as colour and diffuse, vary it by their product.
+     * Where the quantity is 0 without them, as one of its factors is 0 that an image replaces, the value is the product
+     * of the images alone.
      */
     private static double varied(ImageMap map, double before, double base, int channel, double image) {
-        double value = map.negative() ? 1 - image : image;
-        double alone = (1 - map.opacity()) * base + map.opacity() * map.scale().channel(channel) * value;
+        double alone = (1 - map.opacity()) * base + map.opacity() * map.scale().channel(channel) * shown(map, image);
         return base > 0 ? before * alone / base : alone;
+    }
+
+    private static double shown(ImageMap map, double image) {
+        return map.negative() ? 1 - image : image;
     }
 }

@@ -99,6 +99,25 @@ class TexturesTest {
         assertEquals(ImageMap.Target.REFLECTANCE, maps.get(1).target());
     }
 
+    /** A screen: its image says what colour shines where another image is bright. */
+    @Test
+    void luminosityImageOnASurfaceThatDoesNotShine_hasTheColourOfItsImage() throws IOException {
+        List<ImageMap> maps = read(Objects.lwo2(clip(), Objects.lwo2Surface("white", "", Objects.colour(1, 0, 0),
+                Objects.share("LUMI", 0), Iff.join(SoundFiles.imageBlock("COLR", 0), SoundFiles.imageBlock("LUMI", 0)))))
+                .surfaces().get(0).textures();
+        assertEquals(2, maps.stream().filter(map -> map.target() == ImageMap.Target.EXITANCE).count());
+        assertEquals(3, maps.size());
+    }
+
+    /** One repeats, the other ends at its edges. */
+    @Test
+    void imagesThatGoOnOtherwise_areToldAsThoseThatLieOtherwise() throws IOException {
+        assertEquals(1, read(object(SoundFiles.imageBlock("COLR", 0),
+                SoundFiles.imageBlock("DIFF", 0, sub("WRAP", u2(0, 0))))).surfaces().get(0).textures().stream()
+                .filter(map -> map.target() == ImageMap.Target.REFLECTANCE).count());
+        assertTrue(told.get(0).contains("lie otherwise"), told.toString());
+    }
+
     @Test
     void uvImage_takesPoints_andCornersOverThem() throws IOException {
         Scene scene = read(SoundFiles.texturedLwo2());

@@ -102,6 +102,24 @@ class SurfaceMapsTest {
         assertRgb(.4, .4, .4, look(scene, LEFT).reflectance());
     }
 
+    /** As of a LightWave surface of colour 1, 0, 0, or of diffuse 0, with images of colour and of diffuse. */
+    @Test
+    void imagesOfFactorsThatAre0WithoutThem_areMultiplied() throws IOException {
+        Path red = image("png", BufferedImage.TYPE_INT_RGB);
+        Path grey = folder.resolve("grey.png");
+        BufferedImage half = new BufferedImage(2, 2, BufferedImage.TYPE_BYTE_GRAY);
+        half.getRaster().setSamples(0, 0, 2, 2, 0, new int[] {51, 51, 51, 51});
+        ImageIO.write(half, "png", grey.toFile());
+        ImageMap colour = map(red, Target.REFLECTANCE, 0, 1);
+        ImageMap diffuse = new ImageMap(Target.REFLECTANCE, ImageSource.file(grey.toString()), new Rgb(1, 0, 0), true,
+                false, false, 1, Wrap.EDGE, Wrap.EDGE);
+        Surface surface = new Surface("painted", Rgb.BLACK, Rgb.BLACK, false, List.of(colour, diffuse));
+        Scene bare = square();
+        Scene scene = SurfaceMaps.read(bare.with(List.of(surface), List.of()), false, told::add);
+        assertRgb(.2, 0, 0, look(scene, LEFT).reflectance());
+        assertRgb(0, 0, .2, look(scene, RIGHT).reflectance());
+    }
+
     @Test
     void opacity_mixesWithTheBase() throws IOException {
         Scene scene = square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.EXITANCE, 5, .5));
