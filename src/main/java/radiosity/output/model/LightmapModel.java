@@ -88,6 +88,7 @@ public final class LightmapModel {
         description.put("range", range);
         description.put("unit", lightmap.units().irradiance());
         description.put("exposure", exposure);
+        description.put("emissionScale", 1 / lightmap.units().luminancePerRadiosity());
         description.put("file", beside(file).getFileName().toString());
         description.put("fileScale", scale);
         description.put("texelsPerUnit", lightmap.samples());

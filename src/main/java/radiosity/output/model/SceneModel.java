@@ -166,9 +166,11 @@ public final class SceneModel {
         return list.size() - 1;
     }
 
+    /** Writes emission, which glTF has in cd/m² in a photometric scene. */
     private void emission(ObjectNode material, Surface surface) throws IOException {
         Optional<Raster> map = surface.maps().exitance();
-        double most = map.isPresent() ? picture(map.get()).most() : surface.exitance().max();
+        double perExitance = scene.units().luminancePerRadiosity();
+        double most = perExitance * (map.isPresent() ? picture(map.get()).most() : surface.exitance().max());
         double strength = Math.max(1, most);
         if (strength > 1) {
             material.putObject("extensions").putObject(STRENGTH).put("emissiveStrength", strength);
@@ -177,10 +179,10 @@ public final class SceneModel {
             }
         }
         if (map.isPresent()) {
-            material.putObject("emissiveTexture").put("index", texture(map.get(), 1 / strength));
+            material.putObject("emissiveTexture").put("index", texture(map.get(), perExitance / strength));
             GltfLists.put(material.putArray("emissiveFactor"), Rgb.grey(1));
         } else {
-            GltfLists.put(material.putArray("emissiveFactor"), surface.exitance().times(1 / strength));
+            GltfLists.put(material.putArray("emissiveFactor"), surface.exitance().times(perExitance / strength));
         }
     }
 

@@ -38,6 +38,7 @@ import radiosity.output.model.LightmapModel;
 import radiosity.output.model.SceneModel;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
+import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.testkit.EvenLight;
 import radiosity.testkit.RoomScenes;
@@ -133,6 +134,18 @@ class LightmapModelTest {
         List<JsonNode> nodes = new ArrayList<>();
         file.get("nodes").forEach(node -> nodes.add(((ObjectNode) node.deepCopy()).without("mesh")));
         return nodes;
+    }
+
+    /** In lm/m² in the scene, in cd/m² in the model, which is read again. */
+    @Test
+    void emissionOfPhotometricScenes_isLuminance() throws IOException {
+        Scene lamp = new SceneBuilder().polygon(RoomScenes.grey("lamp", 31, .5), Vec3.ZERO, new Vec3(0, 0, 1),
+                new Vec3(1, 0, 1), new Vec3(1, 0, 0)).scene("lamp").with(new Units(1, true));
+        Path file = folder.resolve("lamp.glb");
+        LightmapModel.write(file, SceneModel.of(lamp), Lightmap.of(EvenLight.on(lamp), OptionalDouble.empty()), 1);
+        assertEquals(Math.PI, json(file).at("/materials/0/extras/lightmap/emissionScale").asDouble(), 1e-12);
+        Scene again = SceneReader.read(file, ReadOptions.defaults().withUnits(new Units(1, true)), warning -> { });
+        assertEquals(31, again.surfaces().get(0).exitance().r(), 1e-4);
     }
 
     /** A strip of 500 by 1, which at 600,000 texels would be 17,000 long. */
