@@ -74,7 +74,7 @@ final class FirstWeights {
      *
      * @param counts  whether a face is in the room
      * @param least   weight in the whole scene
-     * @param leaving unshot flux of the room's faces, in W over the square of the scene size
+     * @param leaving unshot flux of the room's faces, W/m² times squared scene size
      */
     private double weightIn(IntPredicate counts, int c, double least, double leaving, PredictedFlux predicted) {
         Faces faces = mesh.faces;

@@ -212,7 +212,7 @@ final class Prediction implements Planner {
                 if (mispredicted < MOST_MISPREDICTED && counters.flux.oneSided(last) > 2 * limit.oneSided()) {
                     mispredicted++;
                     Order order = distribute(last, unsent, goOn);
-                    mispredicted -= order == null ? 1 : 0; // stopped: whoever goes on begins with the estimate
+                    mispredicted -= order == null ? 1 : 0; // nothing was shot: whoever goes on estimates again
                     yield order;
                 }
                 stage = Stage.DONE;

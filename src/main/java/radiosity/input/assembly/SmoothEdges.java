@@ -20,13 +20,12 @@ public final class SmoothEdges {
     private static final int DEGREES = 180;
     /** Degrees up to which triangles are one plane facet, whose inner edges say nothing. */
     private static final double PLANE = 0.1;
+    /** Distance between unit normals up to which they are equal: half a degree. */
+    private static final double EQUAL_NORMALS = 0.01;
 
     /** Length of the edges of each surface by the angle between their triangles, in degrees rounded up. */
     private final List<double[]> smooth = new ArrayList<>();
     private final List<double[]> sharp = new ArrayList<>();
-
-    /** Distance between unit normals up to which they are equal: half a degree. */
-    private static final double EQUAL_NORMALS = 0.01;
 
     /** Whether two unit normals, or two of length 0, are equal but for half a degree. */
     public static boolean areEqual(Vec3 m, Vec3 n) {
