@@ -18,6 +18,7 @@ import radiosity.master.host.OwnLink;
 import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.SceneBytes;
 import radiosity.rmi.HostLostException;
+import radiosity.rmi.HostLostException.Failure;
 import radiosity.solution.HostStatistics;
 
 /**
@@ -116,7 +117,7 @@ final class Hosts {
         host.abandon();
         work.underWay().lose(host);
         remove(host, "lost");
-        if (why.inComputation()) {
+        if (why.failure() == Failure.COMPUTATION) {
             failures = work.underWay().done() == doneBefore ? failures + 1 : 1;
             doneBefore = work.underWay().done();
             if (host == alone || failures == MOST_FAILURES) {
@@ -124,7 +125,7 @@ final class Hosts {
                         + ": expected the round to be computed there or elsewhere, got "
                         + why.getMessage(), why);
             }
-        } else {
+        } else if (why.failure() == Failure.CONNECTION) {
             finder.lookFor(host.link());
         }
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import radiosity.scene.Camera;
 import radiosity.scene.Hierarchy;
+import radiosity.scene.ImageBudget;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
@@ -37,7 +38,9 @@ public final class SceneBytes {
     /** A scene and the settings with which its light is calculated. */
     public record Task(Scene scene, RadiositySettings settings) { }
 
-    public static byte[] write(Scene scene, RadiositySettings settings) {
+    /** @param whole a scene with any images; those of {@link ImageBudget} are written */
+    public static byte[] write(Scene whole, RadiositySettings settings) {
+        Scene scene = ImageBudget.reduce(whole);
         return Wire.bytes(out -> {
             write(out, settings);
             Wire.writeDoubles(out, scene.points());

@@ -1,6 +1,7 @@
 package radiosity.rmi;
 
 import java.io.IOException;
+import java.io.InvalidClassException;
 import java.io.ObjectStreamException;
 import java.rmi.AccessException;
 import java.rmi.ConnectException;
@@ -12,6 +13,7 @@ import java.rmi.ServerError;
 import java.rmi.ServerException;
 import java.rmi.UnknownHostException;
 import java.rmi.UnmarshalException;
+import radiosity.rmi.HostLostException.Failure;
 
 /** Explains in plain words on one line why a host is lost or cannot be used; messages of RMI have several lines. */
 public final class HostFailure {
@@ -31,8 +33,19 @@ public final class HostFailure {
             throw here;
         }
         Throwable cause = cause(error);
-        boolean computation = cause instanceof ServerError || !(cause instanceof RemoteException);
-        return new HostLostException(words(cause), computation, error);
+        return new HostLostException(words(cause), failure(cause), error);
+    }
+
+    private static Failure failure(Throwable cause) {
+        if (cause instanceof ServerError || !(cause instanceof RemoteException)) {
+            return Failure.COMPUTATION;
+        }
+        return isRefusal(cause) ? Failure.MESSAGE : Failure.CONNECTION;
+    }
+
+    /** Whether a filter, see {@link SerialFilters}, has refused a message: a call on the host, or an answer here. */
+    private static boolean isRefusal(Throwable cause) {
+        return cause instanceof UnmarshalException && cause.getCause() instanceof InvalidClassException;
     }
 
     /** The cause of a failed call: where the host's side threw a remote exception, that exception, else the error. */
@@ -70,6 +83,9 @@ public final class HostFailure {
         }
         if (error instanceof AccessException) {
             return "it refuses calls";
+        }
+        if (isRefusal(error)) {
+            return "a message was refused for its size or kind: give both sides JAVA_OPTS=-Xmx with more";
         }
         boolean cut = error instanceof MarshalException || error instanceof UnmarshalException;
         return cut && error.getCause() instanceof IOException && !(error.getCause() instanceof ObjectStreamException)

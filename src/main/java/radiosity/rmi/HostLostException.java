@@ -7,15 +7,24 @@ public final class HostLostException extends IOException {
 
     private static final long serialVersionUID = 1;
 
-    /** Whether the host's computation has failed, not the connection to the host. */
-    private final boolean computation;
-
-    public HostLostException(String why, boolean computation, Throwable cause) {
-        super(why, cause);
-        this.computation = computation;
+    /** What has failed. */
+    public enum Failure {
+        /** The connection, or the host's process: the host may come back. */
+        CONNECTION,
+        /** The host's computation, which may fail everywhere else, too. */
+        COMPUTATION,
+        /** A message was refused for its size or its kind, and would be refused again after the host's return. */
+        MESSAGE
     }
 
-    public boolean inComputation() {
-        return computation;
+    private final Failure failure;
+
+    public HostLostException(String why, Failure failure, Throwable cause) {
+        super(why, cause);
+        this.failure = failure;
+    }
+
+    public Failure failure() {
+        return failure;
     }
 }

@@ -145,6 +145,28 @@ public final class Raster {
         return levels.get(0).rgb;
     }
 
+    /** Number of pixels of the full image. */
+    long pixels() {
+        return (long) width() * height();
+    }
+
+    /** Number of pixels of the largest level that has at most {@code most}, or one. */
+    long pixelsWithin(long most) {
+        Level level = within(most);
+        return (long) level.width * level.height;
+    }
+
+    /** This image, halved until it has at most {@code most} pixels, or one. */
+    Raster atMost(long most) {
+        Level level = within(most);
+        return level == levels.get(0) ? this : new Raster(level.width, level.height, level.rgb, wrapU, wrapV, outside);
+    }
+
+    private Level within(long most) {
+        return levels.stream().filter(level -> (long) level.width * level.height <= most).findFirst()
+                .orElse(levels.get(levels.size() - 1));
+    }
+
     /** The mean of the whole image. */
     public Rgb mean() {
         return pixel(levels.size() - 1, 0, 0);

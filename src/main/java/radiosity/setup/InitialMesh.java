@@ -23,6 +23,7 @@ import radiosity.mesh.room.DarkCavities;
 import radiosity.mesh.room.EnclosedTriangles;
 import radiosity.protocol.Rounding;
 import radiosity.protocol.Shot;
+import radiosity.scene.ImageBudget;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
 import radiosity.scene.LuminousIntensity;
@@ -65,7 +66,10 @@ public final class InitialMesh {
 
     /** The scene as it was read. */
     public final Scene original;
-    /** The original scene; with prediction, its long quadrangles are cut, and its triangles at T-vertices. */
+    /**
+     * The original scene with images of the resolution that is needed, see {@link ImageBudget}; with prediction, its long
+     * quadrangles are cut, and its triangles at T-vertices.
+     */
     public final Scene scene;
     /** 1 per triangle of {@link #scene}: the triangle of the original scene that it is, or is a piece of. */
     public final int[] origins;
@@ -98,7 +102,7 @@ public final class InitialMesh {
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
         original = scene;
-        ScenePieces.Cut cut = QuadSplitter.cut(scene, quadrangleArea());
+        ScenePieces.Cut cut = QuadSplitter.cut(ImageBudget.reduce(scene), quadrangleArea());
         cut = predicts() ? EdgeMatcher.match(cut) : cut;
         this.scene = cut.scene();
         origins = cut.origin();

@@ -265,7 +265,7 @@ public final class Host implements AutoCloseable {
             } catch (ExecutionException e) {
                 throw HostFailure.because(e.getCause());
             } catch (InterruptedException e) {
-                throw new HostLostException("interrupted", false, e);
+                throw new HostLostException("interrupted", HostLostException.Failure.CONNECTION, e);
             }
         }
     }
@@ -274,7 +274,8 @@ public final class Host implements AutoCloseable {
         long since = heard;
         double silent = (System.nanoTime() - since) * 1e-9;
         if (silent > RetryPolicy.LOST_SECONDS) {
-            throw new HostLostException("silent for " + Math.round(silent) + " s", false, null);
+            throw new HostLostException("silent for " + Math.round(silent) + " s",
+                    HostLostException.Failure.CONNECTION, null);
         }
         if (silent > NOTICED && noticed != since) {
             noticed = since;

@@ -15,6 +15,7 @@ import radiosity.protocol.SceneBytes;
 import radiosity.rmi.Build;
 import radiosity.rmi.HostFailure;
 import radiosity.rmi.HostLostException;
+import radiosity.rmi.HostLostException.Failure;
 import radiosity.rmi.RemotePartition;
 
 /** Opens sessions with all hosts at the start; from then on a thread looks for the hosts that are missing. */
@@ -82,10 +83,11 @@ public final class HostFinder implements AutoCloseable {
                 link.cut();
                 return later(link, notify, "no answer");
             }
-            return e.getCause() instanceof RefusedException refused ? never(link, refused.getMessage())
+            return e.getCause() instanceof RefusedException refused ? never(link, " " + refused.getMessage())
                     : later(link, notify, HostFailure.words(e.getCause()));
         } catch (HostLostException e) {
-            return later(link, notify, e.getMessage());
+            return e.failure() == Failure.MESSAGE ? never(link, ": " + e.getMessage() + "; starting without it")
+                    : later(link, notify, e.getMessage());
         } catch (OutOfMemoryError e) {
             return later(link, notify, "out of memory here");
         } catch (InterruptedException e) {
@@ -112,7 +114,7 @@ public final class HostFinder implements AutoCloseable {
     }
 
     private Host never(Link link, String why) {
-        notices.accept("host " + link.name() + " " + why);
+        notices.accept("host " + link.name() + why);
         return null;
     }
 

@@ -29,6 +29,8 @@ import java.rmi.UnknownHostException;
 import java.rmi.UnmarshalException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -53,6 +55,12 @@ class HostNoticesTest {
     private static final List<String> BEFORE_BLOCKS = List.of("connect", "greet", "open", "send", "mesh");
     private static final List<String> WITH_BLOCKS = List.of("take", "round");
 
+    private static final String REFUSED =
+            "a message was refused for its size or kind: give both sides JAVA_OPTS=-Xmx with more";
+
+    /** Time within which a host is sought again that may come back, ms. */
+    private static final long SOUGHT_WITHIN = 2500;
+
     private static Solution local;
 
     private static Solution local() throws IOException {
@@ -74,7 +82,7 @@ class HostNoticesTest {
                 Arguments.of(new UnmarshalException("Error unmarshaling return header", new EOFException()),
                         "connection closed"),
                 Arguments.of(new UnmarshalException("error unmarshalling return", new InvalidClassException("filter")),
-                        "no sound answer"),
+                        REFUSED),
                 Arguments.of(new UnmarshalException("error unmarshalling return", new ClassNotFoundException("Evil")),
                         "no sound answer"),
                 Arguments.of(new MarshalException("error marshalling arguments", new SocketException("Broken pipe")),
@@ -91,7 +99,7 @@ class HostNoticesTest {
                         "the session has ended there"),
                 Arguments.of(new ServerException("RemoteException occurred in server thread",
                         new UnmarshalException("error unmarshalling arguments", new InvalidClassException("filter"))),
-                        "no sound answer"),
+                        REFUSED),
                 Arguments.of(new SessionEndedException(), "the session has ended there"),
                 Arguments.of(new StubNotFoundException("stub", new ClassNotFoundException("stub")), "no sound answer"),
                 Arguments.of(new UnexpectedException("unexpected", new Exception("a\nb")), "no sound answer"),
@@ -175,6 +183,40 @@ class HostNoticesTest {
             assertTrue(notices.get(0).startsWith("host igge lost (" + expected + "); it"), notices::toString);
             assertTrue(notices.get(0).matches(".*\\); (its \\d+ blocks? moves? to 1 host, rebuilt in \\d+\\.\\d s"
                     + "|it had no blocks)"), notices::toString);
+        }
+    }
+
+    /** The same message would be refused again: the host would be lost and join without end. */
+    @Test
+    void hostThatRefusesAMessage_isNotSoughtAgain() throws Exception {
+        InvalidClassException filter = new InvalidClassException("filter status: REJECTED");
+        UnmarshalException refusal = new UnmarshalException("error unmarshalling arguments", filter);
+        for (String method : List.of("send", "round")) {
+            AtomicInteger connections = new AtomicInteger();
+            Link bad = new Link() {
+                @Override
+                public String name() {
+                    return "igge";
+                }
+
+                @Override
+                public RemotePartition connect() throws IOException {
+                    connections.incrementAndGet();
+                    return failing(method, refusal).connect();
+                }
+
+                @Override
+                public void cut() { }
+            };
+            List<String> notices = new CopyOnWriteArrayList<>();
+            try (RemoteWorld world = new RemoteWorld(SCENE, settings(Schedule.PREDICT), 1, notices::add,
+                    List.of(TestLink.sound(1, 1).get(0), bad), System::nanoTime)) {
+                solve(world, shots(SHOTS));
+                TimeUnit.MILLISECONDS.sleep(SOUGHT_WITHIN);
+            }
+            assertEquals(1, notices.size(), notices::toString);
+            assertTrue(notices.get(0).contains(REFUSED), notices::toString);
+            assertEquals(1, connections.get(), method);
         }
     }
 
