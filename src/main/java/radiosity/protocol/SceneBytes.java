@@ -40,7 +40,7 @@ public final class SceneBytes {
 
     /** @param whole a scene with any images; those of {@link ImageBudget} are written */
     public static byte[] write(Scene whole, RadiositySettings settings) {
-        Scene scene = ImageBudget.reduce(whole);
+        Scene scene = ImageBudget.forLight(whole);
         return Wire.bytes(out -> {
             write(out, settings);
             Wire.writeDoubles(out, scene.points());

@@ -12,6 +12,8 @@ public final class Raster {
 
     /** Largest n where a mean over a triangle takes one sample in each of n x n parts of the triangle. */
     private static final int MOST_STEPS = 32;
+    /** Most pixels of a row of which a pixel of the row that is half as long covers a part. */
+    private static final int MOST_COVERED = 3;
 
     private final ImageMap.Wrap wrapU;
     private final ImageMap.Wrap wrapV;
@@ -80,26 +82,28 @@ public final class Raster {
     private static Level half(Level of) {
         int w = (of.width + 1) / 2;
         int h = (of.height + 1) / 2;
+        double[] across = parts(of.width, w);
+        double[] down = parts(of.height, h);
         float[] rgb = new float[3 * w * h];
-        for (int i = 0; i < rgb.length; i += 3) {
-            int x = i / 3 % w;
-            int y = i / 3 / w;
-            double[] sum = new double[3];
-            for (int row = first(y, of.height, h); row < of.height && covered(row, y, of.height, h) > 0; row++) {
-                double down = covered(row, y, of.height, h);
-                for (int column = first(x, of.width, w); column < of.width; column++) {
-                    double weight = down * covered(column, x, of.width, w);
-                    if (weight <= 0) {
-                        break;
-                    }
-                    for (int c = 0; c < 3; c++) {
-                        sum[c] += weight * value(of, column, row, c);
-                    }
+        for (int i = 0; i < w * h; i++) {
+            int x = i % w;
+            int y = i / w;
+            int from = 3 * (first(y, of.height, h) * of.width + first(x, of.width, w));
+            double r = 0;
+            double g = 0;
+            double b = 0;
+            for (int row = 0; row < MOST_COVERED && down[MOST_COVERED * y + row] > 0; row++) {
+                for (int column = 0; column < MOST_COVERED && across[MOST_COVERED * x + column] > 0; column++) {
+                    double weight = down[MOST_COVERED * y + row] * across[MOST_COVERED * x + column];
+                    int at = from + 3 * (row * of.width + column);
+                    r += weight * of.rgb[at];
+                    g += weight * of.rgb[at + 1];
+                    b += weight * of.rgb[at + 2];
                 }
             }
-            for (int c = 0; c < 3; c++) {
-                rgb[i + c] = (float) sum[c];
-            }
+            rgb[3 * i] = (float) r;
+            rgb[3 * i + 1] = (float) g;
+            rgb[3 * i + 2] = (float) b;
         }
         return new Level(w, h, rgb);
     }
@@ -109,11 +113,21 @@ public final class Raster {
         return (int) ((long) i * many / few);
     }
 
-    /** Part of pixel i of few that pixel k of many covers, both in a row of the same length; not above 0 for none. */
-    private static double covered(int k, int i, int many, int few) {
-        double from = Math.max((double) k * few, (double) i * many);
-        double to = Math.min((k + 1.0) * few, (i + 1.0) * many);
-        return (to - from) / many;
+    /**
+     * Parts of each pixel of few that pixels of many cover, both in a row of the same length: {@link #MOST_COVERED}
+     * entries per pixel of few, for the pixels of many from {@link #first} on; not above 0 where there is no part.
+     */
+    private static double[] parts(int many, int few) {
+        double[] parts = new double[MOST_COVERED * few];
+        for (int i = 0; i < few; i++) {
+            int k = first(i, many, few);
+            for (int j = 0; j < MOST_COVERED && k + j < many; j++) {
+                double from = Math.max((k + (double) j) * few, (double) i * many);
+                double to = Math.min((k + j + 1.0) * few, (i + 1.0) * many);
+                parts[MOST_COVERED * i + j] = (to - from) / many;
+            }
+        }
+        return parts;
     }
 
     private static float value(Level level, int x, int y, int c) {

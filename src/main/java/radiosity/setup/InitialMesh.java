@@ -67,7 +67,7 @@ public final class InitialMesh {
     /** The scene as it was read. */
     public final Scene original;
     /**
-     * The original scene with images of the resolution that is needed, see {@link ImageBudget}; with prediction, its long
+     * The original scene with images as {@link ImageBudget} leaves them; with prediction, its long
      * quadrangles are cut, and its triangles at T-vertices.
      */
     public final Scene scene;
@@ -102,7 +102,7 @@ public final class InitialMesh {
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
         original = scene;
-        ScenePieces.Cut cut = QuadSplitter.cut(ImageBudget.reduce(scene), quadrangleArea());
+        ScenePieces.Cut cut = QuadSplitter.cut(ImageBudget.forLight(scene), quadrangleArea());
         cut = predicts() ? EdgeMatcher.match(cut) : cut;
         this.scene = cut.scene();
         origins = cut.origin();

@@ -296,18 +296,16 @@ class CommandLineTest {
     @ParameterizedTest
     @CsvSource({"--accuracy 1% --schedule paper, --accuracy", "--time 1s --schedule paper, --time"})
     void accuracyAndTime_areForPredictionOnly(String commandLine, String option) {
-        CalculationOptions calculation = parse(commandLine + " a b").calculation;
         assertEquals(option + ": expected --schedule predict, got paper",
-                assertThrows(Failure.class, () -> calculation.settings(null, calculation.defaults())).getMessage());
+                assertThrows(Failure.class, () -> parse(commandLine + " a b")).getMessage());
     }
 
     @ParameterizedTest
     @CsvSource({"--time 1s -it 3, -it, --time", "--accuracy 1% -se .1, -se, --accuracy"})
     void stopRuleOfThePapersSchedule_isNamedWhereAccuracyOrTimeNeedsPrediction(String commandLine, String culprit,
             String with) {
-        CalculationOptions calculation = parse(commandLine + " a b").calculation;
         assertEquals(culprit + ": expected --schedule predict with " + with + ", got no --schedule",
-                assertThrows(Failure.class, calculation::defaults).getMessage());
+                assertThrows(Failure.class, () -> parse(commandLine + " a b")).getMessage());
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
@@ -52,13 +53,13 @@ class ImageBudgetTest {
     @Test
     void smallImages_stay() {
         Scene small = scene(2, 1024);
-        assertSame(small, ImageBudget.reduce(small));
+        assertSame(small, ImageBudget.forLight(small));
     }
 
     @Test
     void aLargeImage_isHalved_andKeepsItsMean() {
         Scene large = scene(1, 2048);
-        Scene reduced = ImageBudget.reduce(large);
+        Scene reduced = ImageBudget.forLight(large);
         assertEquals(1024, width(reduced));
         assertEquals(.375, reduced.surfaces().get(0).reflectance().r(), 1e-6);
         assertEquals(large.surfaces().get(0).reflectance(), reduced.surfaces().get(0).reflectance());
@@ -66,9 +67,26 @@ class ImageBudgetTest {
 
     @Test
     void manyImages_areHalvedTogether() {
-        Scene reduced = ImageBudget.reduce(scene(17, 1024));
+        Scene reduced = ImageBudget.forLight(scene(5, 1024));
         assertEquals(512, width(reduced));
-        assertSame(reduced, ImageBudget.reduce(reduced), "a host is sent what the master has reduced");
+        assertSame(reduced, ImageBudget.forLight(reduced), "a host is sent what the master has reduced");
+    }
+
+    /** Images are read one after another, and those read first are reduced where later ones need the room. */
+    @Test
+    void imagesThatComeOneByOne_areThoseReducedTogether() {
+        List<Surface> all = scene(5, 64).surfaces();
+        ImageBudget budget = new ImageBudget(64 * 64, 2 * 64 * 64);
+        List<Surface> some = new ArrayList<>();
+        List<Integer> widths = new ArrayList<>();
+        for (Surface next : all) {
+            some.add(next);
+            some = new ArrayList<>(budget.reduce(some));
+            widths.add(some.get(0).maps().reflectance().orElseThrow().width());
+        }
+        assertEquals(List.of(64, 64, 32, 32, 32), widths);
+        assertTrue(some.stream().allMatch(surface -> surface.maps().reflectance().orElseThrow().width() == 32));
+        assertEquals(32 * 32, budget.limit());
     }
 
     /** The master makes its mesh from the whole images, hosts make theirs from those that were sent. */

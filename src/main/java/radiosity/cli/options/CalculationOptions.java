@@ -87,21 +87,30 @@ public final class CalculationOptions {
         }
     }
 
+    /** Checks what depends neither on the scene nor on a saved calculation: before the scene is read. */
+    void check() {
+        checkFalls();
+        defaults();
+        if (schedule != null) {
+            check(schedule);
+        }
+    }
+
+    private void check(Schedule asked) {
+        String option = accuracy != null ? "--accuracy" : time != null ? TimeLimit.OPTION : TimeLimit.ESTIMATES;
+        if ((accuracy != null || time != null || estimates != null) && asked != Schedule.PREDICT) {
+            throw Failure.commandLine(option,
+                    "expected --schedule predict, got " + asked.name().toLowerCase(Locale.ROOT));
+        }
+    }
+
     /** @param otherwise settings that apply where an option is not given */
     public RadiositySettings settings(Scene scene, RadiositySettings otherwise) {
         RadiositySettings asked = new RadiositySettings(patchArea == null ? otherwise.patchArea() : patchArea.in(scene),
                 rays == null ? otherwise.rays() : rays, meshing == null ? otherwise.meshing() : meshing,
                 schedule == null ? otherwise.schedule() : schedule, otherwise.tolerance(), otherwise.meshError(),
                 layers || otherwise.layers(), factors == null ? otherwise.factors() : factors);
-        if ((accuracy != null || time != null) && asked.schedule() != Schedule.PREDICT) {
-            throw Failure.commandLine(accuracy != null ? "--accuracy" : TimeLimit.OPTION,
-                    "expected --schedule predict, got " + asked.schedule().name().toLowerCase(Locale.ROOT));
-        }
-        if (estimates != null && asked.schedule() != Schedule.PREDICT) {
-            throw Failure.commandLine(TimeLimit.ESTIMATES, "expected --schedule predict, got "
-                    + asked.schedule().name().toLowerCase(Locale.ROOT));
-        }
-        checkFalls();
+        check(asked.schedule());
         return accuracy == null ? asked : asked.accurate(accuracy.get(0));
     }
 

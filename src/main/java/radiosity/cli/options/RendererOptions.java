@@ -79,6 +79,7 @@ public final class RendererOptions {
     public void check() {
         scene.check();
         file.check();
+        calculation.check();
         Failure.needs("-key", "-h", host.key != null && host.hosts == null);
         Failure.needs("--statistics", "-h", statistics && host.hosts == null);
         if (file.report != null && MODEL.matcher(file.report.toString()).matches()) {

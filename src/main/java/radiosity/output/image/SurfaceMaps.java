@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import radiosity.scene.ImageBudget;
 import radiosity.scene.ImageMap;
 import radiosity.scene.ImageSource;
 import radiosity.scene.Raster;
@@ -36,7 +37,18 @@ public final class SurfaceMaps {
      */
     public static Scene read(Scene scene, boolean srgb, Consumer<String> warnings) {
         SurfaceMaps maps = new SurfaceMaps(srgb, warnings);
-        List<Surface> surfaces = scene.surfaces().stream().map(maps::read).toList();
+        ImageBudget budget = new ImageBudget(ImageFile.MOST_PIXELS, ImageFile.MOST_PIXELS);
+        List<Surface> surfaces = new ArrayList<>();
+        for (Surface surface : scene.surfaces()) {
+            surfaces.add(maps.read(surface));
+            if (!surface.textures().isEmpty()) {
+                surfaces = new ArrayList<>(budget.reduce(surfaces));
+            }
+        }
+        if (budget.limit() < ImageFile.MOST_PIXELS) {
+            warnings.accept("images: expected at most " + ImageFile.MOST_PIXELS + " pixels in all, got more; those of"
+                    + " more than " + budget.limit() + " are taken at half their size or less");
+        }
         return scene.with(surfaces, scene.lights());
     }
 
