@@ -1,8 +1,6 @@
 package radiosity.change;
 
 import java.util.BitSet;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.function.IntToLongFunction;
 import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
@@ -16,6 +14,7 @@ import radiosity.protocol.Order;
 import radiosity.scene.Vec3;
 import radiosity.setup.InitialMesh;
 import radiosity.util.Hash;
+import radiosity.util.LongIndex;
 
 /**
  * Builds the mesh of a later scene from the elements of an earlier scene, and transfers the light of these elements.
@@ -256,12 +255,12 @@ final class MeshTransfer {
 
     /** Gives all vertices of a ghost key, which hosts gather only once, the irradiance of the first known vertex. */
     private void alignCopies() {
-        Map<Long, Integer> first = new HashMap<>();
-        known.stream().forEach(v -> first.putIfAbsent(GhostVertices.key(made, v), v));
+        LongIndex first = new LongIndex(known.cardinality());
+        known.stream().forEach(v -> first.findOrAdd(GhostVertices.key(made, v), v));
         double[] irradiance = made.light().irradiance();
         for (int v = 0; v < made.vertices(); v++) {
-            Integer from = first.get(GhostVertices.key(made, v));
-            if (from != null && from != v) {
+            int from = first.find(GhostVertices.key(made, v));
+            if (from >= 0 && from != v) {
                 System.arraycopy(irradiance, channels * from, irradiance, channels * v, channels);
                 known.set(v);
                 wasBuried.set(v, wasBuried.get(from));

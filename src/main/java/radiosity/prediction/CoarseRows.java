@@ -102,6 +102,10 @@ public final class CoarseRows {
             }
             int size = count(in, RowRecorder.entryBytes(nodes));
             int from = parts[v] == taken ? column[v].length - size : column[v].length;
+            if (from < 0) {
+                throw new IOException("rows: expected as many entries of a vertex from each partition, got " + size
+                        + " after " + column[v].length);
+            }
             parts[v] = taken;
             column[v] = Arrays.copyOf(column[v], from + size);
             entry[v] = Arrays.copyOf(entry[v], 3 * (from + size));

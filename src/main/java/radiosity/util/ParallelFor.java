@@ -90,8 +90,12 @@ public final class ParallelFor {
             }
         };
         List<Future<?>> others = new ArrayList<>();
-        for (int i = 1; i < Math.min(threads, count); i++) {
-            others.add(IDLE.submit(work));
+        try {
+            for (int i = 1; i < Math.min(threads, count); i++) {
+                others.add(IDLE.submit(work));
+            }
+        } catch (OutOfMemoryError e) {
+            // the system gives no further thread; the threads that there are do all pieces
         }
         work.run();
         others.forEach(ParallelFor::await);

@@ -255,17 +255,28 @@ public final class Host implements AutoCloseable {
         return await(call, notices);
     }
 
-    /** @param lines receives one line per silence of the host */
+    /**
+     * Waits as {@link #await(FutureTask)} does. An interrupt is kept for the caller: the host is as well as before.
+     *
+     * @param lines receives one line per silence of the host
+     */
     <T> T await(FutureTask<T> call, Consumer<String> lines) throws HostLostException {
-        while (true) {
-            try {
-                return call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
-            } catch (TimeoutException e) {
-                checkSilence(lines);
-            } catch (ExecutionException e) {
-                throw HostFailure.because(e.getCause());
-            } catch (InterruptedException e) {
-                throw new HostLostException("interrupted", HostLostException.Failure.CONNECTION, e);
+        boolean interrupted = false;
+        try {
+            while (true) {
+                try {
+                    return call.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+                } catch (TimeoutException e) {
+                    checkSilence(lines);
+                } catch (ExecutionException e) {
+                    throw HostFailure.because(e.getCause());
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
+            }
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
             }
         }
     }
