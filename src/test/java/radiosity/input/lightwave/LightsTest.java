@@ -80,6 +80,14 @@ class LightsTest {
         assertClose(new Vec3(0, 0, -1), old.direction());
     }
 
+    /** Radians from version 3 on, but no angle from a light's axis is 30 radians. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.5", "3.1, 3.1", "30, 0.5235987755982988", "400, 3.141592653589793", "-1, 0"})
+    void coneOfVersion5_isInRadians_unlessItCannotBe(double written, double expected) throws IOException {
+        assertEquals(expected, light(V5 + "AddLight 20000000\nLightType 2\nLightConeAngle " + written + "\n").cone(),
+                1e-12);
+    }
+
     @ParameterizedTest
     @CsvSource({"AreaLight, AREA", "PointLight, POINT", "Spotlight, SPOT", "DistantLight, DISTANT",
             "LinearLight, POINT"})

@@ -101,8 +101,12 @@ public final class SceneLights {
                 range > 0 ? range : 1, angle(coneAngle), angle(edgeAngle));
     }
 
+    /**
+     * An angle in radians. Scenes of versions 1 and 2 have degrees, later ones radians; more than pi cannot be radians,
+     * as the angles of a spot light are measured from its axis.
+     */
     private double angle(double written) {
-        double angle = scene.version <= 2 ? Math.toRadians(written) : written;
+        double angle = scene.version <= 2 || written > Math.PI ? Math.toRadians(written) : written;
         return Math.max(0, Math.min(Math.PI, angle));
     }
 
