@@ -19,6 +19,7 @@ import radiosity.settings.RadiositySettings;
 import radiosity.settings.StopRule;
 import radiosity.solution.Certificate;
 import radiosity.solution.EnergyLedger;
+import radiosity.solution.Progress;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
 import radiosity.solver.LocalWorld;
@@ -222,8 +223,12 @@ public final class ChangeTable {
             String anew = from.isEmpty() ? "" : radiosity.change(from.get()).map(why -> " (anew: " + why + ")")
                     .orElse("");
             double[] last = {begin};
+            Progress[] before = {null};
             radiosity.run(progress -> {
-                last[0] = TruthTable.cpuSeconds();
+                if (!progress.equals(before[0])) {
+                    last[0] = TruthTable.cpuSeconds();
+                    before[0] = progress;
+                }
                 if (Boolean.getBoolean("rounds")) {
                     System.out.printf("  %s %.2f CPU s%n", progress, last[0] - begin);
                 }
