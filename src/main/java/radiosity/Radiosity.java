@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import radiosity.input.SceneReader;
 import radiosity.master.RemoteWorld;
+import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.SurfaceMaps;
 import radiosity.rmi.HostAddress;
 import radiosity.rmi.HostKey;
@@ -13,6 +14,7 @@ import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.ReadOptions;
 import radiosity.settings.StopRule;
+import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
 import radiosity.solution.SavedState;
 import radiosity.solution.Solution;
@@ -42,7 +44,8 @@ public final class Radiosity {
     private List<HostAddress> hosts = List.of();
     private HostKey key;
     private SavedState state = SavedState.NONE;
-    private Solution earlier;
+    /** State of the solution of an earlier version of the scene; null for none. */
+    private SavedState earlier;
     private Consumer<String> anew;
     private Consumer<String> notices = line -> { };
 
@@ -177,6 +180,24 @@ public final class Radiosity {
     }
 
     /**
+     * Goes on from a scene file that holds an earlier calculation, see {@link #resume(SavedState)}.
+     *
+     * @param stopped a scene file, as {@link RadiosityResult#writeScene} or the program writes it
+     * @return this calculation
+     * @throws IOException where the file cannot be read
+     */
+    public Radiosity resume(Path stopped) throws IOException {
+        state = state(stopped);
+        return this;
+    }
+
+    private static SavedState state(Path file) throws IOException {
+        try (SceneFile saved = SceneFile.open(file)) {
+            return saved.state();
+        }
+    }
+
+    /**
      * Goes on from the solution of an earlier version of the scene, with the same settings: only the light that changed
      * objects, materials and lamps take away or add is calculated. Where too much has changed, all light is calculated,
      * and a line says why.
@@ -186,7 +207,19 @@ public final class Radiosity {
      * @return this calculation
      */
     public Radiosity change(Solution before, Consumer<String> lines) {
-        earlier = before;
+        earlier = before.state();
+        anew = lines;
+        return this;
+    }
+
+    /**
+     * Goes on from the solution of an earlier version of the scene, see {@link #change(Solution, Consumer)}.
+     *
+     * @param before a scene file with that solution
+     * @throws IOException where the file cannot be read
+     */
+    public Radiosity change(Path before, Consumer<String> lines) throws IOException {
+        earlier = state(before);
         anew = lines;
         return this;
     }
@@ -199,19 +232,39 @@ public final class Radiosity {
      * @throws IOException         where the hosts cannot be used; a {@link radiosity.scene.SceneFormatException} where
      *                             the state to go on from belongs to another scene or to other settings
      * @throws ArithmeticException where the light is so strong that a number overflows
+     * @throws IllegalArgumentException where the light of more than {@link RadiositySettings#MOST_LAMPS} lamps is to be
+     *                             kept apart, or arrays cannot hold the patches that the settings ask for
      */
     public RadiosityResult run(RoundListener listener) throws IOException {
+        int lamps = scene.lamps().size();
+        if (settings.layers() && lamps > RadiositySettings.MOST_LAMPS) {
+            throw new IllegalArgumentException("layers: expected a scene of at most " + RadiositySettings.MOST_LAMPS
+                    + " lamps, got " + lamps);
+        }
         try (World world = hosts.isEmpty() ? new LocalWorld(scene, settings, threads)
                 : new RemoteWorld(scene, settings, hosts, key, threads, notices)) {
             ProgressiveRadiosity radiosity = new ProgressiveRadiosity(world, stop);
             if (!state.isEmpty()) {
                 radiosity.resume(state);
             } else if (earlier != null) {
-                radiosity.change(earlier.state()).ifPresent(why ->
+                radiosity.change(earlier).ifPresent(why ->
                         anew.accept("the scene is rendered anew, as " + why));
             }
-            radiosity.run(listener);
-            return new RadiosityResult(radiosity.solution(), radiosity.certificate(threads), radiosity.progress());
+            boolean[] stopped = {false};
+            radiosity.run(new RoundListener() {
+                @Override
+                public boolean afterRound(Progress progress) {
+                    stopped[0] = !listener.afterRound(progress);
+                    return !stopped[0];
+                }
+
+                @Override
+                public boolean afterEstimate(Progress progress) throws IOException {
+                    return listener.afterEstimate(progress);
+                }
+            });
+            return new RadiosityResult(radiosity.solution(),
+                    stopped[0] ? radiosity.knownCertificate() : radiosity.certificate(threads), radiosity.progress());
         }
     }
 }

@@ -18,8 +18,8 @@ import radiosity.solution.Solution;
  * The result of a {@link Radiosity} calculation.
  *
  * @param solution    elements, vertices and the light at each vertex
- * @param certificate an estimate of the solution's error; empty where nothing was shot, the scene is dark, or the
- *                    listener stopped the calculation while vertices were gathering
+ * @param certificate an estimate of the solution's error; empty where nothing was shot, no point is lit, or the
+ *                    listener stopped the calculation after the last estimate
  * @param progress    state of the calculation when it ended
  */
 public record RadiosityResult(Solution solution, Optional<Certificate> certificate, Progress progress) {
@@ -28,7 +28,8 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
      * Writes the scene file, a glTF binary that any glTF viewer opens. An existing file is replaced as a whole or not
      * at all.
      *
-     * @throws IOException where the file cannot be written
+     * @throws IOException where the file cannot be written; a {@link java.nio.channels.ClosedByInterruptException}
+     *                     where the calling thread is interrupted
      */
     public void writeScene(Path file) throws IOException {
         Map<String, Object> extras = certificate.isPresent() ? Map.of("certificate", certificate.get()) : Map.of();
@@ -39,6 +40,7 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
      * Writes a picture in the format given by the end of the file's name: png and jpg tone-mapped, hdr in W/m².
      *
      * @param width width in pixels, at least 1; the height follows from the camera
+     * @throws IllegalArgumentException where the width is below 1, or an array cannot hold the pixels
      * @throws IOException where the file cannot be written or its format is not known
      */
     public void writePicture(Path file, int width) throws IOException {
@@ -50,9 +52,13 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
      *
      * @param width    width in pixels, at least 1; the height follows from the camera
      * @param gathered rays per pixel for gathering, 256 for instance; 0: the light of the mesh is shown
+     * @throws IllegalArgumentException where the width is below 1, or an array cannot hold the pixels
      * @throws IOException where the file cannot be written or its format is not known
      */
     public void writePicture(Path file, int width, int gathered) throws IOException {
+        if (width < 1) {
+            throw new IllegalArgumentException("picture: expected a width of at least 1, got " + width);
+        }
         Camera camera = DefaultCamera.of(solution);
         Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution),
                 new Snapshot.Drawing(gathered, done -> true));

@@ -124,7 +124,7 @@ public final class RadiosityRenderer {
 
     private Scene scene() throws IOException {
         user.phase("reading " + options.input().getFileName());
-        Scene scene = options.daylight.around(SceneReader.read(options.input(), options.scene.readOptions(),
+        Scene scene = options.daylight.around(SceneReader.read(options.input(), options.readOptions(),
                 warnings::print));
         options.scene.check(scene);
         files.check(scene);
@@ -276,6 +276,9 @@ public final class RadiosityRenderer {
      * @throws Failure where the shortfall is from the accuracy that {@code --accuracy} asks for
      */
     private void finish(RenderResult result, Summary summary) {
+        if (!result.isCut() && !options.file.disableRendering) {
+            new SceneChecks(result.solution().scene(), warnings).arrival(result.solution().ledger());
+        }
         if (options.statistics) {
             result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
         }

@@ -255,14 +255,28 @@ final class SkyView {
         return parts(row, column, size, a, b, c, d);
     }
 
-    /** Mean luminance of the sky, seen or not, over a part of a cell. */
+    /**
+     * Mean luminance of the sky, seen or not, over a part of a cell: of its corners and, as in {@link #whole}, its
+     * middle, which counts so that the mean of a square polynomial over a triangle or a rectangle is exact.
+     */
     private double luminance(CutCell.Part part) {
+        int corners = part.row().length;
         double sum = 0;
-        for (int i = 0; i < part.row().length; i++) {
-            double[] local = direction(part.row()[i], part.column()[i]);
-            sum += sky.luminance(global(local, 0), Math.max(0, height(local, 0)));
+        double row = 0;
+        double column = 0;
+        for (int i = 0; i < corners; i++) {
+            sum += whole(part.row()[i], part.column()[i]);
+            row += part.row()[i] / corners;
+            column += part.column()[i] / corners;
         }
-        return sum / part.row().length;
+        int middle = corners == 3 ? 3 : 2;
+        return (sum / corners + middle * whole(row, column)) / (1 + middle);
+    }
+
+    /** Luminance of the sky, seen or not, at a point of the square; at the horizon what is below it. */
+    private double whole(double row, double column) {
+        double[] local = direction(row, column);
+        return sky.luminance(global(local, 0), Math.max(0, height(local, 0)));
     }
 
     /** Whether no corner of a square is above the horizon, though some may be on it, which count as sky. */

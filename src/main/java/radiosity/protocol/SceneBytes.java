@@ -69,7 +69,16 @@ public final class SceneBytes {
         });
     }
 
+    /** @throws IOException where the bytes end early, or hold values that no scene or no settings have */
     public static Task read(DataInputStream in) throws IOException {
+        try {
+            return unchecked(in);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
+        }
+    }
+
+    private static Task unchecked(DataInputStream in) throws IOException {
         RadiositySettings settings = new RadiositySettings(in.readDouble(), in.readInt(), in.readDouble(),
                 constant(Schedule.values(), in.readByte()), in.readDouble(), in.readDouble(), in.readBoolean(),
                 constant(FormFactors.values(), in.readByte()));
@@ -140,13 +149,9 @@ public final class SceneBytes {
     }
 
     private static Optional<Luminaire> luminaire(DataInputStream in) throws IOException {
-        try {
-            return !in.readBoolean() ? Optional.empty() : Optional.of(new Luminaire(new LuminousIntensity(
-                    constant(LuminousIntensity.Type.values(), in.readByte()), Wire.readDoubles(in),
-                    Wire.readDoubles(in), Wire.readDoubles(in)), vec(in), in.readDouble(), in.readDouble()));
-        } catch (IllegalArgumentException e) {
-            throw new IOException(e.getMessage(), e);
-        }
+        return !in.readBoolean() ? Optional.empty() : Optional.of(new Luminaire(new LuminousIntensity(
+                constant(LuminousIntensity.Type.values(), in.readByte()), Wire.readDoubles(in), Wire.readDoubles(in),
+                Wire.readDoubles(in)), vec(in), in.readDouble(), in.readDouble()));
     }
 
     private static void write(DataOutputStream out, Rgb value) throws IOException {
@@ -175,14 +180,9 @@ public final class SceneBytes {
     }
 
     private static Optional<Raster> raster(DataInputStream in) throws IOException {
-        try {
-            return !in.readBoolean() ? Optional.empty()
-                    : Optional.of(new Raster(in.readInt(), in.readInt(), readFloats(in),
-                    constant(ImageMap.Wrap.values(), in.readByte()), constant(ImageMap.Wrap.values(), in.readByte()),
-                            rgb(in)));
-        } catch (IllegalArgumentException e) {
-            throw new IOException(e.getMessage(), e);
-        }
+        return !in.readBoolean() ? Optional.empty() : Optional.of(new Raster(in.readInt(), in.readInt(), readFloats(in),
+                constant(ImageMap.Wrap.values(), in.readByte()), constant(ImageMap.Wrap.values(), in.readByte()),
+                rgb(in)));
     }
 
     private static void writeFloats(DataOutputStream out, float[] values) throws IOException {

@@ -17,7 +17,8 @@ import java.util.Optional;
  * @param up        other half edge of an area light, scene units; for a sky, unit direction of its zenith
  * @param range     distance at which a point or spot light has the irradiance {@code power}, scene units, above 0
  * @param cone      half angle of a spot's cone, radians
- * @param edge      width of the soft edge inside that cone, radians
+ * @param edge      width of the soft edge inside that cone, radians; where it is wider than the cone, the power holds
+ *                  nowhere, and the axis has the part cone / edge
  * @param luminaire for a point light: how its intensity depends on the direction, and the size of its opening
  */
 public record Light(String name, Kind kind, Rgb power, Vec3 position, Vec3 direction, Vec3 right, Vec3 up,

@@ -18,6 +18,8 @@ public final class Raster {
     private final ImageMap.Wrap wrapU;
     private final ImageMap.Wrap wrapV;
     private final Rgb outside;
+    /** The largest value of a pixel. */
+    private float most;
     /** The full image first, each further level half as wide and high, the last one a single pixel. */
     private final List<Level> levels;
     /** Levels of the first and the last column alone, which continue the image under {@link ImageMap.Wrap#EDGE}. */
@@ -40,11 +42,18 @@ public final class Raster {
      * @param wrapU   how the image continues where u is outside of [0, 1]
      * @param wrapV   how the image continues where v is outside of [0, 1]
      * @param outside value beyond the edges under {@link ImageMap.Wrap#NONE}
+     * @throws IllegalArgumentException where the number of values is another, or a value is negative, infinite or NaN
      */
     public Raster(int width, int height, float[] rgb, ImageMap.Wrap wrapU, ImageMap.Wrap wrapV, Rgb outside) {
         if (width < 1 || height < 1 || rgb.length != 3L * width * height) {
             throw new IllegalArgumentException("raster: expected 3 values for each of " + width + " x " + height
                     + " pixels, got " + rgb.length);
+        }
+        for (float value : rgb) {
+            if (!(value >= 0 && value <= Float.MAX_VALUE)) {
+                throw new IllegalArgumentException("raster: expected values of at least 0, got " + value);
+            }
+            most = Math.max(most, value);
         }
         this.wrapU = wrapU;
         this.wrapV = wrapV;
@@ -157,6 +166,11 @@ public final class Raster {
     /** The full image: 3 values per pixel, row by row from the top; not to be modified. */
     public float[] rgb() {
         return levels.get(0).rgb;
+    }
+
+    /** The largest value of any pixel, and beyond the edges. */
+    double most() {
+        return wrapU == ImageMap.Wrap.NONE || wrapV == ImageMap.Wrap.NONE ? Math.max(most, outside.max()) : most;
     }
 
     /** Number of pixels of the full image. */

@@ -59,6 +59,12 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         require(corners.length == 3 * surfaceOf.length, "3 corners per triangle", corners.length);
         require(textureCoordinates.length == 0 || textureCoordinates.length == 6 * surfaceOf.length,
                 "no texture coordinates or 6 per triangle", textureCoordinates.length);
+        for (int t = 0; t < textureCoordinates.length; t += 6) {
+            for (int i = t; i < t + 6 && !Float.isNaN(textureCoordinates[t]); i++) {
+                require(Float.isFinite(textureCoordinates[i]), "finite texture coordinates, or NaN for the first of a"
+                        + " triangle without images", textureCoordinates[i]);
+            }
+        }
         require(vertexColours.length == 0 || vertexColours.length == 9 * surfaceOf.length,
                 "no colours at vertices or 9 numbers per triangle", vertexColours.length);
         for (float colour : vertexColours) {

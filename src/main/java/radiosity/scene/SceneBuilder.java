@@ -20,6 +20,9 @@ public final class SceneBuilder {
     private int[] corners = new int[48];
     private int[] surfaceOf = new int[16];
     private int triangles;
+    /** 6 per triangle up to the last one with images, {@link #textured} in all; NaN where a triangle has none. */
+    private float[] coordinates = {};
+    private int textured;
     private Optional<Camera> camera = Optional.empty();
 
     /** A builder without any triangle. */
@@ -40,6 +43,40 @@ public final class SceneBuilder {
         }
         for (int i = 2; i < polygon.length; i++) {
             triangle(surface, polygon[0], polygon[i - 1], polygon[i]);
+        }
+        return this;
+    }
+
+    /**
+     * Adds a polygon on which the surface's images lie, see {@link #polygon(Surface, Vec3...)}.
+     *
+     * @param u texture coordinate at each corner, 1 at the images' right edge
+     * @param v texture coordinate at each corner, 1 at the images' upper edge
+     * @return this builder
+     * @throws IllegalArgumentException also where there is not one of each per corner, or one is not finite
+     */
+    public SceneBuilder polygon(Surface surface, Vec3[] polygon, double[] u, double[] v) {
+        if (u.length != polygon.length || v.length != polygon.length) {
+            throw new IllegalArgumentException("polygon: expected u and v for each of " + polygon.length
+                    + " corners, got " + u.length + " and " + v.length);
+        }
+        for (int k = 0; k < u.length; k++) {
+            if (!Float.isFinite((float) u[k]) || !Float.isFinite((float) v[k])) {
+                throw new IllegalArgumentException("polygon: expected finite u and v, got " + u[k] + " and " + v[k]);
+            }
+        }
+        int first = 6 * triangles;
+        polygon(surface, polygon);
+        if (coordinates.length < 6 * triangles) {
+            coordinates = Arrays.copyOf(coordinates, 2 * corners.length);
+        }
+        Arrays.fill(coordinates, textured, first, Float.NaN);
+        textured = first;
+        for (int i = 2; i < polygon.length; i++) {
+            for (int k : new int[] {0, i - 1, i}) {
+                coordinates[textured++] = (float) u[k];
+                coordinates[textured++] = (float) v[k];
+            }
         }
         return this;
     }
@@ -89,14 +126,16 @@ public final class SceneBuilder {
      * @param name the scene's name in messages and files
      */
     public Scene scene(String name) {
-        double[] coordinates = new double[3 * points.size()];
+        double[] places = new double[3 * points.size()];
         int i = 0;
         for (Vec3 p : points.keySet()) {
-            coordinates[i++] = p.x();
-            coordinates[i++] = p.y();
-            coordinates[i++] = p.z();
+            places[i++] = p.x();
+            places[i++] = p.y();
+            places[i++] = p.z();
         }
-        return new Scene(name, coordinates, Arrays.copyOf(corners, 3 * triangles), Arrays.copyOf(surfaceOf, triangles),
-                List.copyOf(surfaces.keySet()), lights, camera);
+        float[] images = textured == 0 ? new float[0] : Arrays.copyOf(coordinates, 6 * triangles);
+        Arrays.fill(images, Math.min(textured, images.length), images.length, Float.NaN);
+        return new Scene(name, places, Arrays.copyOf(corners, 3 * triangles), Arrays.copyOf(surfaceOf, triangles),
+                List.copyOf(surfaces.keySet()), lights, camera, images);
     }
 }

@@ -61,6 +61,11 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
 
     public Surface {
         textures = List.copyOf(textures);
+        double mapped = maps.reflectance().map(Raster::most).orElse(0.0);
+        if (mapped > (float) MAX_REFLECTANCE) {
+            throw new IllegalArgumentException("surface " + name + ": expected an image of reflectances of at most "
+                    + MAX_REFLECTANCE + ", got " + mapped);
+        }
         if (!(smoothing >= 0 && smoothing <= Math.PI)) {
             throw new IllegalArgumentException("surface " + name + ": expected a smoothing angle from 0 to pi, got "
                     + smoothing);

@@ -115,12 +115,24 @@ public record Units(double metres, boolean isPhotometric) {
                 + (isPhotometric ? ", cd/m2" : "");
     }
 
-    /** Flux in the unit of flux, from 1 or 3 channels of exitance times square scene units: luminous, or summed. */
+    /**
+     * Flux in the unit of flux, from 1 or 3 channels of exitance times square scene units: the luminous flux, or the
+     * mean of radiometric channels, as in {@link #total}.
+     */
     public double flux(double... channels) {
         double sum = 0;
         for (int c = 0; c < channels.length; c++) {
-            sum += channels[c] * (isPhotometric && channels.length == 3 ? WEIGHTS.channel(c) : 1);
+            sum += channels[c] * (channels.length < 3 ? 1 : isPhotometric ? WEIGHTS.channel(c) : 1.0 / 3);
         }
         return sum * fluxScale();
+    }
+
+    /** A sum over channels in the unit of flux, where it is shared among the channels as {@code like} is. */
+    public double fluxLike(double sum, double[] like) {
+        double all = 0;
+        for (double channel : like) {
+            all += channel;
+        }
+        return all > 0 ? sum / all * flux(like) : sum * fluxScale();
     }
 }

@@ -32,13 +32,30 @@ public record Vec3(double x, double y, double z) {
     }
 
     public double length() {
-        return Math.sqrt(dot(this));
+        double square = dot(this);
+        if (square >= Double.MIN_NORMAL && square <= Double.MAX_VALUE) {
+            return Math.sqrt(square);
+        }
+        double largest = largest();
+        return largest > 0 && largest <= Double.MAX_VALUE ? largest * dividedBy(largest).length() : largest;
+    }
+
+    private double largest() {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
+    private Vec3 dividedBy(double s) {
+        return new Vec3(x / s, y / s, z / s);
     }
 
     /** This direction with length 1; the zero vector stays zero. */
     public Vec3 unit() {
-        double length = length();
-        return length == 0 ? this : times(1 / length);
+        double square = dot(this);
+        if (square >= Double.MIN_NORMAL && square <= Double.MAX_VALUE) {
+            return times(1 / Math.sqrt(square));
+        }
+        double largest = largest();
+        return largest > 0 && largest <= Double.MAX_VALUE ? dividedBy(largest).unit() : this;
     }
 
     /** A unit vector at right angles to this unit vector. */

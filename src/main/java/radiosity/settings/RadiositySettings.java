@@ -10,7 +10,8 @@ package radiosity.settings;
  *                  ({@code -mt}); infinite: never
  * @param schedule  order in which patches shoot
  * @param tolerance with prediction: see {@link Accuracy#tolerance}; 0: that of the default accuracy
- * @param meshError with prediction: see {@link Accuracy#meshError}; 0: that of the default accuracy
+ * @param meshError with prediction: see {@link Accuracy#meshError}; 0: that of the default accuracy;
+ *                  infinite: elements are not divided for their errors
  * @param layers    whether the light of each lamp is kept in channels of its own
  * @param factors   way to compute form factors
  */
@@ -19,6 +20,35 @@ public record RadiositySettings(double patchArea, int rays, double meshing, Sche
 
     /** Largest number of lamps whose light can be kept apart. */
     public static final int MOST_LAMPS = 256;
+
+    /** Largest number of rays: more take hours for a box. */
+    public static final int MOST_RAYS = 1_000_000;
+
+    /**
+     * Checks all values.
+     *
+     * @throws IllegalArgumentException where a number is NaN or below 0, {@code patchArea} or {@code tolerance} is
+     *                                  infinite, there are more rays than {@link #MOST_RAYS}, or schedule or form
+     *                                  factors are null
+     */
+    public RadiositySettings {
+        check("patch area", patchArea, Double.MAX_VALUE);
+        check("rays", rays, MOST_RAYS);
+        check("meshing threshold", meshing, Double.POSITIVE_INFINITY);
+        check("tolerance", tolerance, Double.MAX_VALUE);
+        check("mesh error", meshError, Double.POSITIVE_INFINITY);
+        if (schedule == null || factors == null) {
+            throw new IllegalArgumentException("settings: expected a schedule and form factors, got " + schedule
+                    + " and " + factors);
+        }
+    }
+
+    private static void check(String what, double value, double most) {
+        if (!(value >= 0 && value <= most)) {
+            throw new IllegalArgumentException("settings: expected a " + what + " from 0 to " + most + ", got "
+                    + value);
+        }
+    }
 
     public RadiositySettings(double patchArea, int rays, double meshing, Schedule schedule, double tolerance,
                              double meshError) {
@@ -43,8 +73,12 @@ public record RadiositySettings(double patchArea, int rays, double meshing, Sche
      * These settings with the thresholds for an expected error.
      *
      * @param error expected error, above 0; see {@link Accuracy}
+     * @throws IllegalArgumentException for any other number, or NaN
      */
     public RadiositySettings accurate(double error) {
+        if (!(error > 0)) {
+            throw new IllegalArgumentException("accuracy: expected an error above 0, got " + error);
+        }
         return new RadiositySettings(patchArea, rays, meshing, schedule, Accuracy.tolerance(error),
                 Accuracy.meshError(error), layers, factors);
     }

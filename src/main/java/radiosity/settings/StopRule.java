@@ -5,7 +5,8 @@ package radiosity.settings;
  * whichever comes first. It always stops where the unshot flux is only {@linkplain #ROUNDING rounding}.
  *
  * @param shots  number of shots after which to stop, at least 0 ({@code -it}); {@link Integer#MAX_VALUE} for no limit
- * @param unsent unshot part of the emitted flux at or below which to stop, in [0, 1] ({@code -se})
+ * @param unsent unshot part of the emitted flux at or below which to stop, in [0, 1] ({@code -se}), by the schedules of
+ *               the paper; with prediction the calculation ends where its accuracy is reached
  * @param estimates number of estimates of the error after which to stop, at least 1 ({@code --estimates}), where the
  *                  schedule estimates the error; {@link Integer#MAX_VALUE} for no limit
  */

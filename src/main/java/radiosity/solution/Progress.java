@@ -8,7 +8,7 @@ import radiosity.util.NoNumberException;
  * @param shots    number of shots done
  * @param rounds   number of rounds begun
  * @param unsent   unshot flux relative to the emitted flux; may exceed 1 while light is being gathered
- * @param elements number of elements
+ * @param elements number of elements, those on faces that coincide with others counted, which a solution leaves out
  * @param error    relative error by the latest estimate, see {@link Certificate#expected}; NaN before the first one
  * @param gathers  whether new vertices still gather the light that was shot before they were made, or all vertices
  *                 gather anew; {@code unsent} is then the one before

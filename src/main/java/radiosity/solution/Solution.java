@@ -1,6 +1,7 @@
 package radiosity.solution;
 
 import java.util.List;
+import java.util.Objects;
 import radiosity.scene.Lamp;
 import radiosity.scene.MaterialSample;
 import radiosity.scene.Rgb;
@@ -84,16 +85,27 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
         return sum;
     }
 
-    /** Irradiance H at a vertex in one layer, that is, from one lamp, W/m². */
+    /**
+     * Irradiance H at a vertex in one layer, that is, from one lamp, W/m².
+     *
+     * @throws IndexOutOfBoundsException where there is no such vertex or layer
+     */
     public Rgb irradianceAt(int vertex, int layer) {
+        Objects.checkIndex(layer, layers());
         int colours = channels / layers();
         int i = channels * vertex + colours * layer;
         return colours == 1 ? Rgb.grey(irradiance[i])
                 : new Rgb(irradiance[i], irradiance[i + 1], irradiance[i + 2]);
     }
 
-    /** Radiosity B = E + rho H (equation 1) at corner k of an element, W/m². */
+    /**
+     * Radiosity B = E + rho H (equation 1) at corner k of an element, W/m².
+     *
+     * @param k 0, 1 or 2
+     * @throws IndexOutOfBoundsException where there is no such element or corner
+     */
     public Rgb radiosityAt(int element, int k) {
+        Objects.checkIndex(k, 3);
         return look(element).radiosity(irradianceAt(corners[3 * element + k]));
     }
 

@@ -91,9 +91,13 @@ public final class ProgressiveRadiosity {
      */
     private boolean choose(RoundListener listener) throws IOException {
         Order next;
+        boolean[] stopped = {false};
         try {
-            next = planner.next(last.afterRound(), unsent(), nowAndThen(listener));
-        } catch (CancellationException stopped) {
+            next = planner.next(last.afterRound(), unsent(), nowAndThen(listener, stopped));
+        } catch (CancellationException e) {
+            if (!stopped[0]) {
+                throw e; // the listener's own
+            }
             return false;
         }
         if (next != null) {
@@ -128,14 +132,15 @@ public final class ProgressiveRadiosity {
     }
 
     /** Calls the listener, but no more often than between steps; true where the calculation is to go on. */
-    private BooleanSupplier nowAndThen(RoundListener listener) {
+    private BooleanSupplier nowAndThen(RoundListener listener, boolean[] stopped) {
         long[] asked = {world.now()};
         return () -> {
             if ((world.now() - asked[0]) * 1e-9 < StepSizer.STEP_SECONDS) {
                 return true;
             }
             asked[0] = world.now();
-            return listener.afterRound(progress());
+            stopped[0] = !listener.afterRound(progress());
+            return !stopped[0];
         };
     }
 
@@ -347,15 +352,23 @@ public final class ProgressiveRadiosity {
      *
      * @param threads at least 1
      * @throws IllegalArgumentException where the number of threads is below 1
-     * @return empty where some vertices have not gathered yet, no patch has shot, or the scene is dark
+     * @return empty where some vertices have not gathered yet, no patch has shot, or no point is lit
      */
     public Optional<Certificate> certificate(int threads) throws IOException {
         return certificate(new ParallelFor(threads));
     }
 
     private Optional<Certificate> certificate(ParallelFor parallel) throws IOException {
-        boolean isKnown = certifiedRound == counters.rounds() && certifiedShots == counters.shots();
-        return isKnown || estimate(parallel).isPresent() ? certificate : Optional.empty();
+        return isCertified() || estimate(parallel).isPresent() ? certificate : Optional.empty();
+    }
+
+    /** The certificate of the present solution where it was estimated already; else empty. */
+    public Optional<Certificate> knownCertificate() {
+        return isCertified() ? certificate : Optional.empty();
+    }
+
+    private boolean isCertified() {
+        return certifiedRound == counters.rounds() && certifiedShots == counters.shots();
     }
 
     private Optional<Estimator.Estimate> estimate(double meshError, BooleanSupplier goOn) throws IOException {

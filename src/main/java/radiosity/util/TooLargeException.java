@@ -1,7 +1,7 @@
 package radiosity.util;
 
 /** Thrown where an array cannot hold the numbers that are needed; the message says their content and count. */
-public final class TooLargeException extends RuntimeException {
+public final class TooLargeException extends IllegalArgumentException {
 
     private static final long serialVersionUID = 1;
 

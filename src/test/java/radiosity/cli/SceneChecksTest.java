@@ -26,6 +26,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.solution.EnergyLedger;
 
 /** A triangle of area 1/2 that emits: how many elements it would have is known before any work. */
 class SceneChecksTest {
@@ -53,6 +54,18 @@ class SceneChecksTest {
         checks(false).elements(0.5 / 11e6, PLENTY);
         assertEquals(List.of("-pa: expected a patch area that gives at most 10,000,000 elements, got 11,000,000 or more"),
                 warnings);
+    }
+
+    @Test
+    void lampsWhoseLightArrivesNowhere_areWarnedOf() {
+        double[] none = {0};
+        EnergyLedger dark = new EnergyLedger(none, none, none, none, none, none);
+        checks(0, false).arrival(dark);
+        checks(1, false).arrival(new EnergyLedger(new double[] {1}, none, none, none, none, none));
+        assertEquals(List.of(), warnings);
+        checks(1, false).arrival(dark);
+        assertTrue(warnings.get(0).startsWith("lamp.lws: expected lamps whose light arrives somewhere, got none"),
+                warnings.get(0));
     }
 
     @Test

@@ -84,4 +84,14 @@ class SkyViewTest {
         assertEquals(1, sky.irradiance(UP, d -> true), 1e-12);
         assertTrue(vertical > 0.3 && vertical < 1, "vertical: " + vertical);
     }
+
+    /** A kerb all around hides a three-thousandth of the sphere, and next to nothing of the light, by a low sun, too. */
+    @ParameterizedTest
+    @EnumSource(names = {"SKY_UNIFORM", "SKY_OVERCAST", "SKY_CLEAR"})
+    void kerbAtTheHorizon_hidesLittle(Light.Kind kind) {
+        for (double height : new double[] {.05, .2, 1.5}) {
+            Sky sky = new Sky(Light.sky(kind, 1, UP, new Vec3(1, .7, height).unit()));
+            assertEquals(1, sky.irradiance(UP, d -> d.z() > .005), .002, "sun " + height + " high");
+        }
+    }
 }

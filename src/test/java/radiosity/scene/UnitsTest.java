@@ -40,10 +40,21 @@ class UnitsTest {
     @Test
     void flux_isInSquareMetres_andWeightedWherePhotometric() {
         double[] white = {8, 8, 8};
-        assertEquals(24 * .25, new Units(.5, false).flux(white), 1e-12);
+        assertEquals(8 * .25, new Units(.5, false).flux(white), 1e-12, "as of one channel");
         assertEquals(8 * .25, new Units(.5, true).flux(white), 1e-12);
         assertEquals(8 * .25, new Units(.5, true).flux(8), 1e-12);
-        assertEquals(24, Units.UNKNOWN.flux(white), 1e-12);
+        assertEquals(8, Units.UNKNOWN.flux(white), 1e-12);
+        assertEquals(5, Units.UNKNOWN.flux(1, 5, 9), 1e-12);
+    }
+
+    /** The sum over channels of a bound becomes a flux: that of a scene that is nearly grey is nearly a grey scene's. */
+    @Test
+    void sumOfChannels_isAFluxOfTheColourOfTheLight() {
+        assertEquals(2, Units.UNKNOWN.fluxLike(6, new double[] {8, 8, 8}), 1e-12);
+        assertEquals(2, Units.UNKNOWN.withPhotometric(true).fluxLike(6, new double[] {8, 8, 8}), 1e-12);
+        assertEquals(6 * .7152, Units.UNKNOWN.withPhotometric(true).fluxLike(6, new double[] {0, 1, 0}), 1e-12);
+        assertEquals(6, Units.UNKNOWN.fluxLike(6, new double[] {8}), 1e-12);
+        assertEquals(6, Units.UNKNOWN.fluxLike(6, new double[] {0}), 1e-12);
     }
 
     @Test

@@ -28,9 +28,14 @@ public final class DaylightOptions {
             description = "The sun: the direction towards it, and the illuminance of a place that faces it.")
     Light sun;
 
+    /** Whether a sky or a sun is asked for, whose light is photometric. */
+    boolean isWanted() {
+        return sky != null || sun != null;
+    }
+
     /** The scene with the sky and the sun of the options, then photometric; the scene itself without sky and sun. */
     public Scene around(Scene scene) {
-        if (sky == null && sun == null) {
+        if (!isWanted()) {
             return scene;
         }
         Vec3 up = new Vec3(0, 1, 0);

@@ -17,6 +17,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import radiosity.rmi.HostAddress;
+import radiosity.settings.ReadOptions;
 
 /** The command line of {@code RadiosityRenderer} (appendix C.1 of the paper). */
 @Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
@@ -74,6 +75,12 @@ public final class RendererOptions {
 
     @Spec
     CommandSpec command;
+
+    /** How the scene is read: as photometric, too, where daylight is added, whose light is photometric. */
+    public ReadOptions readOptions() {
+        ReadOptions options = scene.readOptions();
+        return daylight.isWanted() ? options.withUnits(options.units().withPhotometric(true)) : options;
+    }
 
     /** Fails where options contradict each other, an option lacks one that it needs, or there are not two files. */
     public void check() {

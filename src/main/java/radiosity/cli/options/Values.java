@@ -6,6 +6,7 @@ import java.util.function.DoublePredicate;
 import java.util.regex.Pattern;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
+import radiosity.settings.RadiositySettings;
 
 /** The kinds of values of options. */
 public final class Values {
@@ -153,11 +154,8 @@ public final class Values {
 
     /** A number of rays at a node. */
     static final class Rays extends Whole {
-        /** More take hours for a box; the numbers of sample points, a multiple, are to be far from the largest int. */
-        private static final int MOST = 1_000_000;
-
         Rays() {
-            super("a whole number from 1 to " + MOST, 1, MOST);
+            super("a whole number from 1 to " + RadiositySettings.MOST_RAYS, 1, RadiositySettings.MOST_RAYS);
         }
     }
 

@@ -183,7 +183,8 @@ public final class OutputFiles {
                 long missed = new Points(solution).write(options.file.points.in(), out);
                 if (missed > 0) {
                     user.message(options.file.points.in() + ": " + missed
-                            + (missed == 1 ? " point lies" : " points lie") + " on no surface, and has no light");
+                            + (missed == 1 ? " point lies on no surface, and has no light"
+                            : " points lie on no surface, and have no light"));
                 }
             }));
         }
@@ -220,7 +221,7 @@ public final class OutputFiles {
 
     private void saveLightmap(Path file, Solution solution) throws IOException {
         OptionalDouble texels = Stream.ofNullable(options.file.lightmapTexels).mapToDouble(n -> n).findFirst();
-        Optional<GltfModel> original = SceneReader.original(options.input(), options.scene.readOptions(),
+        Optional<GltfModel> original = SceneReader.original(options.input(), options.readOptions(),
                 solution.scene());
         GltfModel model = original.isPresent() ? original.get() : SceneModel.of(solution.scene());
         LightmapModel.write(file, model, Lightmap.of(solution, texels),

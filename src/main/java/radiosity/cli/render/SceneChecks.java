@@ -1,5 +1,6 @@
 package radiosity.cli.render;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -14,6 +15,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.settings.RadiositySettings;
+import radiosity.solution.EnergyLedger;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
@@ -43,6 +45,14 @@ public final class SceneChecks {
     public void light() {
         if (scene.lights().isEmpty() && scene.surfaces().stream().noneMatch(Surface::emits)) {
             warnings.accept(scene.name() + ": expected a light or a surface that emits, got none: all will be black");
+        }
+    }
+
+    /** Warns where nothing is lit, though there are lamps. */
+    public void arrival(EnergyLedger ledger) {
+        if (Arrays.stream(ledger.emitted()).sum() == 0 && !scene.lamps().isEmpty()) {
+            warnings.accept(scene.name() + ": expected lamps whose light arrives somewhere, got none: all is black, as"
+                    + " every lamp is enclosed, outside of the room, or on the wrong side of all that is visible");
         }
     }
 

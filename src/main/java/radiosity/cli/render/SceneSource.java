@@ -47,8 +47,8 @@ public final class SceneSource {
                     options.file.frames != null ? "a frame of an animation" : "another");
         }
         Path found = model.orElseGet(() -> near(options.input(), file));
-        Scene scene = options.daylight.around(SceneReader.read(found, options.scene.readOptions(), warnings));
-        return new EditSource(found, options.scene.readOptions(), SurfaceMaps.read(scene, options.scene.srgb, warnings),
+        Scene scene = options.daylight.around(SceneReader.read(found, options.readOptions(), warnings));
+        return new EditSource(found, options.readOptions(), SurfaceMaps.read(scene, options.scene.srgb, warnings),
                 file, saved.state(), saved.settings(), (Map<?, ?>) extras.get("settings"), commandLine);
     }
 

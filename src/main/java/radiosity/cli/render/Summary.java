@@ -80,7 +80,8 @@ public final class Summary {
         }
         return "upper bound on missing flux: " + (c.missingFlux() > Arrays.stream(ledger.emitted()).sum()
                 ? "more than is emitted"
-                : String.format(Locale.ROOT, "%.4g %s", c.missingFlux() * units.fluxScale(), units.flux()));
+                : String.format(Locale.ROOT, "%.4g %s", units.fluxLike(c.missingFlux(), ledger.emitted()),
+                        units.flux()));
     }
 
     /**

@@ -75,11 +75,21 @@ final class PlacedTriangles {
         nodeOf[count] = node;
         if (mesh.textureCoordinates().length > 0) {
             copy(mesh.textureCoordinates(), t, second, 2, coordinates);
+            forgetUnlessFinite(coordinates, 6 * count);
         }
         if (mesh.colours().length > 0) {
             copy(mesh.colours(), t, second, 3, colours);
         }
         count++;
+    }
+
+    /** A triangle of which a corner has no texture coordinates has no image: its six coordinates become NaN. */
+    private static void forgetUnlessFinite(float[] coordinates, int first) {
+        for (int i = first; i < first + 6; i++) {
+            if (!Float.isFinite(coordinates[i])) {
+                Arrays.fill(coordinates, first, first + 6, Float.NaN);
+            }
+        }
     }
 
     /** Copies the values of a triangle's corners, a number of values per corner, in the order of the placed corners. */

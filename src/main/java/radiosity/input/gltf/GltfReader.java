@@ -82,7 +82,7 @@ public final class GltfReader {
         materials = new Materials(root, buffers, isPhotometric(), notes);
         meshes = new Meshes(root, accessors, materials, options, notes);
         nodes = new Nodes(root);
-        views = new Views(root, buffers, notes);
+        views = new Views(root, buffers, notes, options.luminaires().keySet());
     }
 
     /**
@@ -152,10 +152,13 @@ public final class GltfReader {
         return draft.scene(meshes.surfaces(), lights, views.camera()).with(new Units(1, isPhotometric()));
     }
 
-    /** Whether light is in photometric units: where the options say so or the file has lights that may be used. */
+    /**
+     * Whether light is in photometric units: where the options say so, luminaires are added, or the file has lights
+     * that may be used.
+     */
     private boolean isPhotometric() {
-        return options.units().isPhotometric()
-                || (options.lights() != ReadOptions.Lights.IGNORE || !options.luminaires().isEmpty())
+        return options.units().isPhotometric() || !options.luminaires().isEmpty()
+                || options.lights() != ReadOptions.Lights.IGNORE
                 && (root.extension("KHR_lights_punctual").isPresent() || root.extension("EXT_lights_ies").isPresent());
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.photometry.Photometry;
@@ -24,13 +25,16 @@ final class Views {
     private final JsonCursor root;
     private final Buffers buffers;
     private final Diagnostics notes;
+    /** Names of lights that luminaires replace, which take their places and colours, not their intensities. */
+    private final Set<String> replaced;
     private final List<Light> lights = new ArrayList<>();
     private Optional<Camera> camera = Optional.empty();
 
-    Views(JsonCursor root, Buffers buffers, Diagnostics notes) {
+    Views(JsonCursor root, Buffers buffers, Diagnostics notes, Set<String> replaced) {
         this.root = root;
         this.buffers = buffers;
         this.notes = notes;
+        this.replaced = replaced;
     }
 
     List<Light> lights() {
@@ -93,8 +97,9 @@ final class Views {
     private void addLight(JsonCursor light, Nodes.Placed at) throws SceneFormatException {
         double[] colour = light.numbers("color", 1, 1, 1);
         double intensity = light.number("intensity", 1);
+        String name = light.text("name", at.node().text("name", "light"));
         Rgb power = new Rgb(Math.max(0, colour[0]), Math.max(0, colour[1]), Math.max(0, colour[2]))
-                .times(Math.max(0, intensity));
+                .times(intensity == 0 && replaced.contains(name) ? 1 : Math.max(0, intensity));
         if (Math.min(intensity, Math.min(colour[0], Math.min(colour[1], colour[2]))) < 0) {
             notes.note(light.path(), "negative intensities and colors of lights count as 0");
         }
@@ -119,7 +124,7 @@ final class Views {
             Optional<JsonCursor> spot = light.optional("spot");
             double outer = spot.isEmpty() ? QUARTER : angle(spot.get().number("outerConeAngle", QUARTER));
             double inner = spot.isEmpty() ? 0 : angle(spot.get().number("innerConeAngle", 0));
-            lights.add(new Light(light.text("name", at.node().text("name", "light")), kind.get(), power, position,
+            lights.add(new Light(name, kind.get(), power, position,
                     direction, vec(at.world().direction(1, 0, 0)).unit(), Vec3.ZERO, 1, outer,
                     Math.max(0, outer - inner)));
         }

@@ -125,7 +125,7 @@ public final class SceneAssembly {
                         surfaceNumbers(part.mesh(), part.name()), nodes[i], objects.get(i).place());
             }
         }
-        lights = new SceneLights(scene, placement, instant, notes).lights();
+        lights = new SceneLights(scene, placement, instant, notes, options.luminaires().keySet()).lights();
         camera = new SceneCamera(scene, placement, instant, notes).camera();
     }
 

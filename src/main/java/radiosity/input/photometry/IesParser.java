@@ -88,6 +88,14 @@ final class IesParser {
                 Math.abs(width) * scale, tilting);
     }
 
+    private static double largestStep(double[] angles) {
+        double largest = 0;
+        for (int i = 1; i < angles.length; i++) {
+            largest = Math.max(largest, angles[i] - angles[i - 1]);
+        }
+        return largest;
+    }
+
     private LuminousIntensity web(int type, double[] h, double[] v, double[] candela) throws SceneFormatException {
         Web web = new Web(h, v, candela);
         double first = h[0];
@@ -101,8 +109,14 @@ final class IesParser {
             if (!is(first, 0)) {
                 throw wrong("horizontal angles from 0, or from 90 to 270", "from " + first);
             }
-            return h.length == 1 ? web.axial() : is(last, 90) ? web.quadrants() : is(last, 180) ? web.halves()
-                    : web.whole();
+            if (h.length == 1 || is(last, 90) || is(last, 180)) {
+                return h.length == 1 ? web.axial() : is(last, 90) ? web.quadrants() : web.halves();
+            }
+            boolean is360LeftOut = 360 - last <= 1.5 * largestStep(h); // the plane of 360 degrees is that of 0
+            if (!is360LeftOut && !is(last, 360)) {
+                throw wrong("horizontal angles up to 90, 180 or 360", "up to " + last);
+            }
+            return web.whole();
         }
         range(v, -90, 90, "vertical");
         range(h, -90, 90, "horizontal");

@@ -2,6 +2,7 @@ package radiosity.output.file;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.file.AccessDeniedException;
@@ -65,11 +66,16 @@ public final class LockedFile implements Closeable {
             try {
                 FileChannel channel = FileChannel.open(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
                 file = new LockedFile(path, channel);
-                lock(channel);
             } finally {
                 if (file == null) {
                     OWN.remove(path);
                 }
+            }
+            try {
+                lock(file.channel);
+            } catch (ClosedByInterruptException e) {
+                file.close();
+                throw e;
             }
             if (Files.exists(path)) {
                 return file;
@@ -78,10 +84,13 @@ public final class LockedFile implements Closeable {
         }
     }
 
-    private static void lock(FileChannel channel) {
+    private static void lock(FileChannel channel) throws ClosedByInterruptException {
         try {
             channel.lock(LOCKED_BYTE, 1, false);
         } catch (IOException noLocks) {
+            if (!channel.isOpen()) { // as the thread is interrupted
+                throw new ClosedByInterruptException();
+            }
             return; // no other process gets a lock there either, and so none deletes the file
         }
     }

@@ -176,8 +176,7 @@ public final class SceneInfo {
         line("received", flux(ledger.received()));
         line("absorbed", flux(ledger.absorbed()));
         line("not yet distributed", flux(ledger.unshot()) + " net, what was shot too much subtracted; "
-                + flux(file.unshotFlux()) + " absolute, "
-                + (units.isPhotometric() ? "channels unweighted" : "all channels together"));
+                + like(file.unshotFlux(), ledger) + " absolute");
         double[] deficit = new double[ledger.shot().length];
         Arrays.setAll(deficit, ledger::deficit);
         if (ledger.knowsEscaped()) {
@@ -194,8 +193,14 @@ public final class SceneInfo {
                 + (flux.length == 3 ? " (R, G, B: " + value(channels) + ")" : "");
     }
 
+    /** A sum over all channels in the unit of flux, where its colour is that of what is emitted. */
+    private String like(double sum, EnergyLedger ledger) {
+        return number(units.fluxLike(sum, ledger.emitted())) + " " + units.flux();
+    }
+
     /** Adds the lines of the certificate's figures for the whole scene; figures of single surfaces are left out. */
-    private void certificate() {
+    private void certificate() throws IOException {
+        EnergyLedger ledger = file.ledger();
         if (file.extras().get("certificate") instanceof Map<?, ?> certificate) {
             Map<String, Object> whole = new TreeMap<>();
             certificate.forEach((key, value) -> whole.put(String.valueOf(key), value));
@@ -203,7 +208,7 @@ public final class SceneInfo {
             NAMES.forEach((key, name) -> {
                 Object value = whole.remove(key);
                 if (value instanceof Number flux && key.equals("missingFlux")) {
-                    line(name, flux(flux.doubleValue()));
+                    line(name, like(flux.doubleValue(), ledger));
                 } else if (value instanceof Number part && RELATIVE.contains(key)) {
                     line(name, number(100 * part.doubleValue()) + " %");
                 } else if (value != null) {

@@ -1,5 +1,6 @@
 package radiosity.output.grid;
 
+import java.util.Arrays;
 import radiosity.formfactor.ContourFactor;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.face.Faces;
@@ -27,6 +28,8 @@ final class FreeIrradiance {
      * Number of rays to a lamp that fills the hemisphere; in proportion to the form factor, at least one, to others.
      */
     private static final int LAMP_RAYS = 1024;
+    /** Number of times that a triangle is divided whose exitance an image varies: into 256 parts. */
+    private static final int IMAGE_LEVELS = 4;
     /** How far before a lamp a ray ends, and how far rays reach, of the scene's size. */
     private static final double LIFT = 1e-5;
     private static final float FAR = 4;
@@ -108,12 +111,38 @@ final class FreeIrradiance {
 
     /** Irradiance from the emitted light of one side of a triangle, 0 for the front or 1 for the back, W/m². */
     private Rgb emitted(int t, int side, Vec3 x, Vec3 n) {
-        Vec3[] c = {faces.unit(scene.corner(t, 0)), faces.unit(scene.corner(t, 1 + side)),
-            faces.unit(scene.corner(t, 2 - side))};
+        Vec3[] corners = {scene.corner(t, 0), scene.corner(t, 1 + side), scene.corner(t, 2 - side)};
+        return emitted(t, corners, scene.isMapped(t) ? IMAGE_LEVELS : 0, x, n);
+    }
+
+    /**
+     * Irradiance from a part of a triangle.
+     *
+     * @param levels number of times that the part is divided into four before its mean exitance is taken
+     */
+    private Rgb emitted(int t, Vec3[] corners, int levels, Vec3 x, Vec3 n) {
+        if (levels == 0) {
+            double factor = factor(corners, x, n);
+            return factor > 0 ? scene.meanLook(t, corners[0], corners[1], corners[2]).exitance().times(factor)
+                    : Rgb.BLACK;
+        }
+        Vec3[] middles = new Vec3[3];
+        Arrays.setAll(middles, k -> corners[(k + 1) % 3].plus(corners[(k + 2) % 3]).times(0.5));
+        Rgb sum = emitted(t, middles, levels - 1, x, n);
+        for (int k = 0; k < 3; k++) {
+            Vec3[] child = {corners[k], middles[(k + 2) % 3], middles[(k + 1) % 3]};
+            sum = sum.plus(emitted(t, child, levels - 1, x, n));
+        }
+        return sum;
+    }
+
+    /** Form factor of the free part of a triangle with these corners, counter-clockwise seen from its visible side. */
+    private double factor(Vec3[] corners, Vec3 x, Vec3 n) {
+        Vec3[] c = {faces.unit(corners[0]), faces.unit(corners[1]), faces.unit(corners[2])};
         double factor = ContourFactor.factor(x.x(), x.y(), x.z(), n.x(), n.y(), n.z(), new double[] {c[0].x(), c[0].y(),
             c[0].z(), c[1].x(), c[1].y(), c[1].z(), c[2].x(), c[2].y(), c[2].z()});
         if (!(factor > 0)) {
-            return Rgb.BLACK;
+            return 0;
         }
         Vec3 normal = c[1].minus(c[0]).cross(c[2].minus(c[0]));
         int rays = (int) Math.max(1, Math.ceil(factor * LAMP_RAYS));
@@ -129,7 +158,6 @@ final class FreeIrradiance {
             all += kernel;
             free += kernel > 0 && !bounds.blocked(x, end) ? kernel : 0;
         }
-        return all == 0 ? Rgb.BLACK : scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2))
-                .exitance().times(factor * free / all);
+        return all == 0 ? 0 : factor * free / all;
     }
 }

@@ -23,7 +23,8 @@ import radiosity.solution.Solution;
  *
  * @param where    the surface or plane of the grid, as the user named it
  * @param rows     x, y, z, nx, ny, nz and illuminance of each point: 7 numbers
- * @param mean     average illuminance; NaN where there is no point, as the next two
+ * @param mean     average illuminance over the area for which points stand; NaN where there is no point, as the next
+ *                 two
  * @param minimum  least illuminance
  * @param maximum  largest illuminance
  * @param left     number of points left out: inside solids, or outside of rooms
@@ -62,11 +63,19 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
             return new double[] {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), units.total(light)};
         }).toArray(double[][]::new);
         double[][] lit = Arrays.stream(rows).filter(row -> !Double.isNaN(row[6])).toArray(double[][]::new);
+        double area = 0;
+        double flux = 0;
+        for (int i = 0; i < rows.length; i++) {
+            if (!Double.isNaN(rows[i][6])) {
+                area += places.areas().get(i);
+                flux += places.areas().get(i) * rows[i][6];
+            }
+        }
         double[] values = Arrays.stream(lit).mapToDouble(row -> row[6]).sorted().toArray();
         int n = values.length;
         String[] quantity = {units.irradianceWord(), units.irradiance()};
         return n == 0 ? new Grid(where, lit, Double.NaN, Double.NaN, Double.NaN, rows.length, quantity)
-                : new Grid(where, lit, Arrays.stream(values).sum() / n, values[0], values[n - 1], rows.length - n,
+                : new Grid(where, lit, flux / area, values[0], values[n - 1], rows.length - n,
                 quantity);
     }
 
@@ -79,7 +88,7 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
     public String summary() {
         if (rows.length == 0) {
             return where + ": no points, as " + left + " inside solids or outside are left out; a smaller --spacing"
-                    + " gives more";
+                    + " gives more, but not on a plane that lies on a surface: the surface's name does";
         }
         return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
                 + " points", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length)

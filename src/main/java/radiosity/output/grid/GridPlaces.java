@@ -2,6 +2,7 @@ package radiosity.output.grid;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -24,8 +25,10 @@ import radiosity.util.Aabb;
  * @param onSurface whether the points lie on a surface; otherwise in the air
  * @param points    scene units
  * @param normals   unit normals of the side whose light is asked for, one per point
+ * @param areas     area for which a point stands, square scene units, one per point: that of its plane's triangles
+ *                  over the number of points on the plane
  */
-record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
+record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List<Double> areas) {
 
     private static final Pattern PLANE = Pattern.compile("([+-]?)([xyz])=([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)");
     private static final int MOST = 1_000_000;
@@ -49,7 +52,8 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
      */
     static GridPlaces of(Scene scene, String where, double spacing) {
         Matcher plane = PLANE.matcher(where);
-        GridPlaces places = new GridPlaces(!plane.matches(), new ArrayList<>(), new ArrayList<>());
+        GridPlaces places = new GridPlaces(!plane.matches(), new ArrayList<>(), new ArrayList<>(),
+                new ArrayList<>());
         if (!places.onSurface) {
             places.inTheAir(scene, plane, spacing);
         } else {
@@ -109,6 +113,7 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
         if (points.isEmpty()) {
             points.add(scene.middle(planes.get(0).triangles.get(0)));
             normals.add(planes.get(0).normal);
+            areas.add(1.0);
         }
     }
 
@@ -143,6 +148,7 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
             throw new IllegalArgumentException("expected a spacing that gives at most " + MOST + " points, got "
                     + spacing);
         }
+        int first = points.size();
         for (int j = 0; j < rows; j++) {
             for (int i = 0; i < columns; i++) {
                 Vec3 p = origin.plus(u.times(extent[0] + (extent[1] - extent[0]) * (i + 0.5) / columns))
@@ -153,6 +159,8 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals) {
                 }
             }
         }
+        double area = plane == null ? 1 : plane.triangles.stream().mapToDouble(scene::area).sum();
+        areas.addAll(Collections.nCopies(points.size() - first, area / (points.size() - first)));
     }
 
     private static boolean holds(Scene scene, int triangle, Vec3 p, Vec3 normal) {

@@ -103,7 +103,10 @@ public final class TJunctions {
         int[] distinct = distinct(open);
         BoxTree all = tree(distinct);
         for (int v : distinct) {
-            same[v] = same[distinct[all.lowest(point(v), tolerance)]];
+            int near = all.lowest(point(v), tolerance);
+            if (near >= 0) { // not where coordinates are so large that the point itself is not found
+                same[v] = same[distinct[near]];
+            }
         }
         for (int v : open) {
             same[v] = same[same[v]];

@@ -328,6 +328,26 @@ class GltfReaderTest {
         assertEquals(Rgb.grey(Math.PI), scene.surface(0).exitance());
     }
 
+    /** A placeholder: the luminaire takes its place and its colour. */
+    @Test
+    void lightOfIntensity0_isKeptWhereALuminaireReplacesIt() throws IOException {
+        String text = square("", ",'extensions':{'KHR_lights_punctual':{'light':0}}", PAINT);
+        Path file = Files.writeString(folder.resolve("a.gltf"), text.substring(0, text.length() - 1) + """
+                ,"extensions":{"KHR_lights_punctual":{"lights":[
+                {"type":"point","name":"bulb","intensity":0,"color":[1,0.5,0.25]}]}}}""");
+        assertEquals(0, GltfReader.read(file, ReadOptions.defaults(), told::add).lights().size());
+        assertEquals(new Rgb(1, .5, .25), GltfReader.read(file, ReadOptions.defaults().withLuminaires(
+                Map.of("bulb", Path.of("bulb.ies"))), told::add).lights().get(0).power());
+    }
+
+    @Test
+    void luminaires_makeTheEmissionOfTheSceneALuminance() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.gltf"), square("", "", "{'emissiveFactor':[1,1,1]}"));
+        assertEquals(Rgb.grey(1), GltfReader.read(file, ReadOptions.defaults(), told::add).surface(0).exitance());
+        assertEquals(Rgb.grey(Math.PI), GltfReader.read(file, ReadOptions.defaults().withLuminaires(
+                Map.of("0,2,0", Path.of("bulb.ies"))), told::add).surface(0).exitance());
+    }
+
     @Test
     void camera_looksAlongMinusZ() throws IOException {
         String text = square("", ",'children':[1]},{'camera':0,'translation':[0,0,9]", PAINT);

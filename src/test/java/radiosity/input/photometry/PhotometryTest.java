@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.DoubleBinaryOperator;
@@ -184,6 +185,19 @@ class PhotometryTest {
     }
 
     /** 4 pi I, and of I cos(gamma), which is interpolated over each degree, pi I. */
+    /** The plane of 360 degrees, which is that of 0, may be left out; more may not. */
+    @Test
+    void horizontalAngles_thatLeaveOutAPartOfTheCircle_areRefused() throws IOException {
+        for (double[] angles : List.of(from(0, 45, 270), from(0, 22.5, 45), from(0, 30, 210))) {
+            assertThrows(SceneFormatException.class,
+                    () -> read(ies(C_OF_2002, 1, angles, from(0, 15, 90), (c, g) -> 100)), Arrays.toString(angles));
+        }
+        for (double[] angles : List.of(from(0, 90, 270), from(0, 15, 345), from(0, 15, 360))) {
+            assertEquals(100, read(ies(C_OF_2002, 1, angles, from(0, 15, 90), (c, g) -> 100)).intensity().at(
+                    Math.toRadians(350), .1), 1e-9);
+        }
+    }
+
     @Test
     void flux_isIntegrated() throws IOException {
         double even = read(ies(C_OF_2002, 1, new double[] {0}, from(0, 90, 180), (c, g) -> 7)).intensity().flux();

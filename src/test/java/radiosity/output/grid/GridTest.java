@@ -7,11 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.scene.Hierarchy;
+import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
+import radiosity.scene.Raster;
 import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
@@ -144,8 +149,66 @@ class GridTest {
         Grid grid = Grid.of(Solve.byDefault().accurate(.2).solution(builder.scene("box in a room")), "y=0.5", 4);
         assertEquals(0, grid.rows().length);
         assertTrue(Double.isNaN(grid.mean()) && Double.isNaN(grid.uniformity()));
-        assertEquals("y=0.5: no points, as 1 inside solids or outside are left out; a smaller --spacing gives more",
+        assertEquals("y=0.5: no points, as 1 inside solids or outside are left out; a smaller --spacing gives more,"
+                + " but not on a plane that lies on a surface: the surface's name does",
                 grid.summary());
+    }
+
+    /** A table of 4 x 4 m and a block on it of .4 x .4 m, whose only point stands for its area. */
+    @Test
+    void mean_isThatOfTheArea() {
+        Surface wood = RoomScenes.grey("wood", 0, 0);
+        SceneBuilder builder = new SceneBuilder();
+        for (double[] square : new double[][] {{0, 4, 0}, {6, 6.4, 1}}) {
+            double low = square[0];
+            double high = square[1];
+            double y = square[2];
+            builder.polygon(wood, new Vec3(low, y, low), new Vec3(low, y, high), new Vec3(high, y, high),
+                    new Vec3(high, y, low));
+        }
+        Scene tables = builder.light(Light.sun(new Vec3(0, 1, 0), 100)).light(new Light("bulb", Light.Kind.POINT,
+                Rgb.grey(1000), new Vec3(6.2, 2, 6.2), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1, 0, 0)).scene("tables")
+                .with(LUX);
+        Grid grid = Grid.of(Solve.byDefault().solution(tables), "wood", 1);
+        double sum = 0;
+        for (double[] row : grid.rows()) {
+            sum += row[6] * (row[1] == 1 ? .16 : 1);
+        }
+        assertEquals(17, grid.rows().length);
+        assertEquals(sum / 16.16, grid.mean(), 1e-9 * sum);
+    }
+
+    /** Only the right half of a lamp shines, by its image. */
+    @Test
+    void imageOfALamp_saysWhereItShines() {
+        Raster image = new Raster(64, 1, halfLit(64), ImageMap.Wrap.REPEAT, ImageMap.Wrap.REPEAT, Rgb.BLACK);
+        Surface lamp = RoomScenes.grey("lamp", 1, 0).with(new Surface.Maps(Optional.of(image), Optional.empty()));
+        Surface floor = RoomScenes.grey("floor", 0, 0);
+        SceneBuilder builder = new SceneBuilder().polygon(floor, new Vec3(-4, 0, -4), new Vec3(-4, 0, 4),
+                new Vec3(4, 0, 4), new Vec3(4, 0, -4));
+        Scene plain = lamps(builder, RoomScenes.grey("lamp", 1, 0), 0);
+        Scene half = lamps(new SceneBuilder().polygon(floor, new Vec3(-4, 0, -4), new Vec3(-4, 0, 4),
+                new Vec3(4, 0, 4), new Vec3(4, 0, -4)), lamp, -1);
+        Scene imaged = new Scene("lamp", half.points(), half.corners(), half.surfaceOf(), half.surfaces(), List.of(),
+                Optional.empty(), new float[] {0, 0, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1},
+                new float[0], Hierarchy.NONE).with(LUX);
+        Grid expected = Grid.of(Solve.byDefault().solution(plain), "y=0.001", 1);
+        Grid grid = Grid.of(Solve.byDefault().solution(imaged), "y=0.001", 1);
+        for (int i = 0; i < grid.rows().length; i++) {
+            assertEquals(expected.rows()[i][6], grid.rows()[i][6], .02 * expected.maximum(), "point " + i);
+        }
+    }
+
+    private static float[] halfLit(int width) {
+        float[] rgb = new float[3 * width];
+        Arrays.fill(rgb, 3 * width / 2, 3 * width, 1);
+        return rgb;
+    }
+
+    /** A lamp at a height of 1 m that shines down, from the given x to 1. */
+    private static Scene lamps(SceneBuilder builder, Surface lamp, double from) {
+        return builder.polygon(lamp, new Vec3(from, 1, -1), new Vec3(1, 1, -1), new Vec3(1, 1, 1),
+                new Vec3(from, 1, 1)).scene("lamp").with(LUX);
     }
 
     @Test

@@ -3,6 +3,7 @@ package radiosity.input.lightwave.lws;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import radiosity.input.file.Diagnostics;
 import radiosity.scene.Affine;
 import radiosity.scene.Light;
@@ -16,12 +17,16 @@ public final class SceneLights {
     private final Placement placement;
     private final Motion.Instant instant;
     private final Diagnostics notes;
+    private final Set<String> replaced;
 
-    public SceneLights(SceneDescription scene, Placement placement, Motion.Instant instant, Diagnostics notes) {
+    /** @param replaced names of lights that luminaires replace, which take their places and colours, not intensities */
+    public SceneLights(SceneDescription scene, Placement placement, Motion.Instant instant, Diagnostics notes,
+                       Set<String> replaced) {
         this.scene = scene;
         this.placement = placement;
         this.instant = instant;
         this.notes = notes;
+        this.replaced = replaced;
     }
 
     /** All lights with a power above 0; {@code SceneAssembly} decides by the options whether they are used. */
@@ -40,6 +45,9 @@ public final class SceneLights {
         double scale = scene.version <= 2 ? 1 / 255.0 : 1;
         double[] colour = item.numbers("LightColor", instant, 1 / scale, 1 / scale, 1 / scale);
         double intensity = Math.max(0, item.number(item.either("LightIntensity", "LgtIntensity"), instant, 1));
+        if (intensity == 0 && replaced.contains(item.text("LightName"))) {
+            intensity = 1;
+        }
         return new Rgb(Math.max(0, colour[0]), Math.max(0, colour[1]), Math.max(0, colour[2])).times(scale * intensity);
     }
 
