@@ -312,10 +312,17 @@ public final class InitialMesh {
      * Checks that a calculation with a saved fingerprint can continue on this mesh.
      *
      * @throws SceneFormatException where the fingerprints differ; the message names the differences
+     *                              of settings
      */
     public void checkFingerprint(String saved) throws SceneFormatException {
         List<String> own = List.of(fingerprint().split(PARTS));
         List<String> others = List.of(saved.split(PARTS));
+        String scene = others.get(0);
+        if (!scene.equals(own.get(0))) {
+            throw new SceneFormatException("the saved calculation", "", "the same scene and settings",
+                    scene.endsWith("state " + STATE) ? "one of another scene"
+                            : "one that another version of the program has made");
+        }
         if (!own.equals(others)) {
             throw new SceneFormatException("the saved calculation", "", "the same scene and settings ("
                     + difference(own, others) + ")", difference(others, own));

@@ -162,7 +162,7 @@ class RenderTest {
                 directory.resolve("more.scene"));
         assertEquals(ExitCode.FILE, run.exitCode());
         assertTrue(run.err().startsWith(output + " does not go on with cornell-box-empty.lws: the saved calculation: "
-                + "expected the same scene and settings"), run.err());
+                + "expected the same scene and settings, got one of another scene"), run.err());
     }
 
     @Test

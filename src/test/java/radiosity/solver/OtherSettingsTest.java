@@ -49,6 +49,16 @@ class OtherSettingsTest {
                 refusal);
     }
 
+    /** A saved state is of one version of the program: others find other elements. */
+    @Test
+    void otherVersions_areRefusedAsSuch() {
+        InitialMesh mesh = new InitialMesh(SCENE, COARSE);
+        String older = mesh.fingerprint().replaceFirst("state \\d+", "state 3");
+        assertEquals("the saved calculation: expected the same scene and settings, got one that another version of the"
+                + " program has made", assertThrows(SceneFormatException.class,
+                () -> mesh.checkFingerprint(older)).getMessage());
+    }
+
     @Test
     void meshErrorAlone_isRefusedToo() throws IOException {
         RadiositySettings finer = new RadiositySettings(COARSE.patchArea(), COARSE.rays(), COARSE.meshing(),
