@@ -25,6 +25,8 @@ import radiosity.settings.ReadOptions;
 final class SurfaceImages {
 
     private static final Set<String> EVALUATED = Set.of("COLR", "DIFF", "LUMI", "LUMC");
+    /** Properties by whose images surfaces would let light through or mirror it. */
+    private static final Set<String> LEFT_OUT = Set.of("TRAN", "REFL");
 
     private SurfaceImages() {
     }
@@ -46,6 +48,9 @@ final class SurfaceImages {
     private static boolean isWanted(TextureBlock texture, ObjectModel object, SurfaceValues surface,
             Diagnostics notes) {
         texture.image = texture.image == null ? object.clips.get(texture.clip) : texture.image;
+        if (texture.enabled && texture.opacity > 0 && LEFT_OUT.contains(texture.channel)) {
+            notes.note("", "images on transparency and reflection are left out", surface.name);
+        }
         boolean evaluated = texture.enabled && texture.opacity > 0 && EVALUATED.contains(texture.channel);
         if (!evaluated) {
             return false;

@@ -45,24 +45,35 @@ final class TextureMapping {
         }
         double[][] places = {place(corners[0]), place(corners[1]), place(corners[2])};
         switch (texture.projection) {
-            case PLANAR -> planar(places, texture.axis, uv);
-            case CUBIC -> planar(places, mainAxis(places), uv);
+            case PLANAR -> planar(scaled(places), texture.axis, uv);
+            case CUBIC -> planar(scaled(places), mainAxis(places), uv);
             default -> round(places, uv);
         }
     }
 
-    /** A corner in the texture's own space: relative to its centre, rotated back, divided by its size. */
+    /** A corner in the texture's own space: relative to its centre, rotated back. */
     private double[] place(int corner) {
         int p = 3 * layer.polygons.point(corner);
         double[] d = new double[3];
         for (int k = 0; k < 3; k++) {
             d[k] = layer.points.get(p + k) - texture.centre[k];
         }
-        d = turned.unturn(d);
-        for (int k = 0; k < 3; k++) {
-            d[k] = texture.size[k] == 0 ? 0 : d[k] / texture.size[k];
+        return turned.unturn(d);
+    }
+
+    /** Places divided by the texture's size. */
+    private double[][] scaled(double[][] places) {
+        double[][] scaled = new double[3][3];
+        for (int c = 0; c < 3; c++) {
+            for (int k = 0; k < 3; k++) {
+                scaled[c][k] = over(places[c][k], k);
+            }
         }
-        return d;
+        return scaled;
+    }
+
+    private double over(double length, int axis) {
+        return texture.size[axis] == 0 ? 0 : length / texture.size[axis];
     }
 
     /** Projects along x: u from z and v from y; along y: u from x and v from z; along z: u from x and v from y. */
@@ -88,12 +99,13 @@ final class TextureMapping {
         return main;
     }
 
+    /** Angles about the axis, of which the size changes nothing; on a cylinder the size counts along the axis. */
     private void round(double[][] places, double[] uv) {
         for (int k = 0; k < 3; k++) {
             double[] q = upright(places[k]);
             double distance = StrictMath.hypot(q[0], q[2]);
             uv[2 * k] = distance == 0 ? Double.NaN : 1 - heading(q[0], q[2]) / (2 * Math.PI);
-            uv[2 * k + 1] = texture.projection == TextureBlock.Projection.CYLINDRICAL ? q[1] + 0.5
+            uv[2 * k + 1] = texture.projection == TextureBlock.Projection.CYLINDRICAL ? over(q[1], texture.axis) + 0.5
                     : 0.5 + StrictMath.atan2(q[1], distance) / Math.PI;
         }
         keepTogether(uv);

@@ -84,6 +84,14 @@ class EnvelopeTest {
         assertEquals(2.5, at(bezier, 1.25), 1e-9);
     }
 
+    /** Before it the curve goes on at the mean of both slopes, 13.5: a third of that is the height of the handle. */
+    @Test
+    void bezierSpanAfterALinearKey_beginsAlongItsTangent() {
+        Envelope mixed = envelope(1, 1, new double[] {-18, -1, 3}, new double[] {0, 0, 3},
+                new double[] {9, 1, 5, -1.0 / 3, 0});
+        assertEquals(4.5 + 3 * 4.5 / 8, at(mixed, .5), 1e-9);
+    }
+
     @Test
     void bezierSpan_meetsItsOwnCurve() {
         Envelope bezier = envelope(1, 1, new double[] {0, 0, 5, 0, 0, 0.5, 0}, new double[] {1, 1, 5, -0.25, 0});

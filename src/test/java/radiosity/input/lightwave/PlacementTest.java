@@ -101,6 +101,39 @@ class PlacementTest {
         assertAt(-1, 1, 0, Scenes.far(scene, 0));
     }
 
+    /** Its z axis points there, in all versions. */
+    @Test
+    void objectWithATarget_isTurnedTowardsIt() throws IOException {
+        String away = Scenes.motion1(10, 0, 0, 0, 0, 0, 1, 1, 1);
+        assertAt(0, 1, -1, Scenes.far(read("LWSC\n1\n" + OBJECT1 + Scenes.motion1(0, 0, 0, 30, 40, 0, 1, 1, 1)
+                + "TargetObject 2\nAddNullObject n\n" + away), 0));
+        assertAt(0, 1, -1, Scenes.far(read("LWSC\n3\n" + OBJECT3 + "TargetItem 10000001\nPivotRotation 0 0 90\n"
+                + "AddNullObject n\n" + Scenes.motion3("ObjectMotion", 10, 0, 0, 0, 0, 0, 1, 1, 1)), 0));
+    }
+
+    @Test
+    void whatFollowsAnAimedLight_isTurnedWithIt() throws IOException {
+        Scene scene = read("LWSC\n3\n" + OBJECT3 + "ParentItem 20000000\nAddNullObject n\n"
+                + Scenes.motion3("ObjectMotion", 10, 0, 0, 0, 0, 0, 1, 1, 1) + "AddLight\n"
+                + Scenes.motion3("LightMotion", 0, 0, 5, 0, 0, 0, 1, 1, 1) + "LightType 2\nTargetItem 10000001\n");
+        double flat = Math.hypot(10, 5);
+        assertAt(-5 / flat, 1, 5 - 10 / flat, Scenes.far(scene, 0));
+    }
+
+    /** Each is aimed at the next, or at what it carries itself. */
+    @Test
+    void circlesAndLongChainsOfTargets_end() throws IOException {
+        StringBuilder chain = new StringBuilder("LWSC\n3\n");
+        for (int i = 0; i < 20_000; i++) {
+            chain.append("AddNullObject n\nTargetItem ").append(Integer.toHexString(0x10000001 + i)).append('\n');
+        }
+        Scenes.read(folder, chain + OBJECT3 + "TargetItem 10000000\n", ReadOptions.defaults(), told);
+        assertTrue(told.get(0).contains("long chains of targets"), told.toString());
+        told.clear();
+        assertAt(1, 1, 0, Scenes.far(read("LWSC\n3\n" + OBJECT3 + "TargetItem 10000001\nAddNullObject n\n"
+                + "ParentItem 10000000\n"), 0));
+    }
+
     @Test
     void child_isPlacedInTheSpaceOfItsParentsPoints() throws IOException {
         String parent = Scenes.motion1(10, 0, 0, 0, 0, 90, 2, 2, 2) + "PivotPoint 1 0 0\n";

@@ -143,6 +143,28 @@ class TexturesTest {
         }
     }
 
+    /** Angles are those of the object; the size counts along a cylinder's axis. */
+    @Test
+    void sizeOfARoundImage_changesNoAngle() throws IOException {
+        for (int projection : new int[] {1, 2}) {
+            Scene plain = read(object(SoundFiles.imageBlock("COLR", projection, sub("AXIS", u2(1)),
+                    placed(new double[] {0.5, 0.5, 2}, new double[] {1, 1, 1}))));
+            Scene sized = read(object(SoundFiles.imageBlock("COLR", projection, sub("AXIS", u2(1)),
+                    placed(new double[] {0.5, 0.5, 2}, new double[] {4, 2, .5}))));
+            for (int i = 0; i < 12; i++) {
+                double expected = plain.textureCoordinates()[i];
+                boolean isHeight = projection == 1 && i % 2 == 1;
+                assertEquals(isHeight ? .5 + (expected - .5) / 2 : expected, sized.textureCoordinates()[i], 1e-6);
+            }
+        }
+    }
+
+    @Test
+    void imagesOnTransparency_areLeftOutWithAWarning() throws IOException {
+        read(object(SoundFiles.imageBlock("TRAN", 0)));
+        assertTrue(told.get(0).contains("images on transparency and reflection are left out"), told.toString());
+    }
+
     @Test
     void cubicImage_isPlanarAcrossTheFace() throws IOException {
         Scene scene = read(object(SoundFiles.imageBlock("COLR", 3, sub("AXIS", u2(0)))));

@@ -9,7 +9,6 @@ import radiosity.scene.ImageMap.Wrap;
 final class Lwo2Texture {
 
     private static final int NORMAL = 0;
-    private static final int ADDITIVE = 7;
 
     private final Diagnostics notes;
     private final TextureBlock texture = new TextureBlock();
@@ -54,7 +53,7 @@ final class Lwo2Texture {
     private void opacity(ByteReader data, String place) {
         int kind = data.u2();
         texture.opacity = data.f4();
-        if (kind != NORMAL && kind != ADDITIVE) {
+        if (kind != NORMAL) {
             notes.note(place, "a way of blending images other than normal is taken as normal");
         }
     }

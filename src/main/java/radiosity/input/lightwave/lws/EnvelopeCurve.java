@@ -142,27 +142,29 @@ public final class EnvelopeCurve {
         return rise * length / (Math.abs(run) > 1e-5 ? run : 1e-5);
     }
 
-    /** A Bezier curve in time and value between two keys: the curve's parameter at the time is found by bisection. */
+    /**
+     * A Bezier curve in time and value between two keys; its parameter at the time is found by bisection. A first
+     * key that is not Bezier has its handle at a third of the span, along its tangent.
+     */
     private double bezier(int a, double time) {
         int b = a + 1;
+        boolean isBezier = keys.span(a) == Envelope.BEZIER;
+        double firstTime = isBezier ? keys.parameter(a, 2) : (keys.time(b) - keys.time(a)) / 3;
+        double firstValue = isBezier ? keys.parameter(a, 3) : outgoing(a) / 3;
+        double lastTime = keys.time(b) + keys.parameter(b, 0);
+        double lastValue = keys.value(b) + keys.parameter(b, 1);
         double from = 0;
         double to = 1;
         for (int i = 0; i < HALVINGS; i++) {
             double t = (from + to) / 2;
-            double here = cubic(t, keys.time(a), handle(a, 2, 0), handle(b, 0, 0), keys.time(b));
+            double here = cubic(t, keys.time(a), keys.time(a) + firstTime, lastTime, keys.time(b));
             if (here < time) {
                 from = t;
             } else {
                 to = t;
             }
         }
-        return cubic(from, keys.value(a), handle(a, 3, 1), handle(b, 1, 1), keys.value(b));
-    }
-
-    /** Time (kind 0) or value (kind 1) of a key's handle, which is at the key itself for a key that is not Bezier. */
-    private double handle(int key, int parameter, int kind) {
-        double base = kind == 0 ? keys.time(key) : keys.value(key);
-        return keys.span(key) == Envelope.BEZIER ? base + keys.parameter(key, parameter) : base;
+        return cubic(from, keys.value(a), keys.value(a) + firstValue, lastValue, keys.value(b));
     }
 
     private static double cubic(double t, double p0, double p1, double p2, double p3) {

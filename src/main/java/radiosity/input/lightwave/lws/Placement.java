@@ -14,12 +14,15 @@ import radiosity.scene.Affine;
  * Places the items of a scene at a point in time.
  *
  * <p>{@code W = W(parent) T(position) R(pivot rotation) Ry(h) Rx(p) Rz(b) S T(-pivot)}; W(parent) includes the parent's
- * own T(-pivot), so a child's position is in the space of the parent's points.
+ * own T(-pivot), so a child's position is in the space of the parent's points. An item with a target is turned towards
+ * it, whatever its heading, pitch and pivot rotation.
  */
 public final class Placement {
 
     private static final long ROOT_MASK = 0xF0000000L;
     private static final long OBJECT_OF_BONE = 0xFFFF;
+    /** Largest number of items each of which is aimed at the next, or at what that turns. */
+    private static final int MOST_TARGETS = 100;
 
     private final SceneDescription scene;
     private final Motion.Instant instant;
@@ -27,6 +30,8 @@ public final class Placement {
     private final Map<SceneItem, double[]> layerPivots = new IdentityHashMap<>();
     private final Map<SceneItem, Optional<SceneItem>> parents = new IdentityHashMap<>();
     private final Map<SceneItem, Affine> worlds = new IdentityHashMap<>();
+    /** The items that are being turned towards their targets: an item may itself place the target it is aimed at. */
+    private final Map<SceneItem, Boolean> aiming = new IdentityHashMap<>();
     private final Map<Long, SceneItem> byId = new HashMap<>();
     private final Map<SceneItem.Kind, List<SceneItem>> byKind = new HashMap<>();
 
@@ -80,13 +85,46 @@ public final class Placement {
     /** Map from an item's own space to its parent's. */
     public Affine local(SceneItem item) {
         double[] pivot = pivot(item);
-        Affine matrix = item.motion.position(instant);
-        if (item.has("PivotRotation")) {
-            double[] r = item.numbers("PivotRotation", instant, 0, 0, 0);
-            matrix = matrix.times(Turn.of(Math.toRadians(r[0]), Math.toRadians(r[1]), Math.toRadians(r[2])));
+        return item.motion.position(instant).times(aimed(item).orElseGet(() -> turned(item)))
+                .times(item.motion.scale(instant)).times(Affine.move(-pivot[0], -pivot[1], -pivot[2]));
+    }
+
+    private Affine turned(SceneItem item) {
+        Affine rotation = item.motion.rotation(instant);
+        if (!item.has("PivotRotation")) {
+            return rotation;
         }
-        return matrix.times(item.motion.rotation(instant)).times(item.motion.scale(instant))
-                .times(Affine.move(-pivot[0], -pivot[1], -pivot[2]));
+        double[] r = item.numbers("PivotRotation", instant, 0, 0, 0);
+        return Turn.of(Math.toRadians(r[0]), Math.toRadians(r[1]), Math.toRadians(r[2])).times(rotation);
+    }
+
+    /**
+     * The rotation of an item that is aimed at a target: the target determines heading and pitch, bank is kept. Empty
+     * without a target, and where the target is at the item's own place.
+     */
+    private Optional<Affine> aimed(SceneItem item) {
+        SceneItem target = target(item);
+        if (target == null || target == item || aiming.containsKey(item)) {
+            return Optional.empty();
+        }
+        if (aiming.size() >= MOST_TARGETS) {
+            notes.note(item.place(), "items are not turned towards targets that long chains of targets turn");
+            return Optional.empty();
+        }
+        aiming.put(item, true);
+        Affine parent = parentWorld(item);
+        double[] at = position(target);
+        aiming.remove(item);
+        double[] own = item.motion.position(instant).m();
+        double[] d = new double[3];
+        for (int k = 0; k < 3; k++) {
+            d[k] = at[k] - parent.point(k, own[3], own[7], own[11]);
+        }
+        d = parent.unturn(d);
+        double flat = StrictMath.hypot(d[0], d[2]);
+        return !(flat + Math.abs(d[1]) > 0) || !Double.isFinite(flat + d[1]) ? Optional.empty()
+                : Optional.of(Turn.of(StrictMath.atan2(d[0], d[2]), -StrictMath.atan2(d[1], flat),
+                        item.motion.bank(instant)));
     }
 
     private double[] pivot(SceneItem item) {

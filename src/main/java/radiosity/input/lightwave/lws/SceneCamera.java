@@ -36,7 +36,7 @@ public final class SceneCamera {
     }
 
     private Optional<Camera> camera(SceneItem item) {
-        Affine world = new LookAt(placement, instant).world(item);
+        Affine world = placement.world(item);
         Optional<Camera> found = Camera.of(new Vec3(world.m()[3], world.m()[7], 0 - world.m()[11]),
                 SceneLights.right(world.direction(0, 0, 1)), SceneLights.right(world.direction(0, 1, 0)),
                 StrictMath.atan(1 / item.number("ZoomFactor", instant, DEFAULT_ZOOM)), aspect(item));

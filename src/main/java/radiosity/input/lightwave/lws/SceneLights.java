@@ -82,7 +82,7 @@ public final class SceneLights {
     }
 
     private void add(SceneItem item, Light.Kind kind, Rgb power, List<Light> lights) {
-        Affine world = new LookAt(placement, instant).world(item);
+        Affine world = placement.world(item);
         boolean isSomewhere = power.isFinite();
         for (double m : world.m()) {
             isSomewhere &= Double.isFinite(m);
