@@ -46,12 +46,15 @@ final class Animation {
         int[] frames = options.file.frames.all();
         List<Exception> inexact = new ArrayList<>();
         Path before = options.file.change;
+        int there = 0;
         for (int i = 0; i < frames.length && !stop.everMade(); i++) {
             RendererOptions frame = new RendererOptions();
             new CommandLineParser(frame).parse(arguments.toArray(String[]::new));
             frame.toFrame(frames[i], before);
             before = frame.output();
-            if (!isThere(frame)) {
+            if (isThere(frame)) {
+                there++;
+            } else {
                 System.err.println("frame " + frames[i] + " (" + (i + 1) + " of " + frames.length + ")");
                 stop.begin();
                 try {
@@ -64,6 +67,10 @@ final class Animation {
                     inexact.add(e);
                 }
             }
+        }
+        if (there > 0) {
+            System.err.println(there + " of " + frames.length + " frames were there, newer than " + options.input()
+                    + "; delete their files to render them anew, as after a change of an object's file");
         }
         if (!inexact.isEmpty()) {
             throw Failure.notAccurate(inexact.size() + " of " + frames.length + " frames are less exact than"

@@ -128,6 +128,9 @@ public final class RadiosityRenderer {
                 warnings::print));
         options.scene.check(scene);
         files.check(scene);
+        if (options.file.lightmap != null) {
+            SceneReader.original(options.input(), options.readOptions(), scene); // fails now, not after the render
+        }
         return SurfaceMaps.read(scene, options.scene.srgb, warnings::accept);
     }
 

@@ -30,6 +30,29 @@ public record GltfLists(ObjectNode root) {
     public static final int MIRROR = 33648;
     public static final int REPEAT = 10497;
 
+    /**
+     * Bytes of an element of an accessor, with the bytes that align the columns of a matrix; 0 for a type or component
+     * type that glTF does not have.
+     */
+    public static int elementSize(String type, int componentType) {
+        int bytes = switch (componentType) {
+            case 5120, 5121 -> 1;
+            case 5122, UNSIGNED_SHORT -> 2;
+            case UNSIGNED_INT, FLOAT -> 4;
+            default -> 0;
+        };
+        return switch (type) {
+            case "SCALAR" -> bytes;
+            case "VEC2" -> 2 * bytes;
+            case "VEC3" -> 3 * bytes;
+            case "VEC4" -> 4 * bytes;
+            case "MAT2" -> 2 * (2 * bytes + 3 & ~3);
+            case "MAT3" -> 3 * (3 * bytes + 3 & ~3);
+            case "MAT4" -> 4 * (4 * bytes + 3 & ~3);
+            default -> 0;
+        };
+    }
+
     /** A list, which is created if there is none yet. */
     public ArrayNode list(String name) {
         return root.withArrayProperty(name);

@@ -73,6 +73,7 @@ class AnimationTest {
         Files.delete(file(20));
         ProgramRun rest = render();
         assertTrue(rest.err().contains("frame 20 (3 of 3)") && !rest.err().contains("frame 10"), rest.err());
+        assertTrue(rest.err().contains("2 of 3 frames were there, newer than"), rest.err());
         assertEquals(last, state(20));
         Files.delete(directory.resolve("a-0010.json"));
         rest = render();

@@ -20,7 +20,7 @@ public final class Failures {
         try {
             output.write();
             return true;
-        } catch (Failure | IOException e) {
+        } catch (RuntimeException | IOException e) {
             failures.add(e);
             return false;
         }

@@ -156,10 +156,16 @@ public final class GltfReader {
      * Whether light is in photometric units: where the options say so, luminaires are added, or the file has lights
      * that may be used.
      */
-    private boolean isPhotometric() {
-        return options.units().isPhotometric() || !options.luminaires().isEmpty()
-                || options.lights() != ReadOptions.Lights.IGNORE
-                && (root.extension("KHR_lights_punctual").isPresent() || root.extension("EXT_lights_ies").isPresent());
+    private boolean isPhotometric() throws SceneFormatException {
+        if (options.units().isPhotometric() || !options.luminaires().isEmpty()) {
+            return true;
+        }
+        boolean hasLights = false;
+        for (JsonCursor node : root.list("nodes")) {
+            hasLights |= node.extension("KHR_lights_punctual").isPresent()
+                    || node.extension("EXT_lights_ies").isPresent();
+        }
+        return hasLights && options.lights() != ReadOptions.Lights.IGNORE;
     }
 
     private void add(Nodes.Placed at, Standing mesh, int node) throws IOException {

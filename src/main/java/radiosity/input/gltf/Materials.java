@@ -126,6 +126,10 @@ final class Materials {
         Optional<JsonCursor> emitted = material.optional("emissiveTexture");
         if (emitted.isPresent() && exitance.max() > 0) {
             lie = addImage(maps, ImageMap.Target.EXITANCE, emitted.get(), exitance, lie);
+            if (!hasImage(maps, ImageMap.Target.EXITANCE)) {
+                notes.note("", "surfaces whose image of emission is left out do not emit", name);
+                exitance = Rgb.BLACK;
+            }
         }
         lies.add(lie);
         Optional<Specular> specular = SpecularFactors.of(material, colour, hasImage(maps, ImageMap.Target.REFLECTANCE));

@@ -6,15 +6,19 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 import radiosity.gltf.JsonCursor;
 import radiosity.scene.Affine;
 import radiosity.scene.Scene;
+import radiosity.scene.SceneFormatException;
 
 /** Makes a model of a glTF file with embedded buffers and images, and finds which of its triangles are in the scene. */
 final class OriginalModel {
 
+    private static final List<String> COMPRESSED = List.of("EXT_meshopt_compression", "KHR_meshopt_compression");
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
     private static final byte[] JPEG = {(byte) 0xFF, (byte) 0xD8, (byte) 0xFF};
 
@@ -38,6 +42,12 @@ final class OriginalModel {
                 boolean reversed = mesh.world().determinant() < 0;
                 places.add(new GltfModel.Place(mesh.node(), part.primitive(), mesh.instance(), part.vertices(),
                         met(part, mesh.world(), reversed, scene), reversed));
+            }
+        }
+        checkLists();
+        for (GltfReader.Standing mesh : standing) {
+            for (JsonCursor primitive : root.at("meshes").at(mesh.mesh()).list("primitives")) {
+                checkVertices(primitive);
             }
         }
         ObjectNode json = root.node().deepCopy();
@@ -70,6 +80,51 @@ final class OriginalModel {
         return true;
     }
 
+    /** Checks what a writer changes and the reader has not looked at. */
+    private void checkLists() throws IOException {
+        for (JsonCursor material : root.list("materials")) {
+            require(material.node().isObject(), material, "an object");
+        }
+        for (String names : List.of("extensionsUsed", "extensionsRequired")) {
+            Optional<JsonCursor> list = root.optional(names);
+            require(list.isEmpty() || list.get().node().isArray(), root, names + " to be a list");
+            for (JsonCursor name : root.list(names)) {
+                require(name.node().isTextual(), name, "a name");
+            }
+        }
+    }
+
+    /** Checks that each array of a primitive's vertices has all of them, as vertices are copied with all arrays. */
+    private void checkVertices(JsonCursor primitive) throws IOException {
+        int count = root.at("accessors").at(primitive.at("attributes").at("POSITION").integer()).at("count").integer();
+        checkVertices(primitive.at("attributes"), count);
+        for (JsonCursor target : primitive.list("targets")) {
+            checkVertices(target, count);
+        }
+    }
+
+    private void checkVertices(JsonCursor attributes, int count) throws IOException {
+        require(attributes.node().isObject(), attributes, "an object");
+        for (Map.Entry<String, JsonNode> attribute : attributes.node().properties()) {
+            JsonCursor accessor = root.at("accessors").at(attributes.at(attribute.getKey()).integer());
+            require(accessor.at("count").integer() == count, accessor, "an element for each of " + count + " vertices");
+            long size = GltfLists.elementSize(accessor.at("type").text(), accessor.at("componentType").integer());
+            require(size > 0, accessor, "a type and a componentType of glTF");
+            Optional<JsonCursor> number = accessor.optional("bufferView");
+            if (number.isPresent() && count > 0) {
+                int step = root.at("bufferViews").at(number.get().integer()).index("byteStride");
+                long end = accessor.unchecked("byteOffset") + (step > 0 ? step : size) * (count - 1) + size;
+                require(end <= buffers.view(number.get()).capacity(), accessor, "elements within their bufferView");
+            }
+        }
+    }
+
+    private static void require(boolean holds, JsonCursor where, String expected) throws SceneFormatException {
+        if (!holds) {
+            throw where.wrong(expected);
+        }
+    }
+
     private void joinBuffers(GltfModel model) throws IOException {
         int count = root.optional("buffers").map(JsonCursor::size).orElse(0);
         long[] begin = new long[count];
@@ -80,6 +135,9 @@ final class OriginalModel {
         for (JsonNode view : model.json().path("bufferViews")) {
             long offset = view.path("byteOffset").asLong() + begin[view.path("buffer").asInt()];
             ((ObjectNode) view).put("buffer", 0).put("byteOffset", offset);
+            if (view.path("extensions").isObject()) { // the bytes without compression are there
+                ((ObjectNode) view.get("extensions")).remove(COMPRESSED);
+            }
         }
         model.json().remove("buffers");
     }

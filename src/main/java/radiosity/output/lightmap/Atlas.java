@@ -51,7 +51,7 @@ final class Atlas {
             right += charts.get(c).width();
             shelf = Math.max(shelf, charts.get(c).height());
         }
-        height = top + shelf;
+        height = Math.max(1, top + shelf);
     }
 
     /**

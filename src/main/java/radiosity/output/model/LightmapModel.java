@@ -39,12 +39,15 @@ public final class LightmapModel {
     private static final double MOST_RANGE = 60000;
     private static final int TRIANGLES = 4;
     private static final String INSTANCES = "EXT_mesh_gpu_instancing";
+    private static final String DRACO = "KHR_draco_mesh_compression";
 
     private final GltfModel model;
     private final ObjectNode json;
     private final Lightmap lightmap;
     private final ObjectMapper mapper = new ObjectMapper();
     private final VertexCopier copier;
+    /** The morph weights that nodes with instances had, by the node's number; missing where a node had none. */
+    private final Map<Integer, JsonNode> weightsOf = new HashMap<>();
     /** Number of the lightmap's set of texture coordinates: the first that no mesh has. */
     private final int set;
     /** The material of primitives that have none in the user's model; -1 if there is no such primitive so far. */
@@ -166,10 +169,30 @@ public final class LightmapModel {
             }
             removeInstances();
         }
+        JsonNode weights = weightsOf.computeIfAbsent(at.node, n -> takeWeights(n, parent));
         parent.withArrayProperty("children").add(json.get("nodes").size());
         ObjectNode node = json.withArrayProperty("nodes").addObject();
         GltfLists.matrix(node, at.instance);
+        if (!weights.isMissingNode()) {
+            node.set("weights", weights.deepCopy());
+        }
         return node;
+    }
+
+    /** Removes the morph weights of a node whose mesh its instances get, with what animates them. */
+    private JsonNode takeWeights(int node, ObjectNode parent) {
+        for (JsonNode animation : json.path("animations")) {
+            ArrayNode channels = ((ObjectNode) animation).withArrayProperty("channels");
+            for (int i = channels.size() - 1; i >= 0; i--) {
+                JsonNode target = channels.get(i).path("target");
+                if (target.path("node").asInt(-1) == node && target.path("path").asText().equals("weights")) {
+                    channels.remove(i);
+                }
+            }
+        }
+        JsonNode weights = parent.path("weights");
+        parent.remove("weights");
+        return weights;
     }
 
     /** Removes the extension for instances from the lists of extensions if no node has instances any more. */
@@ -203,6 +226,9 @@ public final class LightmapModel {
             primitive.path("targets").forEach(target -> copyAll((ObjectNode) target, rows));
         }
         addSets((ObjectNode) primitive.get("attributes"), model.accessor(split.coordinates(), 2));
+        if (primitive.path("extensions").isObject()) {
+            ((ObjectNode) primitive.get("extensions")).remove(DRACO); // the vertices are others now
+        }
         primitive.put("indices", indices(split.corners(), rows.length));
         primitive.put("mode", TRIANGLES);
     }
@@ -250,7 +276,11 @@ public final class LightmapModel {
         }
         for (JsonNode material : materials) {
             ObjectNode of = (ObjectNode) material;
-            ObjectNode extras = of.path("extras").isObject() ? (ObjectNode) of.get("extras") : of.putObject("extras");
+            JsonNode before = of.path("extras");
+            ObjectNode extras = before.isObject() ? (ObjectNode) before : of.putObject("extras");
+            if (!before.isObject() && !before.isMissingNode()) {
+                extras.set("extras", before); // may be any value, and stays beside the lightmap
+            }
             extras.set("lightmap", mapper.valueToTree(description));
         }
     }

@@ -16,8 +16,6 @@ import radiosity.gltf.GltfModel;
  */
 final class VertexCopier {
 
-    private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
-
     private final GltfModel model;
     /** Accessors of copies that were made already. */
     private final Map<Copy, Integer> copies = new HashMap<>();
@@ -41,7 +39,7 @@ final class VertexCopier {
 
     private int made(int number, int[] rows) {
         JsonNode accessor = list("accessors").get(number);
-        int size = COMPONENTS.get(accessor.get("type").asText()) * bytes(accessor.get("componentType").asInt());
+        int size = GltfLists.elementSize(accessor.get("type").asText(), accessor.get("componentType").asInt());
         byte[] all = elements(accessor, size);
         int step = size + 3 & ~3;
         byte[] copied = new byte[step * rows.length];

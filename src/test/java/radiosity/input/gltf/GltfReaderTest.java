@@ -1,6 +1,7 @@
 package radiosity.input.gltf;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -338,6 +339,18 @@ class GltfReaderTest {
         assertEquals(0, GltfReader.read(file, ReadOptions.defaults(), told::add).lights().size());
         assertEquals(new Rgb(1, .5, .25), GltfReader.read(file, ReadOptions.defaults().withLuminaires(
                 Map.of("bulb", Path.of("bulb.ies"))), told::add).lights().get(0).power());
+    }
+
+    /** The extension alone is no light, nor is a light that no node has. */
+    @Test
+    void sceneWithoutLights_isNotPhotometric() throws IOException {
+        for (String lights : List.of("", "{\"type\":\"point\"}")) {
+            String text = square("", "", "{'emissiveFactor':[1,1,1]}");
+            Scene scene = read(text.substring(0, text.length() - 1)
+                    + ",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[" + lights + "]}}}");
+            assertEquals(Rgb.grey(1), scene.surface(0).exitance());
+            assertFalse(scene.units().isPhotometric());
+        }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package radiosity.output.gltf;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -30,8 +31,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.input.SceneReader;
+import radiosity.scene.SceneFormatException;
 import radiosity.settings.ReadOptions;
 import radiosity.output.lightmap.Lightmap;
 import radiosity.output.model.LightmapModel;
@@ -211,6 +214,67 @@ class LightmapModelTest {
             assertEquals(9, got.get("accessors").get(position.asInt()).get("count").asInt(),
                     "a vertex for each place: in this light each triangle is lit for itself");
         }
+    }
+
+    private Path changed(String before, String after) throws IOException {
+        Path model = instances();
+        String text = Files.readString(model);
+        assertTrue(text.contains(before), before);
+        return Files.writeString(model, text.replace(before, after));
+    }
+
+    /** The node whose mesh they get keeps neither the weights nor what animates them: it has no mesh. */
+    @Test
+    void instancesOfAMorphedMesh_haveItsWeights() throws IOException {
+        Path model = changed("\"indices\": 1}]}]", "\"indices\": 1, \"targets\": [{\"POSITION\": 0}]}]}]");
+        Files.writeString(model, Files.readString(model).replace("\"name\": \"c\", \"mesh\": 0,",
+                "\"name\": \"c\", \"mesh\": 0, \"weights\": [0.5],").replace("\"accessors\": [", """
+                "animations": [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "weights"}},
+                  {"sampler": 0, "target": {"node": 2, "path": "scale"}}], "samplers": []}], "accessors": ["""));
+        JsonNode got = json(lit(model));
+        int weighted = 0;
+        for (JsonNode node : got.get("nodes")) {
+            assertTrue(node.has("mesh") || !node.has("weights"), node.toString());
+            weighted += node.has("weights") ? 1 : 0;
+        }
+        assertEquals(2, weighted);
+        assertEquals("[{\"sampler\":0,\"target\":{\"node\":2,\"path\":\"scale\"}}]",
+                got.get("animations").get(0).get("channels").toString());
+    }
+
+    /** A loader that decodes the compressed vertices would lay the lightmap on others. */
+    @Test
+    void compressionOfVerticesThatAreOthersNow_isRemoved() throws IOException {
+        Path model = changed("\"indices\": 1}]}]", "\"indices\": 1, \"extensions\": {\"KHR_draco_mesh_compression\":"
+                + " {\"bufferView\": 1}}}]}]");
+        Files.writeString(model, Files.readString(model).replace("\"byteLength\": 60, \"target\"",
+                "\"byteLength\": 60, \"extensions\": {\"EXT_meshopt_compression\": {\"buffer\": 1}}, \"target\""));
+        String got = json(lit(model)).toString();
+        assertFalse(got.contains("KHR_draco") || got.contains("meshopt"), got);
+    }
+
+    @Test
+    void extrasOfAnyKind_stay() throws IOException {
+        JsonNode got = json(lit(changed("\"meshes\"", "\"materials\": [{\"extras\": \"mine\"}], \"meshes\"")));
+        assertEquals("mine", got.at("/materials/0/extras/extras").asText());
+        assertTrue(got.at("/materials/0/extras/lightmap").isObject());
+    }
+
+    /** The reader needs neither; a copy of the vertices needs all of their arrays. */
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', quoteCharacter = '`', value = {
+        "\"POSITION\": 0}; \"POSITION\": 0, \"_SHORT\": 2}; an element for each of 5 vertices",
+        "\"POSITION\": 0}; \"POSITION\": 0, \"_ODD\": 1}; an element for each of 5 vertices",
+        "[\"EXT_mesh_gpu_instancing\"], \"extensionsR; \"EXT_mesh_gpu_instancing\", \"extensionsR; to be a list",
+        "\"meshes\"; \"materials\": [7], \"meshes\"; an object"})
+    void whatTheReaderDoesNotLookAt_isCheckedBeforeItIsCopied(String before, String after, String expected)
+            throws IOException {
+        Path model = changed(before, after);
+        ReadOptions options = ReadOptions.defaults();
+        Scene scene = SceneReader.read(model, options, warning -> { });
+        String message = assertThrows(SceneFormatException.class,
+                () -> SceneReader.original(model, options, scene)).getMessage();
+        assertTrue(message.contains(expected), message);
     }
 
     @Test

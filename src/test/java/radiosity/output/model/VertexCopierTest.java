@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 
 class VertexCopierTest {
@@ -24,6 +25,25 @@ class VertexCopierTest {
         }
         model.accessor(values, 2);
         return model;
+    }
+
+    /** Columns of 3 bytes take 4. */
+    @Test
+    void matrices_areCopiedWithWhatAlignsTheirColumns() {
+        GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), new ArrayList<>(), List.of());
+        byte[] bytes = new byte[24];
+        for (int i = 0; i < bytes.length; i++) {
+            bytes[i] = (byte) i;
+        }
+        int view = model.add(bytes);
+        int matrices = model.lists().accessor(view, GltfLists.VERTICES, 5121, 2, "MAT3");
+        new VertexCopier(model).copy(matrices, new int[] {1, 0, 1});
+        byte[] copied = model.arrays().get(1);
+        assertEquals(36, copied.length);
+        assertEquals(List.of(12, 23, 0, 11, 12, 23), List.of((int) copied[0], (int) copied[11], (int) copied[12],
+                (int) copied[23], (int) copied[24], (int) copied[35]));
+        assertEquals(0, GltfLists.elementSize("MAT5", 5126));
+        assertEquals(64, GltfLists.elementSize("MAT4", 5126));
     }
 
     @Test
