@@ -183,6 +183,31 @@ class TexturesTest {
         assertEquals(List.of(ImageMap.Wrap.EDGE, ImageMap.Wrap.MIRROR), List.of(map.wrapU(), map.wrapV()));
     }
 
+    /** As LightWave's surface editor writes images, where no node editor was used. */
+    @Test
+    void layerOnAnInputOfLwo3_isReadAsABlock() throws IOException {
+        byte[] layer = form("TXTR", form("BLOK",
+                form("IMAP", chunk("    ", u1(0x80, 0)), chunk("CHAN", text("txtr")), form("OPAC",
+                        chunk("    ", u2(0), f4(.5), u4(0))), chunk("ENAB", u2(1)), chunk("NEGA", u2(1))),
+                form("TMAP", form("CNTR", chunk("    ", f4(.5, .25, 3), u2(0))),
+                        form("SIZE", chunk("    ", f4(2, 4, 1), u2(0))), chunk("CSYS", u2(0))),
+                chunk("PROJ", u2(0)), chunk("AXIS", u2(2)), chunk("IMAG", u2(7)), chunk("WRAP", u2(2, 0))));
+        byte[] colour = form("ENTR", chunk("NAME", s0("Color")), form("VALU", chunk("    ", s0("vparam")),
+                form("VALU", chunk("    ", u4(3), Iff.f8(1, .5, .25))), layer));
+        Scene scene = read(form("LWO3", chunk("TAGS", s0("white")), Objects.squareOf("FACE"),
+                form("CLIP", chunk("    ", u4(7)), form("STIL", chunk("    ", s0("wood.png")))),
+                form("SURF", chunk("    ", s0("white")), form("NODS", form("NNDS", SoundFiles.node("Surface", "Surface"),
+                        SoundFiles.node("Standard", "m", colour, SoundFiles.attribute("Diffuse", .5))), form("NCON",
+                        SoundFiles.link("Surface", "Material", "m"))))));
+        assertEquals(List.of(), told);
+        ImageMap map = scene.surfaces().get(0).textures().get(0);
+        assertEquals(ImageMap.Target.REFLECTANCE, map.target());
+        assertTrue(map.negative() && map.image().name().endsWith("wood.png"), map.toString());
+        assertEquals(.5, map.opacity(), 1e-6);
+        assertEquals(List.of(ImageMap.Wrap.MIRROR, ImageMap.Wrap.NONE), List.of(map.wrapU(), map.wrapV()));
+        assertCoordinates(scene, 1e-6, p -> new double[] {(p[0] - .5) / 2 + .5, (p[1] - .25) / 4 + .5});
+    }
+
     @Test
     void imageNode_isReadBesideItsMaterial() throws IOException {
         byte[] image = Iff.join(chunk("NSRV", s0("Image")), form("NTAG", chunk("NNME", s0("i")), form("NDTA",

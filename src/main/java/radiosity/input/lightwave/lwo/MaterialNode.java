@@ -1,6 +1,9 @@
 package radiosity.input.lightwave.lwo;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -15,8 +18,10 @@ import radiosity.scene.Rgb;
  * @param name   name of the node in its graph
  * @param values numbers of each attribute, by the attribute's name
  * @param image  the image of a node of the kind "Image"
+ * @param layers the images laid on an attribute, by the attribute's name
  */
-record MaterialNode(String server, String name, Map<String, double[]> values, Optional<TextureBlock> image) {
+record MaterialNode(String server, String name, Map<String, double[]> values, Optional<TextureBlock> image,
+                    Map<String, List<TextureBlock>> layers) {
 
     private static final int MOST_NUMBERS = 3;
 
@@ -24,6 +29,7 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
     static MaterialNode read(String server, ByteReader data, Diagnostics notes) {
         String name = "";
         Map<String, double[]> values = new HashMap<>();
+        Map<String, List<TextureBlock>> layers = new LinkedHashMap<>();
         Optional<TextureBlock> image = Optional.empty();
         Chunks chunks = new Chunks(data, 4, notes);
         while (chunks.next()) {
@@ -33,31 +39,45 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
                 image = server.equals("Image") ? ImageNode.read(chunks.data().copy(), notes) : image;
                 ByteReader material = Chunks.form(chunks.data(), Set.of("ATTR", "SATR"), notes);
                 ByteReader meta = Chunks.form(material, Set.of("META"), notes);
-                attributes(Chunks.form(meta, Set.of("ADAT"), notes), values, notes);
+                attributes(Chunks.form(meta, Set.of("ADAT"), notes), values, layers, notes);
             }
         }
-        return new MaterialNode(server, name, values, image);
+        return new MaterialNode(server, name, values, image, layers);
     }
 
-    private static void attributes(ByteReader data, Map<String, double[]> values, Diagnostics notes) {
+    private static void attributes(ByteReader data, Map<String, double[]> values,
+            Map<String, List<TextureBlock>> layers, Diagnostics notes) {
         Chunks entries = new Chunks(data, 4, notes);
         while (entries.next()) {
             if (entries.id().equals("FORM") && entries.data().id().equals("ENTR")) {
-                attribute(entries.data(), values, notes);
+                attribute(entries.data(), values, layers, notes);
             }
         }
     }
 
-    private static void attribute(ByteReader data, Map<String, double[]> values, Diagnostics notes) {
+    private static void attribute(ByteReader data, Map<String, double[]> values,
+            Map<String, List<TextureBlock>> layers, Diagnostics notes) {
         String name = "";
         Chunks chunks = new Chunks(data, 4, notes);
         while (chunks.next()) {
             if (chunks.id().equals("NAME")) {
                 name = chunks.data().s0();
             } else if (chunks.id().equals("FORM") && chunks.data().id().equals("VALU")) {
-                values.put(name, numbers(chunks.data(), notes));
+                values.put(name, numbers(chunks.data().copy(), notes));
+                layers.put(name, layers(chunks.data(), notes));
             }
         }
+    }
+
+    private static List<TextureBlock> layers(ByteReader data, Diagnostics notes) {
+        List<TextureBlock> layers = new ArrayList<>(0);
+        Chunks chunks = new Chunks(data, 4, notes.about(""));
+        while (chunks.next()) {
+            if (chunks.id().equals("FORM") && chunks.data().id().equals("TXTR")) {
+                Lwo3Texture.read(chunks.data(), notes).ifPresent(layers::add);
+            }
+        }
+        return layers;
     }
 
     /** The numbers of a value: one number after its type's name in a chunk, or a count and numbers in an inner form. */

@@ -19,9 +19,9 @@ import radiosity.input.file.Diagnostics;
  */
 final class NodeGraph {
 
-    /** Names of the evaluated inputs, and the channel that an image at such an input varies. */
+    /** Names of inputs, and the channel that an image at such an input varies; others are left out silently. */
     private static final Map<String, String> CHANNELS = Map.of("Color", "COLR", "Diffuse", "DIFF", "Luminosity", "LUMI",
-            "Luminous", "LUMI", "Luminous Color", "LUMC");
+            "Luminous", "LUMI", "Luminous Color", "LUMC", "Transparency", "TRAN", "Reflection", "REFL");
 
     private final Diagnostics notes;
     /** By node: the name of the source node of each input, by the input's name. */
@@ -50,7 +50,13 @@ final class NodeGraph {
         Optional<MaterialNode> material = material();
         if (material.isPresent()) {
             material.get().apply(surface);
-            inputs.getOrDefault(material.get().name(), Map.of()).forEach((i, s) -> input(surface, i, s));
+            Map<String, String> linked = inputs.getOrDefault(material.get().name(), Map.of());
+            linked.forEach((i, s) -> input(surface, i, s));
+            material.get().layers().forEach((input, layers) -> {
+                if (!linked.containsKey(input)) {
+                    layers.forEach(layer -> add(surface, CHANNELS.get(input), layer));
+                }
+            });
         } else {
             notes.note(place, "no material is found among the nodes of a surface", surface.name);
         }
@@ -97,12 +103,17 @@ final class NodeGraph {
         String channel = CHANNELS.get(input);
         MaterialNode node = materials.get(source);
         if (channel != null && node != null && node.image().isPresent()) {
-            TextureBlock texture = node.image().get();
-            texture.channel = channel;
-            surface.addTexture(texture);
+            add(surface, channel, node.image().get());
         } else if (channel != null) {
             notes.note("", "inputs of materials that nodes other than images give are taken as their base values",
                     surface.name + "." + input);
+        }
+    }
+
+    private static void add(SurfaceValues surface, String channel, TextureBlock texture) {
+        if (channel != null) {
+            texture.channel = channel;
+            surface.addTexture(texture);
         }
     }
 
