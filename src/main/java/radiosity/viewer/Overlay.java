@@ -19,6 +19,8 @@ final class Overlay {
     private static final Color PANEL = new Color(20, 20, 24, 210);
     private static final Color INK = new Color(235, 235, 235);
     private static final Font FONT = new Font(Font.MONOSPACED, Font.PLAIN, 13);
+    /** Characters of a line that a window of 800 pixels shows. */
+    private static final int LONGEST_LINE = 90;
     private static final int EDGE = 8;
     private static final int SCALE_WIDTH = 120;
     private static final int SCALE_HEIGHT = 240;
@@ -58,8 +60,9 @@ final class Overlay {
         return whole;
     }
 
-    /** Draws lines of text on a dark panel. */
-    static BufferedImage text(List<String> lines) {
+    /** Draws lines of text on a dark panel; long lines go on below. */
+    static BufferedImage text(List<String> written) {
+        List<String> lines = written.stream().flatMap(line -> wrapped(line).lines()).toList();
         FontMetrics metrics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics()
                 .getFontMetrics(FONT);
         int width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
@@ -70,6 +73,12 @@ final class Overlay {
         }
         g.dispose();
         return image;
+    }
+
+    /** A line with breaks between words, where it is longer than a small window is wide. */
+    static String wrapped(String line) {
+        return line.length() <= LONGEST_LINE ? line.isEmpty() ? " " : line
+                : line.replaceAll("(.{1," + LONGEST_LINE + "})(\\s+|$)", "$1\n");
     }
 
     /** Draws a ring that is visible on light and on dark surfaces. */

@@ -57,13 +57,18 @@ final class Accessors {
         return known;
     }
 
-    private float[] read(JsonCursor accessor, int components) throws IOException {
-        long length = (long) accessor.at("count").integer() * components;
-        total += 4 * length;
+    /** Counts numbers of 4 bytes before memory for them is allocated; returns their number. */
+    private int counted(JsonCursor accessor, long numbers) throws SceneFormatException {
+        total += 4 * numbers;
         if (total > Buffers.MOST_BYTES) {
             throw accessor.wrong("arrays of at most " + Buffers.MOST_BYTES + " bytes together (a quarter of the"
                     + " memory; " + MemoryAdvice.forBytes(4 * total) + ")");
         }
+        return (int) numbers;
+    }
+
+    private float[] read(JsonCursor accessor, int components) throws IOException {
+        long length = counted(accessor, (long) accessor.at("count").integer() * components);
         int type = accessor.at("componentType").integer();
         boolean normalised = accessor.isOn("normalized");
         Optional<JsonCursor> view = accessor.optional("bufferView");
@@ -153,12 +158,41 @@ final class Accessors {
     int[] indices(JsonCursor where) throws IOException {
         JsonCursor accessor = root.at("accessors").at(where.integer());
         Optional<JsonCursor> view = accessor.optional("bufferView");
-        if (view.isEmpty() || accessor.optional("sparse").isPresent() || !accessor.at("type").text().equals("SCALAR")) {
-            throw accessor.wrong("indices that are no sparse array");
+        Optional<JsonCursor> sparse = accessor.optional("sparse");
+        int type = accessor.at("componentType").integer();
+        if (!accessor.at("type").text().equals("SCALAR")) {
+            throw accessor.at("type").wrong("SCALAR");
         }
-        return indices(accessor, accessor.at("componentType").integer(), buffers.view(view.get()),
-                accessor.unchecked("byteOffset"),
-                accessor.at("count").integer());
+        int[] indices = view.isPresent() ? indices(accessor, type, buffers.view(view.get()),
+                accessor.unchecked("byteOffset"), accessor.at("count").integer()) : zeros(accessor);
+        if (sparse.isPresent()) {
+            replace(indices, sparse.get(), type);
+        }
+        return indices;
+    }
+
+    /** The indices of an accessor without bytes of its own. */
+    private int[] zeros(JsonCursor accessor) throws SceneFormatException {
+        return new int[counted(accessor, accessor.at("count").integer())];
+    }
+
+    /** Overwrites the indices that a sparse accessor replaces. */
+    private void replace(int[] values, JsonCursor sparse, int type) throws IOException {
+        int count = sparse.at("count").integer();
+        if (count > values.length) {
+            throw sparse.wrong("no more elements than there are");
+        }
+        JsonCursor where = sparse.at("indices");
+        int[] at = indices(where, where.at("componentType").integer(), buffers.view(where.at("bufferView")),
+                where.unchecked("byteOffset"), count);
+        JsonCursor by = sparse.at("values");
+        int[] others = indices(by, type, buffers.view(by.at("bufferView")), by.unchecked("byteOffset"), count);
+        for (int i = 0; i < count; i++) {
+            if (at[i] < 0 || at[i] >= values.length) {
+                throw where.wrong("elements that there are");
+            }
+            values[at[i]] = others[i];
+        }
     }
 
     private static int[] indices(JsonCursor where, int type, ByteBuffer bytes, long offset, int count)

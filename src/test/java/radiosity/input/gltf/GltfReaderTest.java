@@ -176,6 +176,24 @@ class GltfReaderTest {
         assertEquals(3, read(model.one("'POSITION':" + over, "", "", PAINT)).area(), 1e-12);
     }
 
+    /** The square is one triangle of its first corner alone until the sparse indices replace it. */
+    @Test
+    void sparseIndices_replaceIndices_withAndWithoutOthersBelow() throws IOException {
+        String sparse = ",\"sparse\":{\"count\":4,\"indices\":{\"componentType\":5123,\"bufferView\":"
+                + model.view(Model.shorts(1, 2, 4, 5), 0) + "},\"values\":{\"bufferView\":"
+                + model.view(Model.shorts(1, 2, 2, 3), 0) + "}}";
+        String position = "'POSITION':" + model.floats("VEC3", Model.SQUARE);
+        for (String below : List.of("", ",\"bufferView\":" + model.view(Model.shorts(0, 0, 0, 0, 0, 0), 0))) {
+            int indices = model.accessor("SCALAR", 5123, 6, below + sparse);
+            Scene scene = read(model.one(position, ",'indices':" + indices, "", PAINT));
+            assertEquals(2, scene.triangles());
+            assertEquals(1, scene.area(), 1e-12);
+        }
+        int outside = model.accessor("SCALAR", 5123, 5, sparse);
+        String text = model.one(position, ",'indices':" + outside, "", PAINT);
+        assertThrows(SceneFormatException.class, () -> read(text));
+    }
+
     /** Black at one corner of a triangle, white at the others, times the base colour. */
     @Test
     void vertexColours_areFactorsOfReflectance_linearBetweenCorners() throws IOException {
