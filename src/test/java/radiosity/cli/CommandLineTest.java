@@ -308,6 +308,14 @@ class CommandLineTest {
                 assertThrows(Failure.class, () -> parse(commandLine + " a b")).getMessage());
     }
 
+    /** What emits in a glTF is then in cd/m², as with luminaires. */
+    @Test
+    void sunAndSky_makeTheSceneThatIsReadPhotometric() {
+        assertTrue(parse("--sun 0,1,0 1000 a b").readOptions().units().isPhotometric());
+        assertTrue(parse("--sky uniform a b").readOptions().units().isPhotometric());
+        assertFalse(parse("a b").readOptions().units().isPhotometric());
+    }
+
     @Test
     void withoutOptions_everythingIsDefault() {
         RendererOptions options = parse("a b");
