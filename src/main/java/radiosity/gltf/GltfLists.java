@@ -35,12 +35,7 @@ public record GltfLists(ObjectNode root) {
      * type that glTF does not have.
      */
     public static int elementSize(String type, int componentType) {
-        int bytes = switch (componentType) {
-            case 5120, 5121 -> 1;
-            case 5122, UNSIGNED_SHORT -> 2;
-            case UNSIGNED_INT, FLOAT -> 4;
-            default -> 0;
-        };
+        int bytes = componentSize(componentType);
         return switch (type) {
             case "SCALAR" -> bytes;
             case "VEC2" -> 2 * bytes;
@@ -49,6 +44,16 @@ public record GltfLists(ObjectNode root) {
             case "MAT2" -> 2 * (2 * bytes + 3 & ~3);
             case "MAT3" -> 3 * (3 * bytes + 3 & ~3);
             case "MAT4" -> 4 * (4 * bytes + 3 & ~3);
+            default -> 0;
+        };
+    }
+
+    /** Bytes of a component of an element of an accessor; 0 for a component type that glTF does not have. */
+    public static int componentSize(int componentType) {
+        return switch (componentType) {
+            case 5120, 5121 -> 1;
+            case 5122, UNSIGNED_SHORT -> 2;
+            case UNSIGNED_INT, FLOAT -> 4;
             default -> 0;
         };
     }

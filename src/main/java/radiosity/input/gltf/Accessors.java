@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import radiosity.gltf.GltfLists;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.MemoryAdvice;
 import radiosity.scene.SceneFormatException;
@@ -113,12 +114,11 @@ final class Accessors {
     }
 
     private static int size(JsonCursor where, int type) throws SceneFormatException {
-        return switch (type) {
-            case 5120, 5121 -> 1;
-            case 5122, 5123 -> 2;
-            case 5125, 5126 -> 4;
-            default -> throw where.wrong("a componentType from 5120 to 5126");
-        };
+        int size = GltfLists.componentSize(type);
+        if (size == 0) {
+            throw where.wrong("a componentType from 5120 to 5126");
+        }
+        return size;
     }
 
     private static float value(ByteBuffer bytes, int at, int type, boolean normalised) {
@@ -135,22 +135,12 @@ final class Accessors {
     /** Overwrites the elements that a sparse accessor replaces. */
     private void replace(float[] values, JsonCursor sparse, int type, int components, boolean normalised)
             throws IOException {
-        int count = sparse.at("count").integer();
-        if ((long) count * components > values.length) {
-            throw sparse.wrong("no more elements than there are");
-        }
-        JsonCursor where = sparse.at("indices");
-        int[] indices = indices(where, where.at("componentType").integer(), buffers.view(where.at("bufferView")),
-                where.unchecked("byteOffset"), count);
+        int[] replaced = replaced(sparse, values.length / components);
         JsonCursor by = sparse.at("values");
         float[] others = values(by, new Elements(buffers.view(by.at("bufferView")),
-                by.unchecked("byteOffset"), 0, type, components, normalised),
-                count);
-        for (int i = 0; i < count; i++) {
-            if (indices[i] < 0 || (long) indices[i] * components >= values.length) {
-                throw where.wrong("elements that there are");
-            }
-            System.arraycopy(others, i * components, values, indices[i] * components, components);
+                by.unchecked("byteOffset"), 0, type, components, normalised), replaced.length);
+        for (int i = 0; i < replaced.length; i++) {
+            System.arraycopy(others, i * components, values, replaced[i] * components, components);
         }
     }
 
@@ -178,21 +168,30 @@ final class Accessors {
 
     /** Overwrites the indices that a sparse accessor replaces. */
     private void replace(int[] values, JsonCursor sparse, int type) throws IOException {
+        int[] replaced = replaced(sparse, values.length);
+        JsonCursor by = sparse.at("values");
+        int[] others = indices(by, type, buffers.view(by.at("bufferView")), by.unchecked("byteOffset"),
+                replaced.length);
+        for (int i = 0; i < replaced.length; i++) {
+            values[replaced[i]] = others[i];
+        }
+    }
+
+    /** The elements that a sparse accessor replaces, each below {@code elements}. */
+    private int[] replaced(JsonCursor sparse, int elements) throws IOException {
         int count = sparse.at("count").integer();
-        if (count > values.length) {
+        if (count > elements) {
             throw sparse.wrong("no more elements than there are");
         }
         JsonCursor where = sparse.at("indices");
-        int[] at = indices(where, where.at("componentType").integer(), buffers.view(where.at("bufferView")),
+        int[] replaced = indices(where, where.at("componentType").integer(), buffers.view(where.at("bufferView")),
                 where.unchecked("byteOffset"), count);
-        JsonCursor by = sparse.at("values");
-        int[] others = indices(by, type, buffers.view(by.at("bufferView")), by.unchecked("byteOffset"), count);
-        for (int i = 0; i < count; i++) {
-            if (at[i] < 0 || at[i] >= values.length) {
+        for (int at : replaced) {
+            if (at < 0 || at >= elements) {
                 throw where.wrong("elements that there are");
             }
-            values[at[i]] = others[i];
         }
+        return replaced;
     }
 
     private static int[] indices(JsonCursor where, int type, ByteBuffer bytes, long offset, int count)

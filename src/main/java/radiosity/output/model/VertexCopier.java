@@ -60,10 +60,6 @@ final class VertexCopier {
         return list("accessors").size() - 1;
     }
 
-    private static int bytes(int componentType) {
-        return componentType < 5122 ? 1 : componentType < 5124 ? 2 : 4;
-    }
-
     private ArrayNode list(String name) {
         return model.json().withArrayProperty(name);
     }
@@ -93,7 +89,7 @@ final class VertexCopier {
                 indices.path("byteOffset").asLong());
         ByteBuffer by = view(list("bufferViews").get(values.get("bufferView").asInt()),
                 values.path("byteOffset").asLong());
-        int width = bytes(indices.get("componentType").asInt());
+        int width = GltfLists.componentSize(indices.get("componentType").asInt());
         for (int i = 0; i < sparse.get("count").asInt(); i++) {
             int at = width == 1 ? which.get(i) & 0xFF : width == 2 ? which.getShort(2 * i) & 0xFFFF
                     : which.getInt(4 * i);

@@ -1,90 +1,125 @@
 package radiosity.input.lightwave.lwo;
 
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
 import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 import radiosity.scene.ImageMap.Wrap;
 
-/** Reads the texture blocks (BLOK) in the surfaces of LWO2 objects. */
+/**
+ * Reads the texture blocks of surfaces: the blocks (BLOK) of LWO2, and the layers (TXTR) at an input of a material in
+ * LWO3, whose sizes have 4 bytes, and where forms stand for chunks: the value that an envelope may vary is in a chunk
+ * of the form that is named by four spaces.
+ */
 final class Lwo2Texture {
 
     private static final int NORMAL = 0;
+    private static final int OLD_SIZE = 2;
 
+    private final int sizeBytes;
     private final Diagnostics notes;
     private final TextureBlock texture = new TextureBlock();
+    private boolean isImage;
 
-    private Lwo2Texture(Diagnostics notes) {
+    /** A chunk, or a form of LWO3 whose content stands behind the form's type. */
+    private record Part(String id, ByteReader data, boolean isForm, String place) { }
+
+    private Lwo2Texture(int sizeBytes, Diagnostics notes) {
+        this.sizeBytes = sizeBytes;
         this.notes = notes;
     }
 
     /** The image that a block describes; empty for a procedural pattern, a gradient or a shader. */
     static Optional<TextureBlock> read(ByteReader block, Diagnostics notes) {
-        Lwo2Texture reader = new Lwo2Texture(notes);
-        boolean image = false;
-        Chunks chunks = new Chunks(block, 2, notes);
+        return new Lwo2Texture(OLD_SIZE, notes).read(block);
+    }
+
+    /**
+     * The image of a layer of LWO3; empty for a procedural pattern or a gradient.
+     *
+     * @param layer the content of the form TXTR
+     */
+    static Optional<TextureBlock> readLayer(ByteReader layer, Diagnostics notes) {
+        return new Lwo2Texture(4, notes).read(Chunks.form(layer, Set.of("BLOK"), notes));
+    }
+
+    private Optional<TextureBlock> read(ByteReader block) {
+        each(block, this::part);
+        return isImage ? Optional.of(texture) : Optional.empty();
+    }
+
+    private void each(ByteReader container, Consumer<Part> found) {
+        Chunks chunks = new Chunks(container, sizeBytes, notes);
         while (chunks.next()) {
-            switch (chunks.id()) {
-                case "IMAP" -> {
-                    image = true;
-                    reader.head(chunks.data());
+            boolean isForm = sizeBytes != OLD_SIZE && chunks.id().equals("FORM");
+            String id = isForm ? chunks.data().id() : chunks.id();
+            found.accept(new Part(id, chunks.data(), isForm, chunks.place()));
+        }
+    }
+
+    private void part(Part part) {
+        switch (part.id) {
+            case "IMAP" -> {
+                isImage = true;
+                if (sizeBytes == OLD_SIZE) {
+                    part.data.s0();
                 }
-                case "PROC", "GRAD" -> notes.note(chunks.place(), "patterns and gradients on surfaces are left out");
-                case "TMAP" -> reader.placing(chunks.data());
-                default -> reader.value(chunks.id(), chunks.data());
+                each(part.data, this::head);
             }
-        }
-        return image ? Optional.of(reader.texture) : Optional.empty();
-    }
-
-    private void head(ByteReader data) {
-        data.s0();
-        Chunks parts = new Chunks(data, 2, notes);
-        while (parts.next()) {
-            switch (parts.id()) {
-                case "CHAN" -> texture.channel = parts.data().id();
-                case "ENAB" -> texture.enabled = parts.data().u2() != 0;
-                case "NEGA" -> texture.negative = parts.data().u2() != 0;
-                case "OPAC" -> opacity(parts.data(), parts.place());
-                default -> { }
-            }
-        }
-    }
-
-    private void opacity(ByteReader data, String place) {
-        int kind = data.u2();
-        texture.opacity = data.f4();
-        if (kind != NORMAL) {
-            notes.note(place, "a way of blending images other than normal is taken as normal");
-        }
-    }
-
-    private void placing(ByteReader data) {
-        Chunks parts = new Chunks(data, 2, notes);
-        while (parts.next()) {
-            switch (parts.id()) {
-                case "CNTR" -> texture.centre = LwobTexture.vector(parts.data());
-                case "SIZE" -> texture.size = LwobTexture.vector(parts.data());
-                case "CSYS" -> texture.world = parts.data().u2() == 1;
-                case "ROTA" -> texture.rotation = LwobTexture.vector(parts.data());
-                default -> { }
-            }
-        }
-    }
-
-    private void value(String id, ByteReader data) {
-        switch (id) {
-            case "PROJ" -> texture.projection = projection(data.u2());
-            case "AXIS" -> texture.axis = Math.min(2, data.u2());
-            case "IMAG" -> texture.clip = data.vx();
+            case "PROC", "GRAD" -> notes.note(part.place, "patterns and gradients on surfaces are left out");
+            case "TMAP" -> each(part.data, this::placing);
+            case "PROJ" -> texture.projection = projection(part.data.u2());
+            case "AXIS" -> texture.axis = Math.min(2, part.data.u2());
+            case "IMAG" -> texture.clip = part.data.vx();
             case "WRAP" -> {
-                texture.wrapU = wrap(data.u2());
-                texture.wrapV = wrap(data.u2());
+                texture.wrapU = wrap(part.data.u2());
+                texture.wrapV = wrap(part.data.u2());
             }
-            case "WRPW" -> texture.turns[0] = data.f4();
-            case "WRPH" -> texture.turns[1] = data.f4();
-            case "VMAP" -> texture.map = data.s0();
+            case "WRPW" -> texture.turns[0] = value(part).f4();
+            case "WRPH" -> texture.turns[1] = value(part).f4();
+            case "VMAP" -> texture.map = part.data.s0();
             default -> { }
         }
+    }
+
+    private void head(Part part) {
+        switch (part.id) {
+            case "CHAN" -> texture.channel = part.data.id();
+            case "ENAB" -> texture.enabled = part.data.u2() != 0;
+            case "NEGA" -> texture.negative = part.data.u2() != 0;
+            case "OPAC" -> {
+                ByteReader opacity = value(part);
+                if (opacity.u2() != NORMAL) {
+                    notes.note(part.place, "a way of blending images other than normal is taken as normal");
+                }
+                texture.opacity = opacity.f4();
+            }
+            default -> { }
+        }
+    }
+
+    private void placing(Part part) {
+        switch (part.id) {
+            case "CNTR" -> texture.centre = LwobTexture.vector(value(part));
+            case "SIZE" -> texture.size = LwobTexture.vector(value(part));
+            case "ROTA" -> texture.rotation = LwobTexture.vector(value(part));
+            case "CSYS" -> texture.world = part.data.u2() == 1;
+            default -> { }
+        }
+    }
+
+    /** The value of a part; of no bytes where a form lacks the value. */
+    private ByteReader value(Part part) {
+        if (part.isForm) {
+            Chunks chunks = new Chunks(part.data, sizeBytes, notes);
+            while (chunks.next()) {
+                if (chunks.id().equals("    ")) {
+                    return chunks.data();
+                }
+            }
+        }
+        return part.data;
     }
 
     /** The projection of a number; numbers beyond the last one count as planar. */

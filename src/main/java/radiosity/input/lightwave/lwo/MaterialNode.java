@@ -74,7 +74,7 @@ record MaterialNode(String server, String name, Map<String, double[]> values, Op
         Chunks chunks = new Chunks(data, 4, notes.about(""));
         while (chunks.next()) {
             if (chunks.id().equals("FORM") && chunks.data().id().equals("TXTR")) {
-                Lwo3Texture.read(chunks.data(), notes).ifPresent(layers::add);
+                Lwo2Texture.readLayer(chunks.data(), notes).ifPresent(layers::add);
             }
         }
         return layers;
