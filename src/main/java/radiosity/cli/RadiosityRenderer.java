@@ -279,9 +279,6 @@ public final class RadiosityRenderer {
      * @throws Failure where the shortfall is from the accuracy that {@code --accuracy} asks for
      */
     private void finish(RenderResult result, Summary summary) {
-        if (!result.isCut() && !options.file.disableRendering) {
-            new SceneChecks(result.solution().scene(), warnings).arrival(result.solution().ledger());
-        }
         if (options.statistics) {
             result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
         }

@@ -143,7 +143,7 @@ public final class LightSources {
     }
 
     /** Irradiance at x with normal n, relative to the light's power. */
-    private double irradiance(Light light, Vec3 x, Vec3 n) {
+    double irradiance(Light light, Vec3 x, Vec3 n) {
         return switch (light.kind()) {
             case DISTANT -> distant(light, x, n);
             case POINT, SPOT -> light.luminaire().isPresent() ? luminaire(light, light.luminaire().get(), x, n)

@@ -9,6 +9,7 @@ import radiosity.formfactor.EnteringLight;
 import radiosity.formfactor.EscapingLight;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.LightSources;
+import radiosity.formfactor.UnseenLamps;
 import radiosity.mesh.Block;
 import radiosity.mesh.CoincidentFaces;
 import radiosity.mesh.Patcher;
@@ -24,6 +25,7 @@ import radiosity.mesh.room.EnclosedTriangles;
 import radiosity.protocol.Rounding;
 import radiosity.protocol.Shot;
 import radiosity.scene.ImageBudget;
+import radiosity.scene.Lamp;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
 import radiosity.scene.LuminousIntensity;
@@ -170,6 +172,11 @@ public final class InitialMesh {
             bounds = new RadiosityBounds(faces.occluders());
         }
         return bounds;
+    }
+
+    /** The lamps whose light arrives nowhere, found by rays. */
+    public List<Lamp> unseenLamps() {
+        return new UnseenLamps(faces, bounds()).list();
     }
 
     private int patches() {

@@ -11,6 +11,7 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Partitions;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
+import radiosity.scene.Lamp;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.settings.RadiositySettings;
@@ -65,6 +66,11 @@ public abstract class World implements Partitions, AutoCloseable {
     public List<List<Surface>> insideOut() {
         return DarkCavities.insideOut(mesh.faces).stream().map(body -> IntStream.of(body)
                 .mapToObj(f -> mesh.scene.surface(mesh.faces.triangle(f))).distinct().toList()).toList();
+    }
+
+    /** The lamps whose light arrives nowhere, found by rays. */
+    public List<Lamp> unseenLamps() {
+        return mesh.unseenLamps();
     }
 
     /** 1 where everything in the scene is grey, else 3; times the number of layers. */

@@ -47,7 +47,7 @@ public final class DaylightOptions {
             Vec3 towards = sun == null ? Vec3.ZERO : sun.direction().times(-1);
             if (sky.getKey() == Light.Kind.SKY_CLEAR && !(towards.y() > 0)) {
                 throw Failure.commandLine("--sky", "expected cie-clear with --sun, above the horizon (y > 0), got "
-                        + (sun == null ? "no sun" : "a sun below it"));
+                        + (sun == null ? "no sun" : "a sun on it"));
             }
             all.add(Light.sky(sky.getKey(), sky.getValue(), up, towards));
         }
@@ -76,7 +76,8 @@ public final class DaylightOptions {
     /** Parses {@code <x,y,z> <lx>}. */
     static final class SunConsumer implements IParameterConsumer {
 
-        private static final String TWO = "a direction x,y,z and an illuminance in lx, like 1,2,1 50000";
+        private static final String TWO = "a direction x,y,z not below the horizon (y is up) and an"
+                + " illuminance in lx, like 1,2,1 50000";
 
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
@@ -85,7 +86,7 @@ public final class DaylightOptions {
             double[] x = Arrays.stream(two[0].split(",", -1)).mapToDouble(Values::decimal).toArray();
             double lux = Values.decimal(two[1]);
             Vec3 towards = x.length == 3 ? new Vec3(x[0], x[1], x[2]) : Vec3.ZERO;
-            if (!towards.isFinite() || !(towards.length() > 0) || !(lux > 0)) {
+            if (!towards.isFinite() || !(towards.y() >= 0) || !(towards.length() > 0) || !(lux > 0)) {
                 throw Arguments.wrong(option, "expected " + TWO + ", got " + String.join(" ", two));
             }
             option.setValue(Light.sun(towards, lux));

@@ -151,6 +151,7 @@ public final class RenderJob {
                     : " are too small to be lit; they still cast shadows"));
         }
         new SceneChecks(scene, warnings).insideOut(world.insideOut());
+        new SceneChecks(scene, warnings).unseen(world.unseenLamps());
         SceneChecks.sizes(world.patches(), world.channels(), world.settings().layers() ? scene.lamps().size() : 0);
         Schedule schedule = world.settings().schedule();
         if (schedule.isForSmallScenes() && world.patches() > Schedule.MOST_PATCHES) {

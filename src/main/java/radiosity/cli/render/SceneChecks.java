@@ -1,21 +1,21 @@
 package radiosity.cli.render;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import radiosity.cli.options.Failure;
 import radiosity.cli.options.PictureSize;
 import radiosity.output.gltf.SceneFile;
 import radiosity.output.image.Snapshot;
 import radiosity.output.lightmap.TextureBake;
 import radiosity.scene.Hierarchy;
+import radiosity.scene.Lamp;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.settings.RadiositySettings;
-import radiosity.solution.EnergyLedger;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
@@ -29,7 +29,7 @@ public final class SceneChecks {
     private static final double LEAST_BYTES = 128;
     /** Entries per vertex of the longest array that pictures and tables of points need: 6 per element. */
     private static final int LARGEST_PER_VERTEX = 12;
-    /** Number of surfaces that a warning names. */
+    /** Number of surfaces or lamps that a warning names. */
     private static final int MOST_NAMES = 5;
     /** How far beyond the bounds a luminaire may be, in diagonals of the scene. */
     private static final double MARGIN = 0.1;
@@ -48,12 +48,23 @@ public final class SceneChecks {
         }
     }
 
-    /** Warns where nothing is lit, though there are lamps. */
-    public void arrival(EnergyLedger ledger) {
-        if (Arrays.stream(ledger.emitted()).sum() == 0 && !scene.lamps().isEmpty()) {
-            warnings.accept(scene.name() + ": expected lamps whose light arrives somewhere, got none: all is black, as"
-                    + " every lamp is enclosed, outside of the room, or on the wrong side of all that is visible");
+    /** Warns of lamps whose light arrives nowhere. */
+    public void unseen(List<Lamp> lamps) {
+        if (!lamps.isEmpty()) {
+            warnings.accept(scene.name() + ": expected lamps whose light arrives somewhere, got "
+                    + (lamps.size() == 1 ? "one" : lamps.size()) + " enclosed, outside of the room, or on the wrong"
+                    + " side of all that is visible: " + names(lamps.stream().map(this::text)));
         }
+    }
+
+    private String text(Lamp lamp) {
+        return lamp.surface() ? lamp.name() : lamp.name() + " at " + text(scene.lights().get(lamp.index()).position());
+    }
+
+    private static String names(Stream<String> names) {
+        List<String> some = names.distinct().toList();
+        return String.join(", ", some.subList(0, Math.min(MOST_NAMES, some.size())))
+                + (some.size() > MOST_NAMES ? ", ..." : "");
     }
 
     /**
@@ -116,11 +127,9 @@ public final class SceneChecks {
      */
     public void insideOut(List<List<Surface>> bodies) {
         if (!bodies.isEmpty()) {
-            List<String> names = bodies.stream().flatMap(List::stream).map(Surface::name).distinct().toList();
-            String some = String.join(", ", names.subList(0, Math.min(MOST_NAMES, names.size())));
             warnings.accept(scene.name() + ": expected bodies that are seen from outside, got "
-                    + (bodies.size() == 1 ? "one" : bodies.size()) + " inside out, which will be black: " + some
-                    + (names.size() > MOST_NAMES ? ", ..." : "")
+                    + (bodies.size() == 1 ? "one" : bodies.size()) + " inside out, which will be black: "
+                    + names(bodies.stream().flatMap(List::stream).map(Surface::name))
                     + "; turn the polygons over, or make the surfaces two-sided");
         }
     }

@@ -19,11 +19,20 @@ final class Material {
     TextureImage diffuseImage;
     /** map_Ke; null where there is none. */
     TextureImage emittedImage;
-    boolean transparent;
+    /** d; NaN where the library gives none. */
+    double opacity = Double.NaN;
+    /** Tr; NaN where the library gives none. */
+    double transparency = Double.NaN;
+    boolean hasOpacityImage;
 
     Material(String name, boolean described) {
         this.name = name;
         this.described = described;
+    }
+
+    /** Whether light passes through; Tr counts without d only, as some programs write both as the opacity. */
+    boolean isTransparent() {
+        return hasOpacityImage || (Double.isNaN(opacity) ? transparency > 0 : opacity < 1);
     }
 
     /** Kd; without it a light grey, or white under an image. */

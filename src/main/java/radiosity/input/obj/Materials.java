@@ -70,7 +70,7 @@ final class Materials {
      */
     Surface surface(Material material) {
         Rgb diffuse = options.srgb() ? Srgb.linear(material.diffuse()) : material.diffuse();
-        if (material.transparent) {
+        if (material.isTransparent()) {
             notes.note("", "transparent surfaces are taken as opaque", material.name);
         }
         List<ImageMap> maps = new ArrayList<>(0);

@@ -1,5 +1,6 @@
 package radiosity.input.obj;
 
+import java.util.Locale;
 import java.util.Map;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSniffer;
@@ -42,18 +43,24 @@ final class MtlParser {
         Material material = new Material("", false);
         while (lines.next()) {
             String keyword = lines.word();
-            switch (keyword) {
+            switch (keyword.toLowerCase(Locale.ROOT)) {
                 case "newmtl" -> material = begin(lines.rest());
-                case "Kd" -> material.diffuse = colour(material.diffuse);
-                case "Ke" -> material.emitted = colour(material.emitted);
-                case "map_Kd" -> material.diffuseImage = image();
-                case "map_Ke", "map_emissive" -> material.emittedImage = image();
-                case "d" -> material.transparent |= lines.number("1") < 1;
-                case "Tr" -> material.transparent |= lines.number("0") > 0;
-                case "map_d" -> material.transparent = true;
+                case "kd" -> material.diffuse = colour(material.diffuse);
+                case "ke" -> material.emitted = colour(material.emitted);
+                case "map_kd" -> material.diffuseImage = image();
+                case "map_ke", "map_emissive" -> material.emittedImage = image();
+                case "d" -> material.opacity = opacity();
+                case "tr" -> material.transparency = lines.number("0");
+                case "map_d" -> material.hasOpacityImage = true;
                 default -> { }
             }
         }
+    }
+
+    /** The opacity of a surface; after {@code -halo}, that of a surface seen head on. */
+    private double opacity() {
+        String first = lines.word();
+        return first.equals("-halo") ? lines.number("1") : TextLines.number(first.isEmpty() ? "1" : first, Double.NaN);
     }
 
     private Material begin(String name) throws SceneFormatException {
@@ -85,6 +92,12 @@ final class MtlParser {
         return new Rgb(r, g, b);
     }
 
+    /** A path without the quotes that some programs write around paths with blanks. */
+    private static String unquoted(String path) {
+        boolean isQuoted = path.length() > 1 && path.startsWith("\"") && path.endsWith("\"");
+        return isQuoted ? path.substring(1, path.length() - 1) : path;
+    }
+
     /** Reads options, then the path, which may contain blanks. */
     private TextureImage image() {
         double[] scale = {1, 1};
@@ -106,7 +119,7 @@ final class MtlParser {
             }
             path = lines.rest();
         }
-        return new TextureImage(path, scale[0], scale[1], offset[0], offset[1], clamp);
+        return new TextureImage(unquoted(path), scale[0], scale[1], offset[0], offset[1], clamp);
     }
 
     /** Reads up to three numbers and keeps the first two. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ import radiosity.input.file.FloatList;
 import radiosity.input.file.IntList;
 import radiosity.input.file.OpenedFile;
 import radiosity.input.file.WorkBudget;
+import radiosity.input.polygon.Polygons;
 import radiosity.input.polygon.Triangulation;
 import radiosity.scene.Affine;
 import radiosity.scene.ImageMap;
@@ -95,9 +97,10 @@ public final class ObjReader {
     private void place() {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        BitSet used = used();
         for (int i = 0; i < file.points.size(); i++) {
             double x = file.points.get(i);
-            if (Double.isFinite(x)) {
+            if (Double.isFinite(x) && used.get(i / 3)) {
                 low[i % 3] = Math.min(low[i % 3], x);
                 high[i % 3] = Math.max(high[i % 3], x);
             }
@@ -118,6 +121,20 @@ public final class ObjReader {
         }
         local = new int[points.size() / 3];
         Arrays.fill(local, -1);
+    }
+
+    /** The vertices of polygons; others, such as a survey point, are not part of the scene. */
+    private BitSet used() {
+        BitSet used = new BitSet();
+        for (Group group : file.groups) {
+            Polygons polygons = group.polygons();
+            for (int i = 0; i < (polygons.size() == 0 ? 0 : polygons.end(polygons.size() - 1)); i++) {
+                if (polygons.point(i) >= 0) {
+                    used.set(polygons.point(i));
+                }
+            }
+        }
+        return used;
     }
 
     private void add(Group group, WorkBudget work) throws SceneFormatException {

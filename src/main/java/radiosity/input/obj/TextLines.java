@@ -39,10 +39,10 @@ final class TextLines {
         return false;
     }
 
-    /** A line joined with its continuation lines. */
+    /** A line joined with its continuation lines; a comment has none, as it may be a path that ends in a backslash. */
     private String whole() {
         String piece = piece();
-        if (!piece.endsWith("\\")) {
+        if (!piece.endsWith("\\") || piece.stripLeading().startsWith("#")) {
             return piece;
         }
         StringBuilder pieces = new StringBuilder();

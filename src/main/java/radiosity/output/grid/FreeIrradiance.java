@@ -102,7 +102,7 @@ final class FreeIrradiance {
         if (!valued || scene.look(t, scene.corner(t, 0)).reflectance().max() == 0 && !scene.isMapped(t)) {
             return Rgb.BLACK;
         }
-        Vec3 at = scene.corner(t, 0).times(1 - hit[1] - hit[2]).plus(scene.corner(t, 1).times(hit[1]))
+        Vec3 at = scene.corner(t, 0).times(1 - (double) hit[1] - hit[2]).plus(scene.corner(t, 1).times(hit[1]))
                 .plus(scene.corner(t, 2).times(hit[2]));
         Vec3 normal = scene.cross(t).unit();
         Rgb irradiance = points.at(at, normal.dot(d) <= 0 ? normal : normal.times(-1)).irradiance();

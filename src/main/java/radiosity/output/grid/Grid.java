@@ -87,8 +87,9 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
     /** The figures in one line of text. */
     public String summary() {
         if (rows.length == 0) {
-            return where + ": no points, as " + left + " inside solids or outside are left out; a smaller --spacing"
-                    + " gives more, but not on a plane that lies on a surface: the surface's name does";
+            return where + ": no points, as " + left + " inside solids or outside are left out: on a plane that"
+                    + " lies on a surface give the surface's name, where faces look both ways give --two-sided (of"
+                    + " OBJ), in a small room a smaller --spacing";
         }
         return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
                 + " points", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length)

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -30,7 +31,8 @@ import radiosity.util.Aabb;
  */
 record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List<Double> areas) {
 
-    private static final Pattern PLANE = Pattern.compile("([+-]?)([xyz])=([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)");
+    private static final Pattern PLANE = Pattern
+            .compile("([+-]?)([xyz])=([+-]?(?:[0-9]+[.]?[0-9]*|[.][0-9]+)(?:[eE][+-]?[0-9]+)?)");
     private static final int MOST = 1_000_000;
     /**
      * Components of normals, and offsets over the root of the scene's area, are those of one plane if they differ by at
@@ -47,8 +49,8 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
      * @param where   a surface's name, or a plane: x, y or z = a number, with - before it for the side towards smaller
      *                numbers
      * @param spacing approximate distance of neighbouring points, scene units, above 0
-     * @throws IllegalArgumentException if there is no surface of the name, the plane is outside the scene, or there
-     *         would be more than a million points
+     * @throws IllegalArgumentException if there is no surface of the name, the plane is outside the box of the
+     *         scene and its lights, or there would be more than a million points
      */
     static GridPlaces of(Scene scene, String where, double spacing) {
         Matcher plane = PLANE.matcher(where);
@@ -66,8 +68,11 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
         int axis = plane.group(2).charAt(0) - 'x';
         double at = Double.parseDouble(plane.group(3));
         Aabb box = Aabb.of(Arrays.stream(scene.corners()).mapToObj(scene::point));
-        double low = box.low().coordinate(axis);
-        double high = box.high().coordinate(axis);
+        double[] lamps = scene.lights().stream().filter(light -> !light.kind().isOutside())
+                .mapToDouble(light -> light.position().coordinate(axis)).toArray();
+        double low = Math.min(box.low().coordinate(axis), Arrays.stream(lamps).min().orElse(Double.POSITIVE_INFINITY));
+        double high = Math.max(box.high().coordinate(axis),
+                Arrays.stream(lamps).max().orElse(Double.NEGATIVE_INFINITY));
         if (!(at >= low && at <= high)) {
             throw new IllegalArgumentException(String.format(Locale.ROOT,
                     "expected a plane from %s=%.6g to %.6g, got %s", plane.group(2), low, high, plane.group()));
@@ -75,7 +80,7 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
         int u = (axis + 1) % 3;
         int v = (axis + 2) % 3;
         Vec3 normal = unit(axis).times(plane.group(1).equals("-") ? -1 : 1);
-        Vec3 corner = box.low().minus(unit(axis).times(low)).plus(unit(axis).times(at));
+        Vec3 corner = box.low().minus(unit(axis).times(box.low().coordinate(axis))).plus(unit(axis).times(at));
         double[] extent = {0, box.extent().coordinate(u), 0, box.extent().coordinate(v)};
         fill(corner, unit(u), unit(v), extent, spacing, normal, null, null);
     }
@@ -153,14 +158,20 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
             for (int i = 0; i < columns; i++) {
                 Vec3 p = origin.plus(u.times(extent[0] + (extent[1] - extent[0]) * (i + 0.5) / columns))
                         .plus(v.times(extent[2] + (extent[3] - extent[2]) * (j + 0.5) / rows));
-                if (plane == null || plane.triangles.stream().anyMatch(t -> holds(scene, t, p, normal))) {
-                    points.add(p);
-                    normals.add(normal);
-                }
+                Optional<Vec3> place = plane == null ? Optional.of(p) : plane.triangles.stream()
+                        .filter(t -> holds(scene, t, p, normal)).findFirst().map(t -> on(scene, t, p, normal));
+                place.ifPresent(points::add);
+                place.ifPresent(at -> normals.add(normal));
             }
         }
         double area = plane == null ? 1 : plane.triangles.stream().mapToDouble(scene::area).sum();
         areas.addAll(Collections.nCopies(points.size() - first, area / (points.size() - first)));
+    }
+
+    /** The point of a triangle above or below a point; triangles of a plane may lie beside the plane by rounding. */
+    private static Vec3 on(Scene scene, int triangle, Vec3 p, Vec3 normal) {
+        Vec3 n = scene.cross(triangle).unit();
+        return p.plus(normal.times(scene.corner(triangle, 0).minus(p).dot(n) / normal.dot(n)));
     }
 
     private static boolean holds(Scene scene, int triangle, Vec3 p, Vec3 normal) {

@@ -6,11 +6,13 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 import radiosity.output.image.Picture;
@@ -24,6 +26,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
+import radiosity.util.Aabb;
 
 /**
  * Makes a glTF model of a scene from another format: original triangles under the scene's nodes, surfaces as materials.
@@ -32,6 +35,8 @@ public final class SceneModel {
 
     /** Distance of the camera's near plane, of the square root of the scene's area. */
     private static final double NEAR = 1e-3;
+    /** A mesh is far from the origin of its node if its middle is farther than this many diagonals of its box. */
+    private static final double FAR = 16;
     private static final String STRENGTH = "KHR_materials_emissive_strength";
 
     private final Scene scene;
@@ -90,7 +95,10 @@ public final class SceneModel {
     }
 
     private void mesh(int node, Affine world, Map<Integer, List<Integer>> bySurface) throws IOException {
-        ObjectNode own = (ObjectNode) json.get("nodes").get(node);
+        Vec3 origin = origin(world, bySurface.values());
+        Affine placement = world.times(Affine.move(origin.x(), origin.y(), origin.z()));
+        int holder = origin.length() == 0 ? node : moved(node, origin);
+        ObjectNode own = (ObjectNode) json.get("nodes").get(holder);
         ArrayNode meshes = json.withArrayProperty("meshes");
         own.put("mesh", meshes.size());
         ArrayNode primitives = meshes.addObject().put("name", own.get("name").asText()).putArray("primitives");
@@ -101,10 +109,38 @@ public final class SceneModel {
                 vertices[i] = i;
             }
             boolean reversed = world.determinant() < 0;
-            model.places().add(new GltfModel.Place(node, primitives.size(), Optional.empty(), vertices, triangles,
+            model.places().add(new GltfModel.Place(holder, primitives.size(), Optional.empty(), vertices, triangles,
                     reversed));
-            primitive(primitives.addObject(), world, part.getKey(), triangles, reversed);
+            primitive(primitives.addObject(), placement, part.getKey(), triangles, reversed);
         }
+    }
+
+    /**
+     * The middle of a mesh in its node's space where the mesh is far from the origin there, so that floats would lose
+     * its shape; else zero.
+     */
+    private Vec3 origin(Affine world, Collection<List<Integer>> parts) {
+        Aabb box = Aabb.of(parts.stream().flatMap(List::stream).flatMap(t -> IntStream.range(0, 3).mapToObj(k ->
+                local(world, scene.corner(t, k)))));
+        Vec3 middle = box.low().plus(box.high()).times(0.5);
+        boolean isFar = middle.length() > FAR * box.diagonal();
+        return isFar ? new Vec3((float) middle.x(), (float) middle.y(), (float) middle.z()) : Vec3.ZERO;
+    }
+
+    /** Adds a node below another, moved by a vector, and returns the new node's number. */
+    private int moved(int node, Vec3 by) {
+        ArrayNode nodes = (ArrayNode) json.get("nodes");
+        ObjectNode parent = (ObjectNode) nodes.get(node);
+        parent.withArrayProperty("children").add(nodes.size());
+        GltfLists.put(nodes.addObject().put("name", parent.get("name").asText()).putArray("translation"), by);
+        return nodes.size() - 1;
+    }
+
+    /** A point of the scene in the space of a node. */
+    private static Vec3 local(Affine world, Vec3 p) {
+        double[] local = world.unturn(new double[] {p.x() - world.m()[3], p.y() - world.m()[7],
+            p.z() - world.m()[11]});
+        return new Vec3(local[0], local[1], local[2]);
     }
 
     private void primitive(ObjectNode primitive, Affine world, int surface, int[] triangles, boolean reversed)
@@ -118,10 +154,9 @@ public final class SceneModel {
             int t = triangles[i / 3];
             int k = reversed ? (3 - i % 3) % 3 : i % 3;
             Vec3 p = scene.corner(t, k);
-            double[] local = world.unturn(new double[] {p.x() - world.m()[3], p.y() - world.m()[7],
-                p.z() - world.m()[11]});
+            Vec3 local = local(world, p);
             for (int a = 0; a < 3; a++) {
-                points[3 * i + a] = (float) local[a];
+                points[3 * i + a] = (float) local.coordinate(a);
                 colours[3 * i + a] = (float) scene.vertexColour(t, k).channel(a);
             }
             coloured |= scene.isColoured(t);

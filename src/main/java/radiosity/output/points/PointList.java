@@ -67,7 +67,7 @@ final class PointList {
         if (text.isEmpty() || text.startsWith("#")) {
             return;
         }
-        String[] fields = text.split("[,;\t]", -1);
+        String[] fields = fields(text);
         if (!isBegun && !isNumber(fields[0])) {
             header(fields);
             return;
@@ -82,6 +82,13 @@ final class PointList {
             throw wrong("a normal longer than 0", text);
         }
         taker.take(point);
+    }
+
+    /** The fields of a line; where there are semicolons or tabs, a comma is that of a number. */
+    private static String[] fields(String text) {
+        boolean hasCommas = text.indexOf(';') < 0 && text.indexOf('\t') < 0;
+        return Arrays.stream((hasCommas ? text : text.replace(',', '.')).split(hasCommas ? "," : "[;\t]", -1))
+                .map(field -> field.strip().replaceAll("^\"(.*)\"$", "$1").strip()).toArray(String[]::new);
     }
 
     private void header(String[] fields) throws SceneFormatException {

@@ -199,6 +199,33 @@ class ObjReaderTest {
         assertArrayEquals(new float[] {0, 0, 5, 0, 0, 7}, scene.textureCoordinates());
     }
 
+    @Test
+    void backslashAtTheEndOfAComment_isAPath() throws IOException {
+        Scene scene = read("# from C:\\House\\\nv 0 0 0\nv 0 0 1\nv 1 0 \\\n1\nf 1 2 3\n", ReadOptions.defaults());
+        assertEquals(1, scene.triangles());
+        assertEquals(new Vec3(1, 0, 1), scene.corner(0, 2));
+    }
+
+    @Test
+    void transparencyOfALibrary_isD_orElseTr() throws IOException {
+        library("m.mtl", "newmtl glass\nKd .1 .1 .1\nd -halo 0.5\nnewmtl tint\nTr .4\n"
+                + "newmtl opaque\nd 1\nTr 1\nkd .3 .3 .3\nmap_Kd \"D:\\maps\\my wood.png\"\n");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n"
+                + "usemtl tint\nf 1 3 4\nusemtl opaque\nf 1 2 5\n", ReadOptions.defaults());
+        assertEquals(List.of("room.obj: images that are not found leave the base colour: D:\\maps\\my wood.png",
+                "room.obj: transparent surfaces are taken as opaque: glass, tint (2 times)"),
+                told.stream().filter(line -> line.contains("images") || line.contains("transparent")).sorted().toList());
+        assertEquals(Rgb.grey(.3), scene.surfaces().get(2).reflectance());
+    }
+
+    /** A point that no polygon has, as exporters write for the origin of a survey. */
+    @Test
+    void unusedVertex_leavesASceneFarAway() throws IOException {
+        Scene scene = read("v 0 0 0\nv 500000.125 5600000.001 0\n"
+                + "v 500001.125 5600000.001 0\nv 500000.125 5600001.003 0\nf 2 3 4\n");
+        assertEquals(5600000.001, scene.corner(0, 0).y(), 1e-6);
+    }
+
     /** Coordinates of a land survey: floats alone would be off by 3 cm. */
     @Test
     void sceneFarFromTheOrigin_keepsItsDigits() throws IOException {

@@ -151,6 +151,18 @@ class LightmapModelTest {
         assertEquals(31, again.surfaces().get(0).exitance().r(), 1e-4);
     }
 
+    /** Two squares at the coordinates of a survey, where floats are a quarter of a metre apart. */
+    @Test
+    void modelFarFromTheOrigin_keepsItsShape() throws IOException {
+        Vec3 p = new Vec3(500_000.25, 12, 4_000_000.41);
+        Scene square = new SceneBuilder().polygon(RoomScenes.grey("square", 1, .5), p, p.plus(new Vec3(0, 0, .2)),
+                p.plus(new Vec3(.2, 0, .2)), p.plus(new Vec3(.2, 0, 0))).scene("square");
+        Path file = folder.resolve("far.glb");
+        LightmapModel.write(file, SceneModel.of(square), Lightmap.of(EvenLight.on(square), OptionalDouble.empty()), 1);
+        Scene again = SceneReader.read(file, ReadOptions.defaults(), warning -> { });
+        assertEquals(.04, again.area(), 1e-6);
+    }
+
     /** A strip of 500 by 1, which at 600,000 texels would be 17,000 long. */
     @Test
     void longScene_getsFewerTexels() throws IOException {

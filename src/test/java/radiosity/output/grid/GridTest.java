@@ -100,6 +100,50 @@ class GridTest {
         }
     }
 
+    /** A wall of 6 x 6 squares turned by 30 degrees, in coordinates of 4 decimals as exporters write. */
+    @Test
+    void pointsOfAGrid_lieOnTheRoundedTrianglesOfATurnedWall() {
+        SceneBuilder builder = new SceneBuilder();
+        for (int i = 0; i < 36; i++) {
+            builder.polygon(RoomScenes.grey("wall", 1, .5), onWall(i % 6, i / 6), onWall(i % 6 + 1, i / 6),
+                    onWall(i % 6 + 1, i / 6 + 1), onWall(i % 6, i / 6 + 1));
+        }
+        Grid grid = Grid.of(Solve.byDefault().accurate(.5).solution(builder.scene("wall")), "wall", .4);
+        assertEquals(0, grid.left());
+        assertTrue(grid.rows().length > 80, "points: " + grid.rows().length);
+    }
+
+    private static Vec3 onWall(int i, int j) {
+        double along = i * 5.2371 / 6;
+        return new Vec3(Math.round(along * Math.sqrt(.75) * 1e3) / 1e3, Math.round(j * 3.0713 / 6 * 1e3) / 1e3,
+                Math.round(along * .5 * 1e3) / 1e3);
+    }
+
+    /** The same room, as far from the origin as a survey's coordinates are. */
+    @Test
+    void planeInTheAir_receivesReflectedLight_farFromTheOrigin() {
+        double[] mean = new double[2];
+        for (int i = 0; i < 2; i++) {
+            Vec3 away = new Vec3(500_000, 12, 4_000_000).times(i);
+            SceneBuilder builder = new SceneBuilder();
+            RoomScenes.addRoom(builder, RoomScenes.grey("room", 3, .4), new Box(away, away.plus(new Vec3(4, 3, 4))));
+            mean[i] = Grid.of(Solve.byDefault().accurate(.1).solution(builder.scene("room")),
+                    "y=" + (away.y() + 1), 1.5).mean();
+        }
+        assertEquals(5, mean[0], .1);
+        assertEquals(mean[0], mean[1], 1e-3 * mean[0]);
+    }
+
+    /** A square below a lamp is a scene without height. */
+    @Test
+    void planeInTheAir_mayBeBetweenAFloorAndItsLamps() {
+        Scene square = new SceneBuilder().polygon(RoomScenes.grey("floor", 0, .5), Vec3.ZERO, new Vec3(0, 0, 4),
+                new Vec3(4, 0, 4), new Vec3(4, 0, 0)).light(withBulb().lights().get(0)).scene("square");
+        assertEquals(16, GridPlaces.of(square, "y=1", 1).points().size());
+        assertThrows(IllegalArgumentException.class, () -> GridPlaces.of(square, "y=9", 1));
+        assertThrows(IllegalArgumentException.class, () -> GridPlaces.of(square, "y=1.2.3", 1));
+    }
+
     @Test
     void planeInTheAir_receivesLight_fromLights() {
         Grid grid = Grid.of(Solve.byDefault().solution(withBulb()), "y=0.85", 1);
@@ -149,8 +193,9 @@ class GridTest {
         Grid grid = Grid.of(Solve.byDefault().accurate(.2).solution(builder.scene("box in a room")), "y=0.5", 4);
         assertEquals(0, grid.rows().length);
         assertTrue(Double.isNaN(grid.mean()) && Double.isNaN(grid.uniformity()));
-        assertEquals("y=0.5: no points, as 1 inside solids or outside are left out; a smaller --spacing gives more,"
-                + " but not on a plane that lies on a surface: the surface's name does",
+        assertEquals("y=0.5: no points, as 1 inside solids or outside are left out: on a plane that lies on a surface"
+                + " give the surface's name, where faces look both ways give --two-sided (of OBJ), in a small room a"
+                + " smaller --spacing",
                 grid.summary());
     }
 

@@ -142,6 +142,16 @@ class PointsTest {
     }
 
     @Test
+    void decimalCommas_areReadBetweenSemicolons() throws IOException {
+        run("\"x\";\"y\";\"z\";\"nx\";\"ny\";\"nz\"", "0,5;0,0;0,25;0,0;1,0;0,0");
+        assertEquals(linear(new Vec3(.5, 0, .25)).r(), row(1)[6], 1e-9);
+        run("0.5;0;0.25;0;1;0");
+        assertEquals(linear(new Vec3(.5, 0, .25)).r(), row(1)[6], 1e-9);
+        run("\"0.5\",\"0\",\"0.25\",\"0\",\"1\",\"0\"");
+        assertEquals(linear(new Vec3(.5, 0, .25)).r(), row(1)[6], 1e-9);
+    }
+
+    @Test
     void headerWithoutNames_leavesTheFirstSixColumns() throws IOException {
         run("made by hand", "0.25;0;0.5;0;1;0;99");
         assertEquals(linear(new Vec3(.25, 0, .5)).r(), row(1)[6], 1e-12);

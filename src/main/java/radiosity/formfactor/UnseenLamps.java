@@ -1,0 +1,113 @@
+package radiosity.formfactor;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import radiosity.mesh.face.Faces;
+import radiosity.scene.Lamp;
+import radiosity.scene.Light;
+import radiosity.scene.Vec3;
+import radiosity.util.R2;
+import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
+
+/**
+ * Finds lamps whose light arrives nowhere by rays: luminaires inside a slab, and surfaces that emit towards the back of
+ * what they lie on. The sun, skies, and lights without power are not looked at.
+ */
+public final class UnseenLamps {
+
+    /** Rays per lamp without geometry, and approximate number of rays per surface that emits. */
+    private static final int RAYS = 512;
+    /** Most faces of a surface from which rays begin. */
+    private static final int MOST_FACES = 256;
+    /** Distance from a lamp at which a ray begins, and from the place that it meets, in units of the scene's size. */
+    private static final double MOUNTED = 1e-4;
+    /** Length of a ray, in units of the scene's size. */
+    private static final double FAR = 4;
+
+    private final Faces faces;
+    private final RadiosityBounds bounds;
+    private final float[] front;
+    private final EscapingLight escaping;
+    private final LightSources lights;
+    private final Solids solids;
+
+    public UnseenLamps(Faces faces, RadiosityBounds bounds) {
+        this.faces = faces;
+        this.bounds = bounds;
+        front = faces.fronts();
+        escaping = new EscapingLight(faces, bounds);
+        lights = new LightSources(faces, bounds);
+        solids = new Solids(bounds, front);
+    }
+
+    /** The lamps of the scene none of whose rays arrives on a visible side. */
+    public List<Lamp> list() {
+        return faces.scene().lamps().stream().filter(lamp -> lamp.surface() ? !isSeen(lamp.index())
+                : !isSeen(faces.scene().lights().get(lamp.index()))).toList();
+    }
+
+    private boolean isSeen(int surface) {
+        int[] some = IntStream.range(0, faces.count())
+                .filter(f -> faces.scene().surfaceOf()[faces.triangle(f)] == surface).toArray();
+        int step = Math.max(1, some.length / MOST_FACES);
+        int rays = Math.max(1, RAYS * step / Math.max(1, some.length));
+        for (int i = 0; i < some.length; i += step) {
+            for (int ray = 1; ray <= rays; ray++) {
+                double r = Math.sqrt(R2.u(ray));
+                double angle = 2 * Math.PI * R2.v(ray);
+                if (!escaping.escapes(point(some[i], i + ray), some[i], r * StrictMath.cos(angle),
+                        r * StrictMath.sin(angle))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Point of a number on a face, x, y, z in the scene brought to size 1. */
+    private float[] point(int face, int number) {
+        double r = Math.sqrt(R2.v(number));
+        double s = R2.u(number);
+        float[] point = new float[3];
+        for (int a = 0; a < 3; a++) {
+            point[a] = (float) ((1 - r) * faces.corner(face, 0, a) + r * (1 - s) * faces.corner(face, 1, a)
+                    + r * s * faces.corner(face, 2, a));
+        }
+        return point;
+    }
+
+    private boolean isSeen(Light light) {
+        return light.kind().isOutside() || light.power().max() == 0
+                || IntStream.rangeClosed(1, RAYS).anyMatch(i -> arrives(light, direction(light, i)));
+    }
+
+    /** Direction of a ray, in the cone of a spot light, in any direction from other lights. */
+    private static Vec3 direction(Light light, int number) {
+        Vec3 axis = light.kind() == Light.Kind.SPOT ? light.direction().unit() : new Vec3(0, 1, 0);
+        double low = light.kind() == Light.Kind.SPOT ? StrictMath.cos(light.cone()) : -1;
+        double cos = 1 - R2.u(number) * (1 - low);
+        double angle = 2 * Math.PI * R2.v(number);
+        double sin = Math.sqrt(1 - cos * cos);
+        Vec3 u = axis.perpendicular();
+        return axis.times(cos).plus(u.times(sin * StrictMath.cos(angle)))
+                .plus(axis.cross(u).times(sin * StrictMath.sin(angle)));
+    }
+
+    /** Whether a ray from a lamp meets a visible side that the lamp lights. */
+    private boolean arrives(Light light, Vec3 d) {
+        float[] hit = new float[3];
+        Vec3 from = faces.unit(light.position()).plus(d.times(MOUNTED));
+        int t = bounds.nearestFront(from, d, FAR, true, hit);
+        if (t < 0) {
+            return false;
+        }
+        Vec3 normal = new Vec3(front[3 * t], front[3 * t + 1], front[3 * t + 2]);
+        boolean isTwoSided = normal.length() == 0;
+        Vec3 n = isTwoSided ? d.times(-1) : normal;
+        Vec3 x = from.plus(d.times(hit[0])).plus(n.times(MOUNTED));
+        return lights.irradiance(light, x, n) > 0
+                && (isTwoSided || !solids.hold((float) x.x(), (float) x.y(), (float) x.z(), front[3 * t],
+                front[3 * t + 1], front[3 * t + 2]));
+    }
+}
