@@ -194,6 +194,8 @@ public final class RadiosityRenderer {
     private void calculate(TimeCourse course, TimeLimit limit, SaveBeforeExit ending) throws IOException {
         RenderResult result;
         String inTime;
+        Failures failures = new Failures();
+        boolean saved;
         try (user) {
             Scene scene = scene();
             RadiositySettings settings = checked(scene, null, options.calculation.defaults());
@@ -201,9 +203,10 @@ public final class RadiosityRenderer {
             TimedCalculation timed = new TimedCalculation(new RenderJob(options, scene, files, warnings, user),
                     settings, limit, course, user, stop, files);
             result = timed.run();
+            saved = failures.tried(timed::save);
             inTime = timed.summary();
         }
-        finish(result, write(result, Optional.of(inTime), true, new Failures()));
+        finish(result, write(result, Optional.of(inTime), saved, failures));
     }
 
     /** The calculation in the scene file that {@code -tf} names; null without {@code -tf}. */

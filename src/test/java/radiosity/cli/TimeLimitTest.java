@@ -2,11 +2,12 @@ package radiosity.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,6 +29,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import radiosity.cli.options.ExitCode;
+import radiosity.cli.options.Failure;
 import radiosity.cli.options.RendererOptions;
 import radiosity.cli.options.TimeLimit;
 import radiosity.cli.options.Values;
@@ -126,7 +128,8 @@ class TimeLimitTest {
         for (int looks = 1; looks < 30; looks++) {
             int[] looked = {0};
             int last = looks;
-            Timed timed = new Timed(program.file("foobar.lws"), program, kept -> ++looked[0] < last);
+            Timed timed = new Timed(program.file("foobar.lws"), program.file("foobar.scene"),
+                    kept -> ++looked[0] < last);
             if (!byOptions.containsKey(timed.options)) {
                 byOptions.put(timed.options, state(timed, program));
             }
@@ -139,10 +142,25 @@ class TimeLimitTest {
     @Test
     void cutOffAfterAnEstimate_isTheSameAsByTheOptionsThatArePrinted() throws IOException {
         Program program = new Program(directory);
-        Timed timed = new Timed(Path.of("scenes/study.lws").toAbsolutePath(), program, kept -> kept < 1);
+        Timed timed = new Timed(Path.of("scenes/study.lws").toAbsolutePath(), program.file("foobar.scene"),
+                kept -> kept < 1);
         assertTrue(timed.options.matches("--accuracy \\S+ --estimates \\d"), timed.options);
         assertEquals(timed.result.solution().state(), SavedCalculation.read(program.file("foobar.scene")).state());
         assertEquals(timed.result.solution().state(), state(timed, program));
+    }
+
+    /** The directory of the scene file is missing until the end, so the first save fails. */
+    @Test
+    void saveThatFailsOnTheWay_endsNothing_andIsTriedAgainAtTheEnd() throws IOException {
+        Path output = directory.resolve("missing").resolve("foobar.scene");
+        Program program = new Program(directory);
+        Timed timed = new Timed(program.file("foobar.lws"), output, kept -> kept < 1);
+        assertEquals(1, timed.err.toString().lines().filter(line -> line.startsWith(output + ": expected")).count(),
+                timed.err::toString);
+        assertEquals(ExitCode.FILE, assertThrows(Failure.class, timed.calculation::save).exitCode());
+        Files.createDirectory(output.getParent());
+        timed.calculation.save();
+        assertEquals(timed.result.solution().state(), SavedCalculation.read(output).state());
     }
 
     private static SavedState state(Timed timed, Program program) throws IOException {
@@ -163,17 +181,18 @@ class TimeLimitTest {
         private TimedCalculation calculation;
         private RenderResult seen;
         private int kept;
+        private final ByteArrayOutputStream err = new ByteArrayOutputStream();
 
         /** @param goesOn whether time is left after a number of solutions that were kept */
-        Timed(Path input, Program program, IntPredicate goesOn) throws IOException {
-            arguments = List.of("-q", "-pa", "5000", input.toString(), program.file("foobar.scene").toString());
+        Timed(Path input, Path output, IntPredicate goesOn) throws IOException {
+            arguments = List.of("-q", "-pa", "5000", input.toString(), output.toString());
             List<String> withTime = new ArrayList<>(arguments);
             withTime.addAll(List.of(TimeLimit.OPTION, "1s"));
             RendererOptions parsed = new RendererOptions();
             new CommandLine(parsed).parseArgs(withTime.toArray(new String[0]));
             StopRequest stop = new StopRequest();
-            PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
-            ConsoleSession user = new ConsoleSession(nowhere, new NoProgress(nowhere), stop);
+            PrintStream lines = new PrintStream(err, true);
+            ConsoleSession user = new ConsoleSession(lines, new NoProgress(lines), stop);
             OutputFiles files = new OutputFiles(parsed, withTime);
             Scene scene = SceneReader.read(parsed.input(), parsed.scene.readOptions(),
                     new Warnings(line -> { }, false)::print);

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import radiosity.cli.options.ErrorReport;
+import radiosity.cli.options.Failure;
 import radiosity.cli.options.TimeLimit;
 import radiosity.cli.options.Values;
 import radiosity.cli.terminal.StopRequest;
@@ -22,9 +23,10 @@ import radiosity.solver.ProgressiveRadiosity;
  *
  * <p>Time decides which accuracies are asked for and after which estimate of the error the calculation ends, never the
  * bits of a solution: each solution is the one that {@code --accuracy} and {@code --estimates} give with the values
- * that the scene file names. Each solution is saved as soon as its error is estimated. A later one has a finer mesh or
- * more rays, so it counts even if its estimate, which is uncertain, is a little larger. If the error is not estimated
- * even once in time, the calculation is cut off after a shot, as by {@code -it}.
+ * that the scene file names. Each solution is saved as soon as its error is estimated; if that fails, the user gets a
+ * message, the calculation goes on, and {@link #save} tries again at the end. A later solution has a finer mesh or more
+ * rays, so it counts even if its estimate, which is uncertain, is a little larger. If the error is not estimated even
+ * once in time, the calculation is cut off after a shot, as by {@code -it}.
  */
 public final class TimedCalculation implements RenderJob.Aims {
 
@@ -52,6 +54,8 @@ public final class TimedCalculation implements RenderJob.Aims {
     private boolean isLate;
     /** The last solution whose error was estimated; null before there is one. */
     private RenderResult kept;
+    /** Whether the scene file holds that solution. */
+    private boolean isSaved;
     /** The options that reproduce that solution. */
     private List<String> options = List.of();
     /** The accuracies asked for so far, as the user would write them; the last is being calculated. */
@@ -73,7 +77,7 @@ public final class TimedCalculation implements RenderJob.Aims {
     }
 
     /**
-     * Calculates until the limit, or beyond it until half of the light is distributed.
+     * Calculates until the limit, or beyond it until half of the light is distributed; {@link #save} saves the result.
      *
      * @return the last solution whose error was estimated, or the first one as far as it got
      */
@@ -107,6 +111,7 @@ public final class TimedCalculation implements RenderJob.Aims {
     @Override
     public OptionalDouble after(RenderResult result) throws IOException {
         keep(result, TimeLimit.accuracy(text()));
+        saveEarly();
         choice.reached(Math.min(aim, error(result)), begin - course.left(), result.progress().elements());
         double next = choice.next(left());
         if (next == 0) {
@@ -121,6 +126,7 @@ public final class TimedCalculation implements RenderJob.Aims {
     public void estimated(RenderJob.Estimated solution) throws IOException {
         if (kept == null || current.progress().rounds() > kept.progress().rounds()) {
             keep(solution.result(), TimeLimit.estimates(text(), current.estimates()));
+            saveEarly();
         }
     }
 
@@ -128,10 +134,31 @@ public final class TimedCalculation implements RenderJob.Aims {
         return result.certificate().map(Certificate::expected).orElse(Double.POSITIVE_INFINITY);
     }
 
-    private void keep(RenderResult result, List<String> same) throws IOException {
+    private void keep(RenderResult result, List<String> same) {
         kept = result;
         options = same;
-        files.reproducedBy(same).saveScene(result.solution(), result.settings(), result.certificate());
+        isSaved = false;
+    }
+
+    /** Saves a solution that a better one may follow; a failure gives a message and does not end the calculation. */
+    private void saveEarly() {
+        try {
+            save();
+        } catch (Failure | IOException | OutOfMemoryError e) {
+            user.message(ErrorReport.line(e));
+        }
+    }
+
+    /**
+     * Saves the result in the scene file, unless the scene file holds the result already.
+     *
+     * @throws Failure where the scene file cannot be written
+     */
+    public void save() throws IOException {
+        if (!isSaved) {
+            files.reproducedBy(options).saveScene(kept.solution(), kept.settings(), kept.certificate());
+            isSaved = true;
+        }
     }
 
     @Override
