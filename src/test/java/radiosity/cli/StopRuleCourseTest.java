@@ -38,6 +38,14 @@ class StopRuleCourseTest {
     }
 
     @Test
+    void nothingUnsent_isDone_alsoWhereNothingMayBeUnsent() {
+        StopRuleCourse toTheEnd = new StopRuleCourse(new StopRule(Integer.MAX_VALUE, 0), Double.NaN, clock::get);
+        assertEquals(0, toTheEnd.done(unsent(1)));
+        assertEquals(0, toTheEnd.done(unsent(0.5)));
+        assertEquals(.95, toTheEnd.done(unsent(0)));
+    }
+
+    @Test
     void errorThatIsTooLarge_showsWhatIsLeftToTheOneAskedFor() {
         StopRuleCourse toAnError = new StopRuleCourse(new StopRule(Integer.MAX_VALUE, 0.01), 0.02, clock::get);
         toAnError.done(unsent(1));

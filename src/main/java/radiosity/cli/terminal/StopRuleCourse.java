@@ -58,8 +58,9 @@ public final class StopRuleCourse implements ProgressEstimate {
         return DISTRIBUTION * Math.max(shots, unsent);
     }
 
+    /** A way is done where as much is gone as the whole, both infinite among it, and not begun where either is 0. */
     private static double part(double gone, double whole) {
-        return whole > 0 && gone > 0 ? Math.min(1, gone / whole) : 0;
+        return whole > 0 && gone > 0 ? gone >= whole ? 1 : gone / whole : 0;
     }
 
     /** The time left at the speed so far, s; 0 where too little is done to know. */
