@@ -84,10 +84,18 @@ public final class RmiSockets extends RMISocketFactory {
             socket.close();
             throw e;
         }
-        Set<Socket> others = open.computeIfAbsent(address, a -> ConcurrentHashMap.newKeySet());
-        others.removeIf(Socket::isClosed);
-        others.add(socket);
+        add(address, socket);
         return socket;
+    }
+
+    /** Keeps a socket until {@link #cut}: a cut at the same time closes the socket, or leaves it to the next cut. */
+    void add(HostAddress address, Socket socket) {
+        open.compute(address, (a, known) -> {
+            Set<Socket> sockets = known == null ? ConcurrentHashMap.newKeySet() : known;
+            sockets.removeIf(Socket::isClosed);
+            sockets.add(socket);
+            return sockets;
+        });
     }
 
     @Override
@@ -129,15 +137,15 @@ public final class RmiSockets extends RMISocketFactory {
         }
     }
 
-    /** Closes all sockets to a host. */
+    /** Closes all sockets to a host. The next call closes sockets that are connected meanwhile. */
     public void cut(HostAddress address) {
-        for (Socket socket : open.getOrDefault(address, Set.of())) {
+        Set<Socket> removed = open.remove(address);
+        for (Socket socket : removed == null ? Set.<Socket>of() : removed) {
             try {
                 socket.close();
             } catch (IOException e) {
                 // a socket that fails to close cannot be used either
             }
         }
-        open.remove(address);
     }
 }
