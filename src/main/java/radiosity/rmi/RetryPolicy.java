@@ -47,6 +47,7 @@ public final class RetryPolicy {
         try {
             Thread.sleep(PAUSE_MILLISECONDS);
         } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
             throw failure;
         }
     }

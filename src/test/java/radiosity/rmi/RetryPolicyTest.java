@@ -2,6 +2,7 @@ package radiosity.rmi;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.rmi.ConnectException;
@@ -41,6 +42,13 @@ class RetryPolicyTest {
     @Test
     void nobodyThere_isNotTriedForLong() {
         assertThrows(ConnectException.class, () -> attempt(new ConnectException(""), new ConnectException("")));
+    }
+
+    @Test
+    void interrupt_endsTheTries_andIsKeptForTheCaller() {
+        Thread.currentThread().interrupt();
+        assertThrows(ConnectIOException.class, () -> attempt(new UnmarshalException(""), new ConnectIOException("")));
+        assertTrue(Thread.interrupted());
     }
 
     @Test
