@@ -22,11 +22,23 @@ public final class ArraySize {
         for (long factor : factors) {
             product *= factor;
         }
-        if (product > MOST) {
+        return within(what, MOST, product);
+    }
+
+    /**
+     * The length of an array with a limit of its own.
+     *
+     * @param what  content of the array, for the message
+     * @param most  largest length
+     * @param count whole number of the numbers in the array, at least 0
+     * @throws TooLargeException where the count is larger than the limit
+     */
+    public static int within(String what, int most, double count) {
+        if (count > most) {
             throw new TooLargeException(String.format(Locale.ROOT, "%s: expected at most %,d numbers, got %,.0f", what,
-                    MOST, product));
+                    most, count));
         }
-        return (int) product;
+        return (int) count;
     }
 
     /**

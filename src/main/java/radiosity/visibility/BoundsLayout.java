@@ -1,5 +1,9 @@
 package radiosity.visibility;
 
+import java.util.Locale;
+import radiosity.util.ArraySize;
+import radiosity.util.TooLargeException;
+
 /**
  * Lays out a binary tree of boxes and its triangles in one array, in the order in which rays read them.
  *
@@ -51,7 +55,7 @@ final class BoundsLayout {
      * @param tree    tree over the boxes of the triangles
      * @param corners 9 per triangle; not modified
      * @param sparing whether boxes whose test costs more than it saves are left out
-     * @throws IllegalArgumentException where the nodes and triangles do not fit into an array
+     * @throws TooLargeException where the nodes and triangles do not fit into an array
      */
     BoundsLayout(BoundsTree tree, float[] corners, boolean sparing) {
         this.tree = tree;
@@ -62,14 +66,16 @@ final class BoundsLayout {
         int triangles = tree.order.length;
         measure();
         int boxes = sparing ? weigh() : tree.nodes;
-        long size = ROOT + (long) NODE * boxes + (long) PackedTriangle.SIZE * triangles;
-        if (size > MOST_PLACES) {
-            throw new IllegalArgumentException("scene: expected fewer triangles, got " + triangles);
-        }
-        data = new float[(int) size];
+        data = new float[length(boxes, triangles)];
         if (triangles > 0) {
             layOut(boxes);
         }
+    }
+
+    /** Length of the array for some boxes and triangles. */
+    static int length(int boxes, int triangles) {
+        return ArraySize.within(String.format(Locale.ROOT, "bounding volumes of %,d triangles", triangles), MOST_PLACES,
+                ROOT + (double) NODE * boxes + (double) PackedTriangle.SIZE * triangles);
     }
 
     /** Place at which a block's triangles begin. */

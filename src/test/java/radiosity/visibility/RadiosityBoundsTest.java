@@ -2,6 +2,7 @@ package radiosity.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
@@ -10,9 +11,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.scene.Vec3;
+import radiosity.util.TooLargeException;
 
 /** The hierarchy against a test of every triangle in double precision, and rays aimed at where triangles meet. */
 class RadiosityBoundsTest {
+
+    @Test
+    void moreTrianglesThanAnArrayHolds_areRefusedWithTheirNumber() {
+        assertEquals(534_773_760, BoundsLayout.length(1, 33_423_359));
+        assertEquals("bounding volumes of 33,423,360 triangles: expected at most 534,773,760 numbers, got 534,773,776",
+                assertThrows(TooLargeException.class, () -> BoundsLayout.length(1, 33_423_360)).getMessage());
+    }
 
     /** Triangles of about 1/10 strewn through a cube of size 1. */
     private static float[] strewn(int n, Random random) {
