@@ -1,12 +1,12 @@
 package radiosity.master.host;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
@@ -52,22 +52,44 @@ public final class HostFinder implements AutoCloseable {
         }
     }
 
-    /** The hosts that can be used, in the order of the links; from now on a thread looks for the others. */
+    /**
+     * The hosts that can be used, in the order of the links; from now on a thread looks for the others.
+     *
+     * @throws IllegalStateException where the calling thread is interrupted; no session stays open then
+     */
     public List<Host> open(List<Link> links) {
-        List<FutureTask<Host>> opening = links.stream().map(link -> Host.start(() -> open(link, true))).toList();
-        List<Host> hosts = opening.stream().map(HostFinder::result).filter(host -> host != null).toList();
-        Thread retry = new Thread(this::look, "missing hosts");
-        retry.setDaemon(true);
-        retry.start();
-        return hosts;
+        List<CompletableFuture<Host>> opening = new ArrayList<>();
+        try {
+            links.forEach(link -> opening.add(CompletableFuture.supplyAsync(() -> open(link, true), Host.CALLS)));
+            List<Host> hosts = opening.stream().map(HostFinder::result).filter(host -> host != null).toList();
+            Thread retry = new Thread(this::look, "missing hosts");
+            retry.setDaemon(true);
+            retry.start();
+            return hosts;
+        } catch (RuntimeException | Error e) {
+            opening.forEach(HostFinder::closeOnceOpen);
+            throw e;
+        }
     }
 
-    private static Host result(FutureTask<Host> opening) {
+    private static Host result(CompletableFuture<Host> opening) {
         try {
             return opening.get();
-        } catch (ExecutionException | InterruptedException e) {
+        } catch (ExecutionException e) {
+            throw new IllegalStateException(e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
             throw new IllegalStateException(e);
         }
+    }
+
+    /** Closes a host as soon as its session is open, as the heartbeat would keep that host busy. Waits for nothing. */
+    private static void closeOnceOpen(CompletableFuture<Host> opening) {
+        opening.thenAcceptAsync(host -> {
+            if (host != null) {
+                host.close();
+            }
+        }, Host.CALLS);
     }
 
     /** A host with a session, or null where no session can be opened now; with {@code notify} the user learns why. */
@@ -91,6 +113,9 @@ public final class HostFinder implements AutoCloseable {
         } catch (OutOfMemoryError e) {
             return later(link, notify, "out of memory here");
         } catch (InterruptedException e) {
+            opening.completeExceptionally(e);
+            closeOnceOpen(opening);
+            Thread.currentThread().interrupt();
             return later(link, notify, "interrupted");
         }
     }
@@ -99,7 +124,7 @@ public final class HostFinder implements AutoCloseable {
     private void load(Host host, boolean notify) throws HostLostException {
         try {
             host.await(Host.start(() -> host.load(task, fingerprint)), notify ? notices : line -> { });
-        } catch (HostLostException | OutOfMemoryError e) {
+        } catch (HostLostException | RuntimeException | Error e) {
             host.close();
             throw e;
         }
@@ -126,6 +151,7 @@ public final class HostFinder implements AutoCloseable {
             try {
                 TimeUnit.MILLISECONDS.sleep(BUSY_LOOK_MILLISECONDS);
             } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
                 return greeting;
             }
             greeting = Greeting.decode(remote.greet());

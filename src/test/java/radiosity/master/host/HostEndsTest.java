@@ -2,6 +2,7 @@ package radiosity.master.host;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Proxy;
@@ -76,6 +77,52 @@ class HostEndsTest {
             finder.open(List.of());
             assertTrue(closed.await(20, TimeUnit.SECONDS));
             assertFalse(finder.hasCome());
+        }
+    }
+
+    /** A host that opens a session as soon as it may, and counts the sessions that are closed. */
+    private static Link willing(CountDownLatch free, CountDownLatch closed) {
+        return link(remote(method -> {
+            free.await();
+            switch (method) {
+                case "greet":
+                    return new Greeting(Build.version(), Build.id(), 1, "").encode();
+                case "mesh":
+                    return new byte[0];
+                case "close":
+                    closed.countDown();
+                    return null;
+                default:
+                    return null;
+            }
+        }), () -> { });
+    }
+
+    @Test
+    void hostsBesideOneWhoseFailureCannotBeTold_areClosed() throws InterruptedException {
+        CountDownLatch closed = new CountDownLatch(1);
+        RemotePartition gone = remote(method -> {
+            throw new ConnectException("gone");
+        });
+        try (HostFinder finder = new HostFinder(new byte[0], "", line -> {
+            throw new IllegalStateException("no terminal");
+        })) {
+            List<Link> links = List.of(willing(new CountDownLatch(0), closed), link(gone, () -> { }));
+            assertThrows(IllegalStateException.class, () -> finder.open(links));
+            assertTrue(closed.await(20, TimeUnit.SECONDS));
+        }
+    }
+
+    @Test
+    void interruptAtTheStart_isKept_andSessionsThatOpenLaterAreClosed() throws InterruptedException {
+        CountDownLatch free = new CountDownLatch(1);
+        CountDownLatch closed = new CountDownLatch(1);
+        try (HostFinder finder = new HostFinder(new byte[0], "", line -> { })) {
+            Thread.currentThread().interrupt();
+            assertThrows(IllegalStateException.class, () -> finder.open(List.of(willing(free, closed))));
+            assertTrue(Thread.interrupted());
+            free.countDown();
+            assertTrue(closed.await(20, TimeUnit.SECONDS));
         }
     }
 
