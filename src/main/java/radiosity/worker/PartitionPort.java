@@ -84,12 +84,13 @@ public final class PartitionPort implements AutoCloseable {
         RmiSockets sockets = RmiSockets.inUse();
         sockets.listen(options.registryPort(), options.bind(), options.key());
         ServedPartition served = new ServedPartition(options.threads(), log);
+        Registry own;
         try {
-            Registry own = LocateRegistry.createRegistry(options.registryPort());
-            return export(served, own, true, options.registryPort(), log);
+            own = LocateRegistry.createRegistry(options.registryPort());
         } catch (ExportException e) {
             return behind(options, sockets, served, e, log);
         }
+        return export(served, own, true, options.registryPort(), log);
     }
 
     /** Serves behind the registry that has the port; throws {@code taken} where none answers or a server is bound. */
@@ -134,12 +135,21 @@ public final class PartitionPort implements AutoCloseable {
         }
     }
 
-    private static PartitionPort export(ServedPartition served, Registry registry, boolean own, int port,
-                                        Consumer<String> log) throws IOException {
-        Remote stub = UnicastRemoteObject.exportObject(served, port, null, null, SerialFilters::ofHost);
-        RemoteObjectInvocationHandler handler = (RemoteObjectInvocationHandler) Proxy.getInvocationHandler(stub);
-        registry.rebind(NAME, handler);
-        return new PartitionPort(served, registry, own, handler, log);
+    /** Exports and binds a partition; where that fails, neither partition nor own registry is exported any more. */
+    static PartitionPort export(ServedPartition served, Registry registry, boolean own, int port,
+                                Consumer<String> log) throws IOException {
+        try {
+            Remote stub = UnicastRemoteObject.exportObject(served, port, null, null, SerialFilters::ofHost);
+            RemoteObjectInvocationHandler handler = (RemoteObjectInvocationHandler) Proxy.getInvocationHandler(stub);
+            registry.rebind(NAME, handler);
+            return new PartitionPort(served, registry, own, handler, log);
+        } catch (IOException | RuntimeException | Error e) {
+            unexport(served);
+            if (own) {
+                unexport(registry);
+            }
+            throw e;
+        }
     }
 
     /** Port of the partition: the registry's, or another one where the registry is another program. */
@@ -147,14 +157,27 @@ public final class PartitionPort implements AutoCloseable {
         return port;
     }
 
-    private static void everyTime(Runnable look) {
+    private void everyTime(Runnable look) {
         try {
             while (true) {
                 TimeUnit.SECONDS.sleep(LOOK_SECONDS);
-                look.run();
+                once(look, log);
             }
         } catch (InterruptedException e) {
             // this port was closed
+        }
+    }
+
+    /** Looks once; a failure is logged, if it can be, and does not end the looks. */
+    static void once(Runnable look, Consumer<String> log) {
+        try {
+            look.run();
+        } catch (RuntimeException | OutOfMemoryError e) {
+            try {
+                log.accept("look after masters and registry: expected no error, got " + e);
+            } catch (RuntimeException | OutOfMemoryError again) {
+                // the log may be what has failed
+            }
         }
     }
 
@@ -208,15 +231,15 @@ public final class PartitionPort implements AutoCloseable {
         }
         UnicastRemoteObject.unexportObject(served, true);
         if (ownRegistry) {
-            unexport();
+            unexport(registry);
         }
     }
 
-    private void unexport() {
+    private static void unexport(Remote exported) {
         try {
-            UnicastRemoteObject.unexportObject(registry, true);
+            UnicastRemoteObject.unexportObject(exported, true);
         } catch (NoSuchObjectException e) {
-            // the registry is gone already
+            // was not exported, or is gone already
         }
     }
 }

@@ -112,8 +112,9 @@ public final class ServedPartition implements RemotePartition {
 
     private synchronized void expire(int seconds) {
         if (current != null && clock.getAsLong() - current.heard > seconds * 1_000_000_000L) {
-            log.accept(current.master + " is gone");
-            current = null;
+            String gone = current.master;
+            current = null; // first, as the log may fail
+            log.accept(gone + " is gone");
         }
     }
 
@@ -271,8 +272,9 @@ public final class ServedPartition implements RemotePartition {
     @Override
     public synchronized void close(long id) {
         if (current != null && current.id == id) {
-            log.accept(current.master + " has finished");
-            current = null;
+            String finished = current.master;
+            current = null; // first, as the log may fail
+            log.accept(finished + " has finished");
         }
     }
 }
