@@ -14,6 +14,7 @@ import radiosity.master.host.HostCalls;
 import radiosity.master.host.HostLoad;
 import radiosity.protocol.Order;
 import radiosity.protocol.Reply;
+import radiosity.rmi.RemotePartition;
 import radiosity.solution.HostStatistics;
 import radiosity.solution.WorldStatistics;
 import radiosity.solver.World;
@@ -30,7 +31,7 @@ import radiosity.solver.World;
 final class InFlightSteps {
 
     /** Largest number of steps in flight, so of steps that a fast host may be ahead of a slow one. */
-    static final int AHEAD = 4;
+    static final int AHEAD = RemotePartition.MOST_IN_FLIGHT;
 
     private final HostCalls calls;
     private final ShotLog log;

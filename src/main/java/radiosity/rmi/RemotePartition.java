@@ -14,6 +14,9 @@ import java.rmi.RemoteException;
  */
 public interface RemotePartition extends Remote {
 
+    /** Largest number of rounds that a master has in flight; a host keeps as many replies, see {@link #round}. */
+    int MOST_IN_FLIGHT = 4;
+
     /** The host's {@code Greeting}, as bytes; also ends a session whose master has been silent for a while. */
     byte[] greet() throws RemoteException;
 

@@ -40,9 +40,6 @@ public final class ServedPartition implements RemotePartition {
     private static final int TAKEOVER_SECONDS = 4;
     /** Bytes of block states in one answer, above which no further state is added. */
     private static final int ANSWER_BYTES = 8 << 20;
-
-    /** Number of past answers kept; at least the number of steps that a master has in flight. */
-    private static final int ANSWERS_KEPT = 4;
     /** Time between two checks whether the session of a waiting call has ended. */
     private static final int LOOK_MILLISECONDS = 200;
 
@@ -215,7 +212,7 @@ public final class ServedPartition implements RemotePartition {
             awaitTurn(session, number);
             if (number > session.number) {
                 session.number = number;
-                session.answers.headMap(number - ANSWERS_KEPT).clear();
+                session.answers.headMap(number - MOST_IN_FLIGHT).clear();
                 session.answers.put(number, round(session.blocks, order));
                 session.notifyAll();
             }
