@@ -176,7 +176,7 @@ public final class OutputFiles {
         }
         for (Path picture : options.picture.falseColours) {
             failures.tried(() -> write(picture, file -> FalseColour.write(file, solution,
-                    options.picture.camera(solution), options.picture.width())));
+                    options.picture.camera(solution), options.picture.width(), options.calculation.threads)));
         }
         if (options.file.points != null) {
             failures.tried(() -> write(options.file.points.out(), out -> {
@@ -213,7 +213,7 @@ public final class OutputFiles {
         try {
             write(file, picture -> Snapshot.write(picture, solution, camera.get(), options.picture.width(),
                     options.picture.toneMapping(solution),
-                    new Snapshot.Drawing(options.picture.gathered(), progress)));
+                    new Snapshot.Drawing(options.picture.gathered(), options.calculation.threads, progress)));
         } catch (CancellationException e) {
             user.accept(file + ": left out, as it was not wanted any more");
         }

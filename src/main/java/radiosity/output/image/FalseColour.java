@@ -67,10 +67,11 @@ public final class FalseColour {
     /**
      * Writes the picture as PNG.
      *
-     * @param width pixels, without the legend beside the picture; the height follows from the camera's aspect
+     * @param width   pixels, without the legend beside the picture; the height follows from the camera's aspect
+     * @param threads number of threads that draw, at least 1
      */
-    public static void write(Path file, Solution solution, Camera camera, int width) throws IOException {
-        FalseColour picture = new FalseColour(Snapshot.irradiance(solution, camera, SAMPLES * width));
+    public static void write(Path file, Solution solution, Camera camera, int width, int threads) throws IOException {
+        FalseColour picture = new FalseColour(Snapshot.irradiance(solution, camera, SAMPLES * width, threads));
         AtomicFile.write(file, PictureFormat.png(picture.image(solution.scene().units())));
     }
 

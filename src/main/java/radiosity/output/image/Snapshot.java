@@ -18,6 +18,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
+import radiosity.util.ParallelFor;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -49,9 +50,10 @@ public final class Snapshot {
      *
      * @param gathered rays per pixel that gather the arriving light, so that no mesh shows; 0 to interpolate light
      *                 between the mesh's vertices
+     * @param threads  number of threads that draw, at least 1
      * @param progress is given the part of the picture that is done, by several threads at once
      */
-    public record Drawing(int gathered, Progress progress) {
+    public record Drawing(int gathered, int threads, Progress progress) {
 
         /** Largest number of gathering rays per pixel. */
         public static final int MOST_GATHERED = 1_000_000;
@@ -61,6 +63,11 @@ public final class Snapshot {
                 throw new IllegalArgumentException("gathered rays: expected a number from 0 to " + MOST_GATHERED
                         + ", got " + gathered);
             }
+        }
+
+        /** Draws on one thread per processor. */
+        public Drawing(int gathered, Progress progress) {
+            this(gathered, Runtime.getRuntime().availableProcessors(), progress);
         }
 
         /** Draws a picture from the solution alone, to the end. */
@@ -146,7 +153,7 @@ public final class Snapshot {
         Snapshot snapshot = new Snapshot(SmoothShading.shown(TJunctions.close(solution)), camera.position(),
                 drawing.gathered);
         AtomicLong done = new AtomicLong();
-        IntStream.range(0, height).parallel().forEach(row -> {
+        new ParallelFor(drawing.threads).run(height, row -> {
             for (int column = 0; column < width; column++) {
                 long drawn = done.incrementAndGet();
                 if ((column == 0 || drawing.gathered > 0)
@@ -172,14 +179,18 @@ public final class Snapshot {
      */
     record Values(int width, int height, float[] value, int[] plane) { }
 
-    /** Draws the light that arrives, with one sample per pixel. */
-    static Values irradiance(Solution solution, Camera camera, int width) {
+    /**
+     * Draws the light that arrives, with one sample per pixel.
+     *
+     * @param threads number of threads that draw, at least 1
+     */
+    static Values irradiance(Solution solution, Camera camera, int width, int threads) {
         int height = (int) height(camera, width);
         int size = ArraySize.of("picture of " + width + "x" + height + " pixels", width, height);
         Values values = new Values(width, height, new float[size], new int[size]);
         Snapshot snapshot = new Snapshot(TJunctions.close(solution), camera.position(), 0);
         Units units = solution.scene().units();
-        IntStream.range(0, height).parallel().forEach(row -> {
+        new ParallelFor(threads).run(height, row -> {
             float[] hit = new float[3];
             for (int column = 0; column < width; column++) {
                 int element = snapshot.element(camera.direction(2 * (column + 0.5) / width - 1,

@@ -33,7 +33,7 @@ class FalseColourTest {
                 new Vec3(0, 1, 0), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1, 0, 0)).scene("floor").with(new Units(1, true));
         Path file = folder.resolve("lux.png");
         FalseColour.write(file, Solve.byDefault().solution(floor), new Camera(new Vec3(0, 2, 0), new Vec3(0, -1, 0),
-                new Vec3(0, 0, -1), Math.PI / 4, 1), WIDTH);
+                new Vec3(0, 0, -1), Math.PI / 4, 1), WIDTH, 2);
         return ImageIO.read(file.toFile());
     }
 

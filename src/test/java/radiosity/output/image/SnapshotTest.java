@@ -15,8 +15,9 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.UnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
@@ -242,14 +243,22 @@ class SnapshotTest {
     }
 
     @Test
-    void picturesOfTheSecondPass_areTheSameBitsOnAnyNumberOfThreads() throws Exception {
-        Snapshot.Drawing gathered = new Snapshot.Drawing(20, done -> true);
-        float[] many = Snapshot.take(mirror(true), camera(1), WIDTH, light -> light, gathered).rgb();
-        ForkJoinPool one = new ForkJoinPool(1);
-        float[] alone = one.submit(() -> Snapshot.take(mirror(true), camera(1), WIDTH, light -> light, gathered)).get()
-                .rgb();
-        one.shutdown();
+    void picturesOfTheSecondPass_areTheSameBitsOnAnyNumberOfThreads() {
+        float[] many = Snapshot.take(mirror(true), camera(1), WIDTH, light -> light,
+                new Snapshot.Drawing(20, 8, done -> true)).rgb();
+        float[] alone = Snapshot.take(mirror(true), camera(1), WIDTH, light -> light,
+                new Snapshot.Drawing(20, 1, done -> true)).rgb();
         assertArrayEquals(many, alone);
+    }
+
+    @Test
+    void oneThread_drawsAlone() {
+        Set<Thread> drawing = ConcurrentHashMap.newKeySet();
+        Snapshot.take(square(Rgb.BLACK), camera(1), WIDTH, light -> light, new Snapshot.Drawing(4, 1, done -> {
+            drawing.add(Thread.currentThread());
+            return true;
+        }));
+        assertEquals(Set.of(Thread.currentThread()), drawing);
     }
 
     /** In the open, with nothing around, a surface gets nothing: only what it emits is seen. */
