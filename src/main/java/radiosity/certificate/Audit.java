@@ -78,6 +78,8 @@ public final class Audit {
     private final int wanted;
     private final List<AuditPoint> points = new ArrayList<>();
     private int batches;
+    /** The points combined, after {@link #certificate}. */
+    private AuditResult result;
     private final int round;
     /** Number of points that earlier audits may have used, but for the few more that many surfaces ask for. */
     private final int used;
@@ -143,8 +145,8 @@ public final class Audit {
         List<AuditPoint> first = places.pick(wanted, start(0), used);
         UniformRadiosity ambient = ambient(first);
         look(first, ambient);
-        AuditResult result = result();
-        while (!isBegun && batches < START.length && !isClear(result)) {
+        result = result();
+        while (!isBegun && batches < START.length && !isClear()) {
             look(places.pick(wanted, start(batches), used + points.size()), ambient);
             result = result();
         }
@@ -152,12 +154,13 @@ public final class Audit {
     }
 
     /**
-     * The elements on which a point of the {@link #certificate} errs by more than interpolation on one element may.
+     * The elements on which a point of the {@link #certificate}, which must precede this call, errs by more than
+     * interpolation on one element may.
      *
      * @param meshError largest error times square root of the share of area that an element may have, above 0
      */
     public Marked marked(double meshError) {
-        return result().marked(meshError);
+        return result.marked(meshError);
     }
 
     /** Where a batch begins within the sampling step: elsewhere after each round. */
@@ -165,7 +168,7 @@ public final class Audit {
         return (START[batch] + R2.u(round)) % 1;
     }
 
-    private boolean isClear(AuditResult result) {
+    private boolean isClear() {
         double uncertainty = result.uncertainty();
         double found = result.expected() * result.expected();
         double doubt = result.biasUncertainty() * result.biasUncertainty();
