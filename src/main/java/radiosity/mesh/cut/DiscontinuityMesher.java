@@ -34,6 +34,7 @@ public final class DiscontinuityMesher {
 
     private final Faces faces;
     final FaceIntersections contacts;
+    private final LampBands bands;
     private final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
     private final Map<Integer, List<int[]>> pieces = new HashMap<>();
@@ -55,7 +56,7 @@ public final class DiscontinuityMesher {
             least *= 2;
             mesher = new DiscontinuityMesher(faces, least);
         }
-        return mesher.edges.size() == 0 ? faces
+        return mesher.pieces.isEmpty() ? faces
                 : faces.withPieces(new FacePieces(mesher.points, mesher.pieces, mesher.edges));
     }
 
@@ -67,7 +68,9 @@ public final class DiscontinuityMesher {
     private DiscontinuityMesher(Faces faces, double least) {
         this.faces = faces;
         points = new CutPoints(faces.scene(), SAME * faces.size());
-        contacts = new FaceIntersections(faces, points, least * Math.sqrt(faces.area()) * faces.size());
+        double leastLength = least * Math.sqrt(faces.area()) * faces.size();
+        contacts = new FaceIntersections(faces, points, leastLength);
+        bands = new LampBands(faces, leastLength);
         for (List<Integer> part : parts().values()) {
             if (!isTooFine()) {
                 cut(part);
@@ -101,12 +104,14 @@ public final class DiscontinuityMesher {
         Map<Integer, List<Contact>> on = new TreeMap<>();
         CutMesh mesh = new CutMesh(faces, points, MOST);
         contacts.begin(part);
+        bands.begin(part);
         for (int f : part) {
             on.put(f, contacts.on(f));
             mesh.add(f);
         }
         on.forEach((f, some) -> some.forEach(contact -> mesh.refine(f, contact)));
         on.forEach((f, some) -> some.forEach(contact -> mesh.cut(f, contact)));
+        part.forEach(f -> bands.on(f).forEach(line -> mesh.cut(f, line)));
         int divided = part.stream().mapToInt(f -> mesh.polygons(f).size()).filter(n -> n > 1).sum();
         if (count + divided > MOST) {
             count += divided;

@@ -109,6 +109,50 @@ class DiscontinuityMesherTest {
         throw new AssertionError("expected a vertex at the foot of the wall, found none");
     }
 
+    /** A lamp with one visible side, .002 above the floor, from x = .1 to the given end and from z = .5 to .51. */
+    private static SceneBuilder strip(double to, boolean down) {
+        Vec3[] p = {new Vec3(.1, .002, .5), new Vec3(to, .002, .5), new Vec3(to, .002, .51), new Vec3(.1, .002, .51)};
+        Surface lamp = radiosity.testkit.RoomScenes.grey("lamp", 1, 0);
+        return down ? floor().polygon(lamp, p) : floor().polygon(lamp, p[3], p[2], p[1], p[0]);
+    }
+
+    private static double[] acrossTheStrip(Faces faces) {
+        return IntStream.range(0, 3 * faces.count()).filter(i -> faces.normal(i / 3, 1) == 1)
+                .mapToObj(i -> faces.sceneCorner(i / 3, i % 3)).filter(p -> p.y() == 0 && p.x() > .2 && p.x() < .6)
+                .mapToDouble(Vec3::z).map(z -> Math.round(z * 1e6) / 1e6).distinct().sorted().toArray();
+    }
+
+    /** Lines at 0, 1/2, 1, 2 and 4 heights from both edges; two of them meet the floor's diagonal only beyond .6. */
+    @Test
+    void longLampCloseToAFace_cutsTheFaceInBands() {
+        Faces cut = cut(strip(.9, true));
+        double[] found = acrossTheStrip(cut);
+        assertEquals(List.of(.492, .496, .498, .499, .5, .501, .502, .504, .506, .508, .509, .51, .511, .512, .514, .518),
+                java.util.Arrays.stream(found).boxed().toList());
+        assertEquals(1 + .8 * .01, cut.area(), 1e-12);
+    }
+
+    @Test
+    void lampThatIsShortOrLooksAway_leavesAFaceAsItIs() {
+        Faces shortLamp = new Faces(strip(.16, true).scene("short"));
+        assertSame(shortLamp, DiscontinuityMesher.cut(shortLamp));
+        Faces away = new Faces(strip(.9, false).scene("away"));
+        assertSame(away, DiscontinuityMesher.cut(away));
+    }
+
+    /** A long lamp below a row of boards, each of which is short beside its height above the lamp. */
+    @Test
+    void facesThatAreShortBesideALamp_areLeftAsTheyAre() {
+        SceneBuilder boards = strip(.9, false);
+        for (int i = 0; i < 40; i++) {
+            double x = .1 + i * .02;
+            boards.polygon(GREY, new Vec3(x + .015, .004, .4), new Vec3(x + .015, .004, .6),
+                    new Vec3(x, .004, .6), new Vec3(x, .004, .4));
+        }
+        Faces whole = new Faces(boards.scene("boards"));
+        assertSame(whole, DiscontinuityMesher.cut(whole));
+    }
+
     /** A thousand triangles through each other meet in more segments of one length than a mesh has elements. */
     @Tag("slow")
     @Test
