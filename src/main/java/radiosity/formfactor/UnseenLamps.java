@@ -16,8 +16,8 @@ import radiosity.visibility.Solids;
  */
 public final class UnseenLamps {
 
-    /** Rays per lamp without geometry, and approximate number of rays per surface that emits. */
-    private static final int RAYS = 512;
+    /** Most rays per lamp, until one arrives. */
+    private static final int RAYS = 1 << 13;
     /** Most faces of a surface from which rays begin. */
     private static final int MOST_FACES = 256;
     /** Distance from a lamp at which a ray begins, and from the place that it meets, in units of the scene's size. */

@@ -57,6 +57,9 @@ public final class SceneReader {
         if (format.get() != SceneFormat.OBJ && options.twoSided()) {
             notes.note("", "--two-sided is for OBJ only; LightWave and glTF say which surfaces have two sides");
         }
+        if (format.get() != SceneFormat.OBJ && options.up() != ReadOptions.Up.Y) {
+            notes.note("", "--up is for OBJ only; in LightWave and glTF y points up");
+        }
         notes.flush();
         return Luminaires.place(switch (format.get()) {
             case LIGHTWAVE -> LightWaveReader.read(file, options, warnings).with(options.units());

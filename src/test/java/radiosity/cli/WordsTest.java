@@ -56,7 +56,8 @@ class WordsTest {
     @CsvSource({"1, 1 triangle is too small to be lit; it still casts shadows",
         "2, 2 triangles are too small to be lit; they still cast shadows"})
     void trianglesTooSmallToBeLit_areCounted(int count, String words) throws IOException {
-        StringBuilder obj = new StringBuilder("mtllib a.mtl\nusemtl lamp\nv 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+        StringBuilder obj = new StringBuilder("mtllib a.mtl\nusemtl lamp\nv 0 0 20\nv 9 0 20\nv 0 9 20\nf 3 2 1\n"
+                + "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 4 5 6\n");
         for (int i = 0; i < count; i++) {
             int z = i + 1;
             obj.append("v 0 0 " + z + "\nv 1e-9 0 " + z + "\nv 0 1e-9 " + z + "\nf -3 -2 -1\n");
@@ -80,7 +81,7 @@ class WordsTest {
                 + "\nv 0 9 0\nv 1 9 0\nv 0 9 1\nusemtl lamp\nf 5 6 7\n");
         ProgramRun run = ProgramRun.of("-q", "-dr", scene, folder.resolve("a.scene"));
         assertEquals(0, run.exitCode(), run.err());
-        assertEquals(words == null ? "" : "warning: a.obj: " + words, run.err().strip());
+        assertEquals(words == null ? "" : "warning: a.obj: " + words, run.err().lines().findFirst().orElse(""));
     }
 
     private static String failing(int exitCode, String... arguments) {

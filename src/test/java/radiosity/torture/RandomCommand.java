@@ -26,7 +26,7 @@ final class RandomCommand {
             "--info",
             "--change", "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size",
             "--exposure", "--tone-mapping", "--final-gather", "--frame", "--frames", "--content", "--map", "--emission",
-            "--lights", "--srgb", "--two-sided", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
+            "--lights", "--srgb", "--two-sided", "--up", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
             "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
@@ -112,6 +112,9 @@ final class RandomCommand {
         }
         if (is("--two-sided", .1)) {
             light("--two-sided");
+        }
+        if (is("--up", .1)) {
+            light("--up", dice.of("y", "z"));
         }
         if (is("--photometric", .1)) {
             light("--photometric");

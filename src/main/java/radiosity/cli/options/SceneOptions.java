@@ -48,6 +48,11 @@ public final class SceneOptions {
                     + " counter-clockwise.")
     boolean twoSided;
 
+    @Option(names = "--up", paramLabel = "<axis>", converter = UpParser.class,
+            description = "Axis of OBJ that points up: y (default) or z. With z, the place x,y,z of the file is x,z,-y"
+                    + " in all options and results.")
+    ReadOptions.Up up = ReadOptions.Up.Y;
+
     @Option(names = "--unit", paramLabel = "<unit>", converter = UnitParser.class,
             description = "Length of a unit of LightWave and OBJ: mm, cm, m, in or ft (glTF: metres). Flux is in W or"
                     + " lm where it is known.")
@@ -114,6 +119,13 @@ public final class SceneOptions {
         }
     }
 
+    /** Parses {@code y} and {@code z}. */
+    static final class UpParser extends Values.Choice<ReadOptions.Up> {
+        UpParser() {
+            super(ReadOptions.Up.class);
+        }
+    }
+
     /** Fails where {@code --content} or {@code --map} names no directory. */
     void check() {
         content.forEach(directory -> check("--content", directory));
@@ -129,8 +141,8 @@ public final class SceneOptions {
 
     public ReadOptions readOptions() {
         ReadOptions options = ReadOptions.defaults().withEmission(emission).withContent(content).withMap(map)
-                .withLights(lights).withSrgb(srgb).withTwoSided(twoSided).withStrict(strict).withLuminaires(luminaires)
-                .withUnits(new Units(unit == null ? Double.NaN : unit, photometric));
+                .withLights(lights).withSrgb(srgb).withTwoSided(twoSided).withUp(up).withStrict(strict)
+                .withLuminaires(luminaires).withUnits(new Units(unit == null ? Double.NaN : unit, photometric));
         return frame == null ? options : options.withFrame(frame);
     }
 

@@ -13,6 +13,7 @@ import radiosity.input.file.FloatList;
 import radiosity.scene.Affine;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
+import radiosity.settings.ReadOptions;
 
 /** Reads the text of an OBJ file: vertices, texture vertices, and polygons by object, group and material. */
 final class ObjParser {
@@ -34,6 +35,7 @@ final class ObjParser {
     final Set<String> libraries = new LinkedHashSet<>();
 
     private final String name;
+    private final ReadOptions.Up up;
     private final SceneDraft draft;
     private final Diagnostics notes;
     private final TextLines lines;
@@ -48,7 +50,8 @@ final class ObjParser {
     private int smooth;
 
     /** @param name name of the object for polygons before any object and group */
-    ObjParser(byte[] file, String name, SceneDraft draft, Diagnostics notes) {
+    ObjParser(byte[] file, String name, ReadOptions.Up up, SceneDraft draft, Diagnostics notes) {
+        this.up = up;
         this.name = name;
         this.draft = draft;
         this.notes = notes;
@@ -85,8 +88,8 @@ final class ObjParser {
     }
 
     private void vertex() {
-        for (int k = 0; k < 3; k++) {
-            points.add(lines.number("missing"));
+        for (double x : three()) {
+            points.add(x);
         }
         // a fourth number alone is a weight
         lines.word();
@@ -101,9 +104,17 @@ final class ObjParser {
     }
 
     private void normal() {
-        for (int k = 0; k < 3; k++) {
-            normals.add((float) lines.number("missing"));
+        for (double x : three()) {
+            normals.add((float) x);
         }
+    }
+
+    /** The next three numbers of the line, as a place or direction with y up. */
+    private double[] three() {
+        double x = lines.number("missing");
+        double y = lines.number("missing");
+        double z = lines.number("missing");
+        return up == ReadOptions.Up.Y ? new double[] {x, y, z} : new double[] {x, z, 0 - y};
     }
 
     private void begin(String newObject, String newGroup) {

@@ -57,7 +57,7 @@ public final class ObjReader {
         this.notes = notes;
         draft = new SceneDraft(name, true, options, notes);
         materials = new Materials(search, options, notes);
-        file = new ObjParser(bytes, name.replaceFirst("(?i)\\.obj$", ""), draft, notes);
+        file = new ObjParser(bytes, name.replaceFirst("(?i)\\.obj$", ""), options.up(), draft, notes);
     }
 
     /**

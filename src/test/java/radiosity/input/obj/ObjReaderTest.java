@@ -218,6 +218,15 @@ class ObjReaderTest {
         assertEquals(Rgb.grey(.3), scene.surfaces().get(2).reflectance());
     }
 
+    @Test
+    void zThatPointsUp_becomesY() throws IOException {
+        String floor = "v 0 0 0\nv 2 0 0\nv 0 1 .5\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+        Scene scene = read(floor, ReadOptions.defaults().withUp(ReadOptions.Up.Z));
+        assertEquals(new Vec3(0, .5, -1), scene.corner(0, 2));
+        assertTrue(scene.cross(0).y() > 0, "the floor faces " + scene.cross(0));
+        assertEquals(new Vec3(0, 1, .5), read(floor, ReadOptions.defaults()).corner(0, 2));
+    }
+
     /** A point that no polygon has, as exporters write for the origin of a survey. */
     @Test
     void unusedVertex_leavesASceneFarAway() throws IOException {
