@@ -208,18 +208,30 @@ class TexturesTest {
         assertCoordinates(scene, 1e-6, p -> new double[] {(p[0] - .5) / 2 + .5, (p[1] - .25) / 4 + .5});
     }
 
-    @Test
-    void imageNode_isReadBesideItsMaterial() throws IOException {
+    /** An object whose material has the image "wood.png" at some of its inputs. */
+    private static byte[] imageNode(byte[]... links) {
         byte[] image = Iff.join(chunk("NSRV", s0("Image")), form("NTAG", chunk("NNME", s0("i")), form("NDTA",
                 form("IIMG", form("CLIP", form("STIL", chunk("    ", s0("wood.png"))))), chunk("IMAP", u4(5)),
                 chunk("IUVI", s0("map")), chunk("IUTL", u4(2)), chunk("IVTL", u4(0)))));
         byte[] surface = form("SURF", chunk("    ", s0("white")), form("NODS", form("NNDS",
                 SoundFiles.node("Surface", "Surface"), SoundFiles.node("Standard", "s",
                         SoundFiles.attribute("Color", 1, 1, 1), SoundFiles.attribute("Diffuse", 0.5)), image),
-                form("NCON", SoundFiles.link("Surface", "Material", "s"), SoundFiles.link("s", "Color", "i"))));
-        Scene scene = read(form("LWO3", chunk("TAGS", s0("white")), Objects.squareOf("FACE"),
-                chunk("VMAP", text("TXUV"),
-                u2(2), s0("map"), u2(0), f4(0, 0), u2(1), f4(0, 1), u2(2), f4(1, 1)), surface));
+                form("NCON", SoundFiles.link("Surface", "Material", "s"), Iff.join(links))));
+        return form("LWO3", chunk("TAGS", s0("white")), Objects.squareOf("FACE"), chunk("VMAP", text("TXUV"),
+                u2(2), s0("map"), u2(0), f4(0, 0), u2(1), f4(0, 1), u2(2), f4(1, 1)), surface);
+    }
+
+    /** What it does to the one is not what it does to the other. */
+    @Test
+    void imageNodeAtTwoInputs_variesBothQuantities() throws IOException {
+        Scene scene = read(imageNode(SoundFiles.link("s", "Color", "i"), SoundFiles.link("s", "Luminosity", "i")));
+        assertEquals(List.of(ImageMap.Target.REFLECTANCE, ImageMap.Target.EXITANCE),
+                scene.surfaces().get(0).textures().stream().map(ImageMap::target).distinct().toList());
+    }
+
+    @Test
+    void imageNode_isReadBesideItsMaterial() throws IOException {
+        Scene scene = read(imageNode(SoundFiles.link("s", "Color", "i")));
         ImageMap map = scene.surfaces().get(0).textures().get(0);
         assertEquals(List.of(ImageMap.Wrap.MIRROR, ImageMap.Wrap.NONE), List.of(map.wrapU(), map.wrapV()));
         for (int t = 0; t < 2; t++) {

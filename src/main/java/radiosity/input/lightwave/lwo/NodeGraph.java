@@ -112,8 +112,7 @@ final class NodeGraph {
 
     private static void add(SurfaceValues surface, String channel, TextureBlock texture) {
         if (channel != null) {
-            texture.channel = channel;
-            surface.addTexture(texture);
+            surface.addTexture(texture.on(channel));
         }
     }
 

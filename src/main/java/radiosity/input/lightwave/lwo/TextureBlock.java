@@ -4,7 +4,7 @@ import java.util.Arrays;
 import radiosity.scene.ImageMap;
 
 /** An image on a surface as an object describes it: the quantity that it varies and its projection onto the points. */
-public final class TextureBlock {
+public final class TextureBlock implements Cloneable {
 
     /** Projections of an image, in the order of their numbers in files. */
     public enum Projection { PLANAR, CYLINDRICAL, SPHERICAL, CUBIC, FRONT, UV }
@@ -34,6 +34,17 @@ public final class TextureBlock {
     public ImageMap.Wrap wrapV = ImageMap.Wrap.REPEAT;
     /** Name of the texture coordinates of a UV projection. */
     public String map = "";
+
+    /** A block of the same image on the same points, which varies a channel of its own. */
+    TextureBlock on(String otherChannel) {
+        try {
+            TextureBlock copy = (TextureBlock) clone();
+            copy.channel = otherChannel;
+            return copy;
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException("blocks can be cloned", e);
+        }
+    }
 
     /** Whether another image has the same projection onto the points, and goes on alike beyond its edges. */
     public boolean liesAs(TextureBlock other) {
