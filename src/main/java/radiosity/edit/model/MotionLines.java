@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import radiosity.input.lightwave.lws.SceneNumbers;
 
 /** The text of a LightWave scene in which single numbers and paths can be replaced; all other bytes stay the same. */
 final class MotionLines {
@@ -74,9 +75,11 @@ final class MotionLines {
             }
             for (Place place : channels.get(c)) {
                 String text = lines.get(place.line);
-                double value = number(place) + by;
-                lines.set(place.line, by == 0 ? text
-                        : text.substring(0, place.from) + value + text.substring(place.to));
+                if (by != 0) {
+                    boolean isComma = text.substring(place.from, place.to).indexOf(',') >= 0;
+                    String value = Double.toString(number(place) + by).replace('.', isComma ? ',' : '.');
+                    lines.set(place.line, text.substring(0, place.from) + value + text.substring(place.to));
+                }
             }
         }
     }
@@ -92,7 +95,12 @@ final class MotionLines {
     }
 
     private double number(Place place) {
-        return Double.parseDouble(lines.get(place.line).substring(place.from, place.to));
+        String word = lines.get(place.line).substring(place.from, place.to);
+        double number = SceneNumbers.one(word);
+        if (Double.isNaN(number)) {
+            throw new IllegalArgumentException("line " + (place.line + 1) + ": expected a number, got " + word);
+        }
+        return number;
     }
 
     private List<List<Place>> channels(int line) {

@@ -130,6 +130,19 @@ class LightWaveCopyTest {
         assertFalse(Files.exists(folder.resolve("copy.lws")));
     }
 
+    /** As LightWave wrote numbers on computers whose language has decimal commas; the reader reads them. */
+    @Test
+    void decimalCommas_areReadAndWritten() throws IOException {
+        Path source = box();
+        Files.writeString(source, Files.readString(source).replaceAll("(Key -?\\d+)(\\.\\d+)? ", "$1,5 "));
+        EditHistory history = new EditHistory(read(source));
+        history.add(new Edit.Moved(1, Vec3.ZERO, 0, new Vec3(-60, 0, 40)));
+        save(source, history);
+        assertSame(history.scene(), read(folder.resolve("copy.lws")), 550);
+        assertEquals(2, differences(source, folder.resolve("copy.lws")), "x and z");
+        assertFalse(Files.readString(folder.resolve("copy.lws")).matches("(?s).*Key \\S*\\d\\.\\d.*"));
+    }
+
     /** LWSC 1, as the paper's scenes are: all channels of a key in a line, angles in degrees. */
     @Test
     void oldScene_comesBack() throws IOException {

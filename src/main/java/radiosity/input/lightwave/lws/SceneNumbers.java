@@ -3,7 +3,7 @@ package radiosity.input.lightwave.lws;
 import java.util.StringTokenizer;
 
 /** Reads numbers from a scene's lines in all notations that versions of LightWave wrote. */
-final class SceneNumbers {
+public final class SceneNumbers {
 
     private SceneNumbers() {
     }
@@ -19,7 +19,7 @@ final class SceneNumbers {
     }
 
     /** A number with a decimal point or comma; NaN for a word that is not a finite number ("1.#IND"). */
-    static double one(String word) {
+    public static double one(String word) {
         if (!word.chars().allMatch(c -> c >= '0' && c <= '9' || "+-.,eE".indexOf(c) >= 0)) {
             return Double.NaN;
         }
