@@ -10,6 +10,7 @@ import java.util.HashMap;
 import java.util.Map;
 import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
+import radiosity.util.ArraySize;
 
 /**
  * Copies arrays of vertices byte by byte and repeats some vertices. The model's reader has already checked the arrays.
@@ -42,7 +43,7 @@ final class VertexCopier {
         int size = GltfLists.elementSize(accessor.get("type").asText(), accessor.get("componentType").asInt());
         byte[] all = elements(accessor, size);
         int step = size + 3 & ~3;
-        byte[] copied = new byte[step * rows.length];
+        byte[] copied = new byte[ArraySize.of("vertices of a model with a lightmap", step, rows.length)];
         for (int i = 0; i < rows.length; i++) {
             System.arraycopy(all, size * rows[i], copied, step * i, size);
         }
@@ -67,11 +68,12 @@ final class VertexCopier {
     /** All elements of an accessor, each of {@code size} bytes, without gaps. */
     private byte[] elements(JsonNode accessor, int size) {
         int count = accessor.get("count").asInt();
-        byte[] all = new byte[size * count];
+        byte[] all = new byte[ArraySize.of("vertices of a model", size, count)];
         if (accessor.hasNonNull("bufferView")) {
             JsonNode view = list("bufferViews").get(accessor.get("bufferView").asInt());
             ByteBuffer from = view(view, accessor.path("byteOffset").asLong());
-            int step = view.path("byteStride").asInt(size);
+            int stride = view.path("byteStride").asInt();
+            int step = stride > 0 ? stride : size;
             for (int i = 0; i < count; i++) {
                 from.get(i * step, all, size * i, size);
             }

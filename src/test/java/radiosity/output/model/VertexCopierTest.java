@@ -3,6 +3,8 @@ package radiosity.output.model;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.nio.ByteBuffer;
@@ -13,6 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
+import radiosity.util.TooLargeException;
 
 class VertexCopierTest {
 
@@ -44,6 +47,28 @@ class VertexCopierTest {
                 (int) copied[23], (int) copied[24], (int) copied[35]));
         assertEquals(0, GltfLists.elementSize("MAT5", 5126));
         assertEquals(64, GltfLists.elementSize("MAT4", 5126));
+    }
+
+    /** Of the vertices at (0, 0) to (31, 31), as the reader takes them. */
+    @Test
+    void stride0_isThatOfAdjacentElements() {
+        GltfModel model = model();
+        model.lists().get("bufferViews", 0).put("byteStride", 0);
+        new VertexCopier(model).copy(0, new int[] {31, 2});
+        ByteBuffer copied = ByteBuffer.wrap(model.arrays().get(1)).order(ByteOrder.LITTLE_ENDIAN);
+        assertEquals(31, copied.getFloat(0));
+        assertEquals(2, copied.getFloat(8));
+    }
+
+    /** 2^30 vertices of 16 bytes, which are 2^34 bytes and as an int 0. */
+    @Test
+    void moreBytesThanAnArrayHolds_areRefused() {
+        GltfModel model = model();
+        model.lists().list("accessors").addObject().put("componentType", GltfLists.FLOAT).put("count", 1 << 30)
+                .put("type", "VEC4");
+        String message = assertThrows(TooLargeException.class,
+                () -> new VertexCopier(model).copy(1, new int[] {0})).getMessage();
+        assertTrue(message.contains("got 17,179,869,184"), message);
     }
 
     @Test
