@@ -178,7 +178,7 @@ final class Accessors {
     }
 
     /** The elements that a sparse accessor replaces, each below {@code elements}. */
-    private int[] replaced(JsonCursor sparse, int elements) throws IOException {
+    int[] replaced(JsonCursor sparse, int elements) throws IOException {
         int count = sparse.at("count").integer();
         if (count > elements) {
             throw sparse.wrong("no more elements than there are");

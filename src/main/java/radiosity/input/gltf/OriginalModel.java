@@ -25,6 +25,7 @@ final class OriginalModel {
     private final JsonCursor root;
     private final Buffers buffers;
     private final Meshes meshes;
+    private final Accessors accessors;
     /** The first triangle of the scene that has not been matched with a triangle of the file. */
     private int next;
 
@@ -32,6 +33,7 @@ final class OriginalModel {
         this.root = root;
         this.buffers = buffers;
         this.meshes = meshes;
+        accessors = new Accessors(root, buffers);
     }
 
     /** @param standing all placed meshes, in the order of their triangles in the scene */
@@ -113,10 +115,21 @@ final class OriginalModel {
             Optional<JsonCursor> number = accessor.optional("bufferView");
             if (number.isPresent() && count > 0) {
                 int step = root.at("bufferViews").at(number.get().integer()).index("byteStride");
-                long end = accessor.unchecked("byteOffset") + (step > 0 ? step : size) * (count - 1) + size;
-                require(end <= buffers.view(number.get()).capacity(), accessor, "elements within their bufferView");
+                requireWithin(accessor, number.get(), (step > 0 ? step : size) * (count - 1) + size);
+            }
+            Optional<JsonCursor> sparse = accessor.optional("sparse");
+            if (sparse.isPresent()) {
+                JsonCursor values = sparse.get().at("values");
+                requireWithin(values, values.at("bufferView"), size * accessors.replaced(sparse.get(), count).length);
             }
         }
+    }
+
+    /** Checks that a number of bytes of a buffer view follow the offset that a JSON value has. */
+    private void requireWithin(JsonCursor where, JsonCursor view, long bytes) throws IOException {
+        long offset = where.unchecked("byteOffset");
+        require(offset >= 0 && offset <= buffers.view(view).capacity() - bytes, where,
+                "elements within their bufferView");
     }
 
     private static void require(boolean holds, JsonCursor where, String expected) throws SceneFormatException {

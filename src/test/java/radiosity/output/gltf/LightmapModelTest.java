@@ -281,12 +281,33 @@ class LightmapModelTest {
         "\"meshes\"; \"materials\": [7], \"meshes\"; an object"})
     void whatTheReaderDoesNotLookAt_isCheckedBeforeItIsCopied(String before, String after, String expected)
             throws IOException {
-        Path model = changed(before, after);
+        assertRefused(changed(before, after), expected);
+    }
+
+    private static void assertRefused(Path model, String expected) throws IOException {
         ReadOptions options = ReadOptions.defaults();
         Scene scene = SceneReader.read(model, options, warning -> { });
         String message = assertThrows(SceneFormatException.class,
                 () -> SceneReader.original(model, options, scene)).getMessage();
         assertTrue(message.contains(expected), message);
+    }
+
+    /** An attribute that only the copy of the vertices needs. */
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', quoteCharacter = '`', value = {
+        "'bufferView': 0, 'byteOffset': -4; elements within their bufferView",
+        "'sparse': {'count': 1}; /accessors/3/sparse/values",
+        "'sparse': {'count': 1, 'values': {'bufferView': 2}}; /accessors/3/sparse/indices",
+        "'sparse': {'count': 1, 'values': {'bufferView': 2}, 'indices': {'bufferView': 2, 'byteOffset': 8,"
+            + " 'componentType': 5125}}; elements that there are",
+        "'sparse': {'count': 3, 'values': {'bufferView': 2}, 'indices': {'bufferView': 1, 'componentType': 5123}};"
+            + " elements within their bufferView"})
+    void bytesOfOtherAttributes_areCheckedBeforeTheyAreCopied(String accessor, String expected) throws IOException {
+        Path model = changed("\"POSITION\": 0}", "\"POSITION\": 0, \"_OTHER\": 3}");
+        Files.writeString(model, Files.readString(model).replace("\"count\": 2, \"type\": \"VEC3\"}",
+                "\"count\": 2, \"type\": \"VEC3\"}, {\"componentType\": 5126, \"count\": 5, \"type\": \"VEC3\", "
+                + accessor.replace('\'', '"') + "}"));
+        assertRefused(model, expected);
     }
 
     @Test
