@@ -87,6 +87,9 @@ final class OriginalModel {
         for (JsonCursor material : root.list("materials")) {
             require(material.node().isObject(), material, "an object");
         }
+        for (JsonCursor animation : root.list("animations")) {
+            require(animation.node().path("channels").isArray(), animation, "an animation with a list of channels");
+        }
         for (String names : List.of("extensionsUsed", "extensionsRequired")) {
             Optional<JsonCursor> list = root.optional(names);
             require(list.isEmpty() || list.get().node().isArray(), root, names + " to be a list");

@@ -181,14 +181,21 @@ public final class LightmapModel {
 
     /** Removes the morph weights of a node whose mesh its instances get, with what animates them. */
     private JsonNode takeWeights(int node, ObjectNode parent) {
-        for (JsonNode animation : json.path("animations")) {
-            ArrayNode channels = ((ObjectNode) animation).withArrayProperty("channels");
+        JsonNode animations = json.path("animations");
+        for (int a = animations.size() - 1; a >= 0; a--) {
+            ArrayNode channels = ((ObjectNode) animations.get(a)).withArrayProperty("channels");
             for (int i = channels.size() - 1; i >= 0; i--) {
                 JsonNode target = channels.get(i).path("target");
                 if (target.path("node").asInt(-1) == node && target.path("path").asText().equals("weights")) {
                     channels.remove(i);
                 }
             }
+            if (channels.isEmpty()) { // an animation without channels is not valid, nor is an empty list of animations
+                ((ArrayNode) animations).remove(a);
+            }
+        }
+        if (animations.isEmpty()) {
+            json.remove("animations");
         }
         JsonNode weights = parent.path("weights");
         parent.remove("weights");

@@ -238,12 +238,9 @@ class LightmapModelTest {
     /** The node whose mesh they get keeps neither the weights nor what animates them: it has no mesh. */
     @Test
     void instancesOfAMorphedMesh_haveItsWeights() throws IOException {
-        Path model = changed("\"indices\": 1}]}]", "\"indices\": 1, \"targets\": [{\"POSITION\": 0}]}]}]");
-        Files.writeString(model, Files.readString(model).replace("\"name\": \"c\", \"mesh\": 0,",
-                "\"name\": \"c\", \"mesh\": 0, \"weights\": [0.5],").replace("\"accessors\": [", """
-                "animations": [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "weights"}},
-                  {"sampler": 0, "target": {"node": 2, "path": "scale"}}], "samplers": []}], "accessors": ["""));
-        JsonNode got = json(lit(model));
+        JsonNode got = json(lit(morphed("""
+                {"channels": [{"sampler": 0, "target": {"node": 2, "path": "weights"}},
+                  {"sampler": 0, "target": {"node": 2, "path": "scale"}}], "samplers": []}""")));
         int weighted = 0;
         for (JsonNode node : got.get("nodes")) {
             assertTrue(node.has("mesh") || !node.has("weights"), node.toString());
@@ -252,6 +249,24 @@ class LightmapModelTest {
         assertEquals(2, weighted);
         assertEquals("[{\"sampler\":0,\"target\":{\"node\":2,\"path\":\"scale\"}}]",
                 got.get("animations").get(0).get("channels").toString());
+    }
+
+    private Path morphed(String animations) throws IOException {
+        Path model = changed("\"indices\": 1}]}]", "\"indices\": 1, \"targets\": [{\"POSITION\": 0}]}]}]");
+        return Files.writeString(model, Files.readString(model).replace("\"name\": \"c\", \"mesh\": 0,",
+                "\"name\": \"c\", \"mesh\": 0, \"weights\": [0.5],").replace("\"accessors\": [",
+                "\"animations\": [" + animations + "], \"accessors\": ["));
+    }
+
+    /** Both an animation without channels and an empty list of animations are not valid. */
+    @Test
+    void animationsOfWeightsAlone_areRemoved() throws IOException {
+        String weights = "{\"channels\": [{\"sampler\": 0, \"target\": {\"node\": 2, \"path\": \"weights\"}}]}";
+        assertFalse(json(lit(morphed(weights + ", " + weights))).has("animations"));
+        JsonNode animations = json(lit(morphed(weights + ", " + weights.replace("weights", "scale"))))
+                .get("animations");
+        assertEquals(1, animations.size());
+        assertEquals("scale", animations.at("/0/channels/0/target/path").asText());
     }
 
     /** A loader that decodes the compressed vertices would lay the lightmap on others. */
@@ -278,6 +293,7 @@ class LightmapModelTest {
         "\"POSITION\": 0}; \"POSITION\": 0, \"_SHORT\": 2}; an element for each of 5 vertices",
         "\"POSITION\": 0}; \"POSITION\": 0, \"_ODD\": 1}; an element for each of 5 vertices",
         "[\"EXT_mesh_gpu_instancing\"], \"extensionsR; \"EXT_mesh_gpu_instancing\", \"extensionsR; to be a list",
+        "\"meshes\"; \"animations\": [{\"channels\": 7}], \"meshes\"; an animation with a list of channels",
         "\"meshes\"; \"materials\": [7], \"meshes\"; an object"})
     void whatTheReaderDoesNotLookAt_isCheckedBeforeItIsCopied(String before, String after, String expected)
             throws IOException {
