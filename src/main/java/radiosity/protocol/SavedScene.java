@@ -51,14 +51,20 @@ public final class SavedScene {
         if (length < TAIL) {
             return Optional.empty();
         }
-        DataInputStream tail = at(state, length - TAIL);
-        int packed = tail.readInt();
-        if (tail.readInt() != MARK || packed < 0 || packed > length - TAIL) {
-            return Optional.empty();
+        int packed;
+        try (DataInputStream tail = at(state, length - TAIL)) {
+            packed = tail.readInt();
+            if (tail.readInt() != MARK || packed < 0 || packed > length - TAIL) {
+                return Optional.empty();
+            }
         }
         try (DataInputStream scene = new DataInputStream(new InflaterInputStream(
                 at(state, length - TAIL - packed)))) {
-            return Optional.of(SceneBytes.read(Wire.input(scene.readNBytes(scene.readInt()))));
+            int bytes = scene.readInt();
+            if (bytes < 0) {
+                throw new IOException("saved scene: expected a number of bytes from 0 on, got " + bytes);
+            }
+            return Optional.of(SceneBytes.read(Wire.input(scene.readNBytes(bytes))));
         }
     }
 
