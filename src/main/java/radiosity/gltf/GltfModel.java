@@ -3,18 +3,28 @@ package radiosity.gltf;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import radiosity.scene.Affine;
 
-/**
- * A glTF file in memory, and where the triangles of a scene stand in it.
- *
- * @param json   without "buffers": all buffer views lie in one buffer, which consists of the arrays
- * @param arrays bytes, each array at a multiple of 4 bytes; arrays are not to be modified, but more may be added
- * @param places where all triangles of the scene stand
- */
-public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places) {
+/** A glTF file in memory, and where the triangles of a scene stand in it. */
+public final class GltfModel {
+
+    private final ObjectNode json;
+    private final List<byte[]> arrays = new ArrayList<>();
+    private final List<Place> places;
+    private long length;
+
+    /**
+     * @param json   without "buffers": all buffer views lie in one buffer, which consists of the model's arrays
+     * @param places where all triangles of the scene stand; kept, the caller may add more
+     */
+    public GltfModel(ObjectNode json, List<Place> places) {
+        this.json = json;
+        this.places = places;
+    }
 
     /**
      * A primitive of a mesh at a node.
@@ -35,11 +45,33 @@ public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places
         }
     }
 
+    /** The file's JSON, which callers modify. */
+    public ObjectNode json() {
+        return json;
+    }
+
+    /** The bytes of the buffer, each array at a multiple of 4 bytes; none is to be modified. */
+    public List<byte[]> arrays() {
+        return Collections.unmodifiableList(arrays);
+    }
+
+    /** Where all triangles of the scene stand. */
+    public List<Place> places() {
+        return places;
+    }
+
+    /** Adds an array of bytes without a buffer view and returns the offset of its first byte in the buffer. */
+    public long append(byte[] bytes) {
+        long offset = length;
+        arrays.add(bytes);
+        length += bytes.length + 3L & ~3L;
+        return offset;
+    }
+
     /** Adds an array of bytes and returns the index of its buffer view. */
     public int add(byte[] bytes) {
-        json.withArrayProperty("bufferViews").addObject().put("buffer", 0).put("byteOffset", length())
+        json.withArrayProperty("bufferViews").addObject().put("buffer", 0).put("byteOffset", append(bytes))
                 .put("byteLength", bytes.length);
-        arrays.add(bytes);
         return json.get("bufferViews").size() - 1;
     }
 
@@ -66,6 +98,6 @@ public record GltfModel(ObjectNode json, List<byte[]> arrays, List<Place> places
 
     /** Length of all arrays so far, each padded to a multiple of 4, bytes. */
     public long length() {
-        return arrays.stream().mapToLong(array -> array.length + 3 & ~3).sum();
+        return length;
     }
 }

@@ -53,7 +53,7 @@ final class OriginalModel {
             }
         }
         ObjectNode json = root.node().deepCopy();
-        GltfModel model = new GltfModel(json, new ArrayList<>(), places);
+        GltfModel model = new GltfModel(json, places);
         joinBuffers(model);
         embedImages(model);
         return model;
@@ -145,8 +145,7 @@ final class OriginalModel {
         int count = root.optional("buffers").map(JsonCursor::size).orElse(0);
         long[] begin = new long[count];
         for (int b = 0; b < count; b++) {
-            begin[b] = model.length();
-            model.arrays().add(buffers.all(b));
+            begin[b] = model.append(buffers.all(b));
         }
         for (JsonNode view : model.json().path("bufferViews")) {
             long offset = view.path("byteOffset").asLong() + begin[view.path("buffer").asInt()];

@@ -40,8 +40,7 @@ public final class SceneModel {
     private static final String STRENGTH = "KHR_materials_emissive_strength";
 
     private final Scene scene;
-    private final GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), new ArrayList<>(),
-            new ArrayList<>());
+    private final GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), new ArrayList<>());
     private final ObjectNode json = model.json();
     private final Map<Integer, Integer> materials = new HashMap<>();
     /** 1 per node of the hierarchy: the map from the node's space to the scene's; the identity if it has no inverse. */

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -21,7 +20,7 @@ class VertexCopierTest {
 
     /** 32 vertices at (i, i). */
     private static GltfModel model() {
-        GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), new ArrayList<>(), List.of());
+        GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), List.of());
         float[] values = new float[64];
         for (int i = 0; i < values.length; i++) {
             values[i] = i / 2;
@@ -30,10 +29,20 @@ class VertexCopierTest {
         return model;
     }
 
+    /** 3 bytes take 4. */
+    @Test
+    void arrays_beginAtMultiplesOf4() {
+        GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), List.of());
+        assertEquals(0, model.append(new byte[3]));
+        int view = model.add(new byte[5]);
+        assertEquals(4, model.json().get("bufferViews").get(view).get("byteOffset").asInt());
+        assertEquals(12, model.length());
+    }
+
     /** Columns of 3 bytes take 4. */
     @Test
     void matrices_areCopiedWithWhatAlignsTheirColumns() {
-        GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), new ArrayList<>(), List.of());
+        GltfModel model = new GltfModel(JsonNodeFactory.instance.objectNode(), List.of());
         byte[] bytes = new byte[24];
         for (int i = 0; i < bytes.length; i++) {
             bytes[i] = (byte) i;
