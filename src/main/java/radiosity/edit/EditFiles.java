@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -39,7 +40,7 @@ public final class EditFiles {
      *
      * @param edited light of the edited scene
      * @return line for the user: the files saved, and why the model was not saved
-     * @throws IOException where the scene file or the copy cannot be written
+     * @throws IOException where the scene file or the copy cannot be written; no file is left then
      */
     public String save(LightFollower.Rest edited, ToneMapping toneMapping) throws IOException {
         int number = 1;
@@ -51,17 +52,26 @@ public final class EditFiles {
         extras.put("settings", source.kept());
         edited.certificate().ifPresent(certificate -> extras.put("certificate", certificate));
         String copied;
+        List<Path> copies = List.of();
         try {
             Path copy = copy(number);
             Path file = scene(number);
-            ModelCopy.write(source.model(), source.reading(), source.scene(), scene, copy);
+            copies = ModelCopy.write(source.model(), source.reading(), source.scene(), scene, copy);
             extras.put("commandLine", source.commandLine().stream().map(word -> isName(word, source.model()) ? "" + copy
                     : isName(word, source.file()) ? "" + file : word).toList());
             copied = ", " + copy.getFileName();
         } catch (SceneFormatException e) {
             copied = "; " + e.getMessage();
         }
-        SceneFile.write(scene(number), edited.solution(), extras, scene.camera(), toneMapping);
+        boolean isWritten = false;
+        try {
+            SceneFile.write(scene(number), edited.solution(), extras, scene.camera(), toneMapping);
+            isWritten = true;
+        } finally {
+            for (Path copy : isWritten ? List.<Path>of() : copies) {
+                Files.deleteIfExists(copy);
+            }
+        }
         return "saved " + scene(number).getFileName() + copied;
     }
 

@@ -1,12 +1,15 @@
 package radiosity.edit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,10 +57,9 @@ class EditFilesTest {
         }
     }
 
-    @Test
-    void gltfModel_isSavedWithTheSceneFileThatNamesIt() throws IOException {
+    private Path gltf() throws IOException {
         String positions = "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAIA/AACAPwAAAAAAAIA/AACAPwAAAAAAAAAA";
-        Path model = Files.writeString(folder.resolve("room.gltf"), ("{'asset': {'version': '2.0'}, 'scene': 0,"
+        return Files.writeString(folder.resolve("room.gltf"), ("{'asset': {'version': '2.0'}, 'scene': 0,"
                 + " 'scenes': [{'nodes': [0, 1]}], 'nodes': [{'name': 'floor', 'mesh': 0},"
                 + " {'name': 'lamp', 'mesh': 1, 'translation': [0, 1, 1], 'rotation': [1, 0, 0, 0]}],"
                 + " 'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'mode': 6, 'material': 0}]},"
@@ -66,11 +68,28 @@ class EditFilesTest {
                 + " 'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 4, 'type': 'VEC3'}],"
                 + " 'bufferViews': [{'buffer': 0, 'byteLength': 48}], 'buffers': [{'byteLength': 48,"
                 + " 'uri': 'data:application/octet-stream;base64," + positions + "'}]}").replace('\'', '"'));
-        EditSource source = rendered(model);
+    }
+
+    @Test
+    void gltfModel_isSavedWithTheSceneFileThatNamesIt() throws IOException {
+        EditSource source = rendered(gltf());
         assertEquals("saved lit-edit-1.scene, room-edit-1.gltf", save(source));
         EditSource saved = SceneSource.read(folder.resolve("lit-edit-1.scene"), Optional.empty(), line -> { });
         assertEquals(folder.resolve("room-edit-1.gltf"), saved.model());
         assertEdited(source.scene(), saved.scene());
+    }
+
+    /** It would be the model of no scene file. */
+    @Test
+    void sceneFileThatCannotBeWritten_leavesNoCopyOfTheModel() throws IOException {
+        EditSource source = rendered(gltf());
+        EditSource elsewhere = new EditSource(source.model(), source.reading(), source.scene(),
+                folder.resolve("gone/lit.scene"), source.light(), source.settings(), source.kept(),
+                source.commandLine());
+        assertThrows(IOException.class, () -> save(elsewhere));
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of("lit.scene", "room.gltf"), files.map(f -> "" + f.getFileName()).sorted().toList());
+        }
     }
 
     @Test
