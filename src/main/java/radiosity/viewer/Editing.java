@@ -46,6 +46,8 @@ final class Editing {
     /** Result of the last edit; null while its light is being rendered. */
     private LightFollower.Rest rest;
     private boolean savesAtRest;
+    /** Whether files are being written; cleared on the event thread. */
+    private boolean isSaving;
     private boolean isEdited;
     private boolean isSaved = true;
     private Thread saving;
@@ -305,7 +307,7 @@ final class Editing {
         say(done + "; the light follows");
     }
 
-    /** Saves the edited scene, at once or when its light is at rest. */
+    /** Saves the edited scene, at once or when its light is at rest and files that are being written are complete. */
     void save() {
         savesAtRest = false;
         if (history == null || history.edits().isEmpty()) {
@@ -313,7 +315,11 @@ final class Editing {
         } else if (rest == null || pending != null) {
             savesAtRest = true;
             say("edit: saved when the light is at rest");
+        } else if (isSaving) {
+            savesAtRest = true;
+            say("edit: still saving");
         } else {
+            isSaving = true;
             LightFollower.Rest saved = rest;
             say("edit: saving");
             List<Edit> edits = history.edits();
@@ -328,10 +334,21 @@ final class Editing {
             String outcome = files.save(saved, toneMapping);
             EventQueue.invokeLater(() -> {
                 isSaved = edits.equals(history.edits());
-                say(outcome);
+                endSaving(outcome);
             });
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
-            EventQueue.invokeLater(() -> say("edit: not saved: " + reason(e)));
+            EventQueue.invokeLater(() -> endSaving("edit: not saved: " + reason(e)));
+        }
+    }
+
+    /** Saves again where the user asked for that during the saving that has ended, and not all edits are saved. */
+    private void endSaving(String outcome) {
+        isSaving = false;
+        say(outcome);
+        if (savesAtRest && !isSaved && !isClosed) {
+            save();
+        } else {
+            savesAtRest = false;
         }
     }
 

@@ -11,7 +11,9 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -78,7 +80,8 @@ class EditWindowTest {
             window.say("drag " + (X + 20) + " " + MIDDLE + " " + (X + 50) + " " + MIDDLE + " CONTROL");
             until(window, "turned by 17 degrees");
             until(window, "at rest");
-            window.say("hold CONTROL+S 40");
+            String twice = window.say("tell CONTROL+S+S");
+            assertTrue(twice.contains("still saving"), twice);
             assertTrue(until(window, "saved").contains("box-edit-1.scene, cornell-box-edit-1.lws"));
             window.say("click 1 1");
             BufferedImage turned = bare(window);
@@ -91,6 +94,10 @@ class EditWindowTest {
             double back = difference(before, bare(window));
             double there = difference(before, turned);
             assertTrue(back < there / 3, "differs by " + back + ", turned by " + there);
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of("box-edit-1.scene", "cornell-box-edit-1.lws"), files.map(f -> "" + f.getFileName())
+                    .filter(name -> name.contains("edit")).sorted().toList(), "saved once, though S is pressed twice");
         }
         Scene saved = Radiosity.read(folder.resolve("cornell-box-edit-1.lws"), line -> { });
         assertTrue(LitScene.read(folder.resolve("box-edit-1.scene")).meshes().size() > 4);

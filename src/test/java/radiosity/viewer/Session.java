@@ -30,9 +30,9 @@ import radiosity.scene.Camera;
 /**
  * A window that is used by lines on standard input; each is answered by one line.
  *
- * <p>hold KEY+KEY milliseconds; click X Y; drag X Y X Y [KEY]; mouse PRESSED|DRAGGED|RELEASED X Y; probe X Y; paint RED
- * GREEN BLUE; status; camera; exposure; shot FILE; screen FILE; real KEY; press BUTTON; set SLIDER NUMBER; colour LAMP
- * RED GREEN BLUE
+ * <p>hold KEY+KEY milliseconds; tell KEY+KEY (answered by the status, before anything else happens); click X Y; drag
+ * X Y X Y [KEY]; mouse PRESSED|DRAGGED|RELEASED X Y; probe X Y; paint RED GREEN BLUE; status; camera; exposure; shot
+ * FILE; screen FILE; real KEY; press BUTTON; set SLIDER NUMBER; colour LAMP RED GREEN BLUE
  *
  * <p>Keys and mouse are events given to the canvas, and time is a counter: however busy the machine is, a key is held
  * for as long as it says. Only {@code real} presses a key of the display, until the window has walked.
@@ -101,6 +101,10 @@ final class Session {
     private String said(String[] words) throws ReflectiveOperationException {
         switch (words[0]) {
             case "hold" -> hold(words[1].split("\\+"), number(words, 2));
+            case "tell" -> {
+                hold(words[1].split("\\+"), 0);
+                return String.join("; ", window.display().status());
+            }
             case "click" -> mouse(number(words, 1), number(words, 2), number(words, 1), number(words, 2), "");
             case "drag" -> mouse(number(words, 1), number(words, 2), number(words, 3), number(words, 4),
                     words.length > 5 ? words[5] : "");
