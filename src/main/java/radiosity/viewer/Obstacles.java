@@ -12,10 +12,6 @@ final class Obstacles {
 
     /** Least distance of the eye from a wall, relative to the scene's size. */
     private static final double MARGIN = 0.004;
-    /** Most backs of surfaces that a ray passes through. */
-    private static final int PASSES = 32;
-    /** Distance behind a back at which a ray goes on, relative to the scene's size. */
-    private static final double STEP = 1e-5;
     /** Most walls along which one step slides. */
     private static final int SLIDES = 3;
 
@@ -73,33 +69,19 @@ final class Obstacles {
      * @param far       length of the ray, scene units
      */
     Optional<Hit> hit(Vec3 eye, Vec3 direction, double far) {
-        Vec3 o = unit(eye);
-        double reach = far / extent.size();
-        double from = 0;
         float[] hit = new float[3];
-        for (int pass = 0; pass < PASSES && from < reach; pass++) {
-            int found = bounds.nearest(o.plus(direction.times(from)), direction, reach - from, hit);
-            if (found < 0) {
-                return Optional.empty();
-            }
-            from += hit[0];
-            Hit seen = hit(found, hit, from * extent.size());
-            if (seen.normal().dot(direction) < 0) {
-                return Optional.of(seen);
-            }
-            from += STEP;
-        }
-        return Optional.empty();
+        int found = bounds.nearestFront(unit(eye), direction, far / extent.size(), false, hit);
+        return found < 0 ? Optional.empty() : Optional.of(hit(found, hit));
     }
 
-    private Hit hit(int found, float[] hit, double distance) {
+    private Hit hit(int found, float[] hit) {
         int m = 0;
         while (first[m + 1] <= found) {
             m++;
         }
         Mesh mesh = meshes.get(m);
         int e = found - first[m];
-        return new Hit(m, e, hit[1], hit[2], distance, mesh.cross(e).unit());
+        return new Hit(m, e, hit[1], hit[2], hit[0] * extent.size(), mesh.cross(e).unit());
     }
 
     /** Returns the part of a step that walls allow; a step that meets a wall slides along the wall. */
