@@ -11,6 +11,12 @@ import java.util.Optional;
  */
 public record ImageSource(String name, Optional<ByteBuffer> content) {
 
+    /** Of the name alone, as there may be many megabytes of content. */
+    @Override
+    public int hashCode() {
+        return name.hashCode();
+    }
+
     /** The image in the file with this path. */
     public static ImageSource file(String path) {
         return new ImageSource(path, Optional.empty());

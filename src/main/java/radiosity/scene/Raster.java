@@ -174,7 +174,7 @@ public final class Raster {
     }
 
     /** Number of pixels of the full image. */
-    long pixels() {
+    public long pixels() {
         return (long) width() * height();
     }
 

@@ -21,10 +21,12 @@ public final class SurfaceMaps {
 
     private final boolean srgb;
     private final Consumer<String> warnings;
-    /** The images that were read; empty for an image that cannot be read. */
+    /** The images that were read and are used again; empty for an image that cannot be read. */
     private final Map<ImageSource, Optional<ImageFile>> images = new HashMap<>();
+    /** By image: how often it is still to be used. */
+    private final Map<ImageSource, Integer> uses = new HashMap<>();
 
-    private SurfaceMaps(boolean srgb, Consumer<String> warnings) {
+    SurfaceMaps(boolean srgb, Consumer<String> warnings) {
         this.srgb = srgb;
         this.warnings = warnings;
     }
@@ -36,13 +38,21 @@ public final class SurfaceMaps {
      * @param srgb whether the values of images are sRGB and are made linear
      */
     public static Scene read(Scene scene, boolean srgb, Consumer<String> warnings) {
-        SurfaceMaps maps = new SurfaceMaps(srgb, warnings);
+        return new SurfaceMaps(srgb, warnings).read(scene);
+    }
+
+    Scene read(Scene scene) {
         ImageBudget budget = new ImageBudget(ImageFile.MOST_PIXELS, ImageFile.MOST_PIXELS);
         List<Surface> surfaces = new ArrayList<>();
+        scene.surfaces().forEach(s -> s.textures().forEach(map -> uses.merge(map.image(), 1, Integer::sum)));
+        long pixels = 0;
         for (Surface surface : scene.surfaces()) {
-            surfaces.add(maps.read(surface));
-            if (!surface.textures().isEmpty()) {
+            Surface read = read(surface);
+            surfaces.add(read);
+            pixels += pixels(read);
+            if (pixels > ImageFile.MOST_PIXELS || pixels(read) > budget.limit()) {
                 surfaces = new ArrayList<>(budget.reduce(surfaces));
+                pixels = surfaces.stream().mapToLong(SurfaceMaps::pixels).sum();
             }
         }
         if (budget.limit() < ImageFile.MOST_PIXELS) {
@@ -50,6 +60,16 @@ public final class SurfaceMaps {
                     + " more than " + budget.limit() + " are taken at half their size or less");
         }
         return scene.with(surfaces, scene.lights());
+    }
+
+    /** Number of images that are in memory. */
+    int images() {
+        return images.size();
+    }
+
+    private static long pixels(Surface surface) {
+        return surface.maps().exitance().map(Raster::pixels).orElse(0L)
+                + surface.maps().reflectance().map(Raster::pixels).orElse(0L);
     }
 
     private Surface read(Surface surface) {
@@ -95,7 +115,7 @@ public final class SurfaceMaps {
     }
 
     private Optional<ImageFile> image(ImageSource source) {
-        return images.computeIfAbsent(source, image -> {
+        Optional<ImageFile> file = images.computeIfAbsent(source, image -> {
             try {
                 return Optional.of(ImageFile.read(image));
             } catch (IOException | InvalidPathException e) {
@@ -104,6 +124,10 @@ public final class SurfaceMaps {
                 return Optional.empty();
             }
         });
+        if (uses.merge(source, -1, Integer::sum) == 0) {
+            images.remove(source);
+        }
+        return file;
     }
 
     /** Combines the images of one quantity in a map as wide and as high as the largest of them. */

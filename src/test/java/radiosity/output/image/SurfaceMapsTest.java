@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -118,6 +119,27 @@ class SurfaceMapsTest {
         Scene scene = SurfaceMaps.read(bare.with(List.of(surface), List.of()), false, told::add);
         assertRgb(.2, 0, 0, look(scene, LEFT).reflectance());
         assertRgb(0, 0, .2, look(scene, RIGHT).reflectance());
+    }
+
+    /** Images of a room are many, and each is needed for its surfaces alone. */
+    @Test
+    void imagesThatAreNotUsedAgain_areForgotten() throws IOException {
+        Path file = image("png", BufferedImage.TYPE_INT_RGB);
+        ImageMap once = map(file, Target.REFLECTANCE, .8, 1);
+        Surface surface = new Surface("painted", Rgb.grey(1), Rgb.grey(.4), false, List.of(once,
+                map(file, Target.EXITANCE, 1, 1)));
+        SurfaceMaps maps = new SurfaceMaps(false, told::add);
+        Scene scene = maps.read(square().with(List.of(surface, surface, surface), List.of()));
+        assertEquals(0, maps.images());
+        assertRgb(.8, 0, 0, look(scene, LEFT).reflectance());
+    }
+
+    /** There may be many megabytes of it. */
+    @Test
+    void contentOfAnImage_isNotRead_whereImagesAreToldApartByTheirNames() {
+        ImageSource image = new ImageSource("a", Optional.of(ByteBuffer.wrap(new byte[] {1, 2})));
+        assertEquals(image.hashCode(), new ImageSource("a", Optional.of(ByteBuffer.wrap(new byte[] {3}))).hashCode());
+        assertEquals(image, new ImageSource("a", Optional.of(ByteBuffer.wrap(new byte[] {1, 2}))));
     }
 
     @Test
