@@ -249,15 +249,6 @@ final class Meshes {
             uv[2 * i] = lie.get().u(given[2 * corners[i]], given[2 * corners[i] + 1]);
             uv[2 * i + 1] = lie.get().v(given[2 * corners[i]], given[2 * corners[i] + 1]);
         }
-        for (int t = 0; t < uv.length; t += 6) {
-            float sum = 0;
-            for (int i = t; i < t + 6; i++) {
-                sum += 0 * uv[i];
-            }
-            if (sum != 0) {
-                Arrays.fill(uv, t, t + 6, Float.NaN);
-            }
-        }
         return uv;
     }
 

@@ -207,7 +207,6 @@ public final class ObjReader {
                 if (sound) {
                     uv[2 * k] = (float) (file.textures.get(at) * image.scaleU() + image.offsetU());
                     uv[2 * k + 1] = (float) (file.textures.get(at + 1) * image.scaleV() + image.offsetV());
-                    sound = Float.isFinite(uv[2 * k]) && Float.isFinite(uv[2 * k + 1]);
                 }
             }
             for (float coordinate : uv) {

@@ -239,6 +239,20 @@ class GltfReaderTest {
         assertEquals(-2.25f, uv[5], "1 - (3 * 1 + 0.25)");
     }
 
+    @Test
+    void triangleWithACoordinateThatIsNoFiniteNumber_hasNoImage() throws IOException {
+        String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'TEXCOORD_0':"
+                + model.floats("VEC2", 0, 0, 1, 0, 1, 1, 0, Float.POSITIVE_INFINITY), ",'indices':"
+                + model.indices(0, 1, 2, 0, 2, 3) + ",'material':0", "",
+                "{'name':'wood','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}");
+        float[] uv = read(text.substring(0, text.length() - 1) + ",\"textures\":[{\"source\":0}],\"images\":"
+                + "[{\"uri\":\"data:image/png;base64,AAEC\"}]}").textureCoordinates();
+        assertTrue(Float.isFinite(uv[5]));
+        for (int i = 6; i < 12; i++) {
+            assertTrue(Float.isNaN(uv[i]));
+        }
+    }
+
     /** Base colour 1 is the default: the image decides, and where it does not lie, the surface is darkened. */
     @Test
     void whiteUnderAnImage_isNotDarkened() throws IOException {

@@ -188,6 +188,18 @@ class ObjReaderTest {
     }
 
     @Test
+    void triangleWithACoordinateThatIsNoFiniteNumber_hasNoImage() throws IOException {
+        library("m.mtl", "newmtl a\nmap_Kd -s 1e30 1 wood.png\n");
+        library("wood.png", "");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1e30 1\nusemtl a\n"
+                + "f 1/1 2/2 4/2\nf 1/1 4/2 3/3\n");
+        assertTrue(Float.isFinite(scene.textureCoordinates()[5]));
+        for (int i = 6; i < 12; i++) {
+            assertTrue(Float.isNaN(scene.textureCoordinates()[i]));
+        }
+    }
+
+    @Test
     void imageOfTheLight_liesAsItIs_whereTheOneOfTheReflectanceIsMissing() throws IOException {
         library("m.mtl", "newmtl a\nKd .5\nmap_Kd -s 2 3 wood.png\nmap_Ke -s 5 7 glow.png\n");
         library("glow.png", "");
