@@ -39,10 +39,6 @@ public abstract class World implements Partitions, AutoCloseable {
         mesh = new InitialMesh(scene, settings);
     }
 
-    public Scene scene() {
-        return mesh.scene;
-    }
-
     public RadiositySettings settings() {
         return mesh.settings;
     }

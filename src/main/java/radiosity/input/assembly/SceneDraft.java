@@ -70,11 +70,6 @@ public final class SceneDraft {
         return nodes.size() - 1;
     }
 
-    /** The nodes added so far. */
-    public List<SceneNode> nodes() {
-        return List.copyOf(nodes);
-    }
-
     /**
      * Adds an instance of a mesh; an instance whose coordinates would be too large is left out with a note.
      *

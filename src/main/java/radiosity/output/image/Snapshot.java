@@ -70,9 +70,6 @@ public final class Snapshot {
             this(gathered, Runtime.getRuntime().availableProcessors(), progress);
         }
 
-        /** Draws a picture from the solution alone, to the end. */
-        public static final Drawing PLAIN = new Drawing(0, done -> true);
-
         /** Decides whether drawing goes on; otherwise the drawing ends with a {@link CancellationException}. */
         public interface Progress {
 
@@ -112,15 +109,6 @@ public final class Snapshot {
      *
      * @param width       pixels; the height follows from the camera's aspect
      * @param toneMapping for .png and .jpg; a .hdr holds radiosity as it is, in W/m² or lm/m²
-     */
-    public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping)
-            throws IOException {
-        write(file, solution, camera, width, toneMapping, Drawing.PLAIN);
-    }
-
-    /**
-     * Writes a picture that is drawn in a given way.
-     *
      * @throws CancellationException if the progress of the drawing ended it; nothing is written then
      */
     public static void write(Path file, Solution solution, Camera camera, int width, ToneMapping toneMapping,
@@ -139,10 +127,6 @@ public final class Snapshot {
     /** Height in pixels of a picture of a given width, at least 1. */
     public static long height(Camera camera, int width) {
         return Math.max(1, Math.round(width / camera.aspect()));
-    }
-
-    static Picture take(Solution solution, Camera camera, int width, UnaryOperator<Rgb> film) {
-        return take(solution, camera, width, film, Drawing.PLAIN);
     }
 
     /** @param film maps the radiosity of each sample, before the samples of a pixel are averaged */

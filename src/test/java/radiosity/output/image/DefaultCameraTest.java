@@ -23,7 +23,8 @@ class DefaultCameraTest {
     private static final Vec3 Z = new Vec3(0, 0, 1);
 
     private static float[] picture(Solution solution) {
-        return Snapshot.take(solution, DefaultCamera.of(solution), 64, UnaryOperator.identity()).rgb();
+        return Snapshot.take(solution, DefaultCamera.of(solution), 64, UnaryOperator.identity(),
+                new Snapshot.Drawing(0, done -> true)).rgb();
     }
 
     private static double lit(Solution solution) {

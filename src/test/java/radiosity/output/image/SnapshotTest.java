@@ -38,6 +38,8 @@ class SnapshotTest {
     private static final Vec3 X = new Vec3(1, 0, 0);
     private static final Vec3 Y = new Vec3(0, 1, 0);
     private static final int WIDTH = 16;
+    /** From the solution alone, to the end. */
+    private static final Snapshot.Drawing PLAIN = new Snapshot.Drawing(0, done -> true);
 
     @TempDir
     Path folder;
@@ -52,7 +54,7 @@ class SnapshotTest {
     }
 
     private static Picture take(Solution solution, Camera camera) {
-        return Snapshot.take(solution, camera, WIDTH, UnaryOperator.identity());
+        return Snapshot.take(solution, camera, WIDTH, UnaryOperator.identity(), PLAIN);
     }
 
     private static Solution square(Rgb exitance) {
@@ -154,7 +156,7 @@ class SnapshotTest {
     void pictureThatNoArrayHolds_isRefusedBeforeAnyRay() {
         Camera narrow = new Camera(new Vec3(.5, .5, 1), new Vec3(0, 0, -1), Y, .5, 1 / 1500.0);
         TooLargeException e = assertThrows(TooLargeException.class, () -> Snapshot.take(square(Rgb.BLACK), narrow, 800,
-                light -> light));
+                light -> light, PLAIN));
         assertEquals("picture of 800x1200000 pixels: expected at most 2,147,483,639 numbers, got 2,880,000,000",
                 e.getMessage());
     }
@@ -164,7 +166,7 @@ class SnapshotTest {
         ToneMapping tones = new ToneMapping(ToneMapping.Operator.LINEAR, .25);
         for (String name : new String[] {"a.png", "a.jpg", "a.JPEG"}) {
             Path file = folder.resolve(name);
-            Snapshot.write(file, square(Rgb.BLACK), camera(1), WIDTH, tones);
+            Snapshot.write(file, square(Rgb.BLACK), camera(1), WIDTH, tones, PLAIN);
             BufferedImage image = ImageIO.read(file.toFile());
             assertEquals(WIDTH, image.getWidth());
             assertEquals(188, image.getRGB(8, 8) & 255, 2);
@@ -176,7 +178,8 @@ class SnapshotTest {
     void edges_areSmoothedAfterToneMapping() throws IOException {
         Path file = folder.resolve("a.png");
         Camera half = new Camera(new Vec3(1 + .5 / WIDTH, .5, 1), new Vec3(0, 0, -1), Y, Math.atan(.5), 1);
-        Snapshot.write(file, square(Rgb.grey(1e6)), half, WIDTH, new ToneMapping(ToneMapping.Operator.LINEAR, 1));
+        Snapshot.write(file, square(Rgb.grey(1e6)), half, WIDTH, new ToneMapping(ToneMapping.Operator.LINEAR, 1),
+                PLAIN);
         int edge = ImageIO.read(file.toFile()).getRGB(7, 8) & 255;
         assertTrue(edge > 100 && edge < 240, "edge of a bright lamp: " + edge);
     }
@@ -185,7 +188,7 @@ class SnapshotTest {
     void hdr_isNotClamped() throws IOException {
         Path file = folder.resolve("a.hdr");
         Snapshot.write(file, square(new Rgb(5e6, 3e-4, 0)), camera(1), WIDTH,
-                new ToneMapping(ToneMapping.Operator.LINEAR, 1e-9));
+                new ToneMapping(ToneMapping.Operator.LINEAR, 1e-9), PLAIN);
         byte[] bytes = Files.readAllBytes(file);
         String text = new String(bytes, StandardCharsets.ISO_8859_1);
         assertTrue(text.startsWith("#?RADIANCE\n"));
@@ -213,7 +216,7 @@ class SnapshotTest {
     void otherFormats_areRefusedInOneLine() {
         Path gif = folder.resolve("a.gif");
         String message = assertThrows(IOException.class,
-                () -> Snapshot.write(gif, square(Rgb.BLACK), camera(1), WIDTH, null)).getMessage();
+                () -> Snapshot.write(gif, square(Rgb.BLACK), camera(1), WIDTH, null, PLAIN)).getMessage();
         assertEquals(gif + ": expected a name that ends in .png, .jpg or .hdr, got a.gif", message);
     }
 
