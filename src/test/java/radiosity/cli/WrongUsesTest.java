@@ -91,10 +91,10 @@ class WrongUsesTest {
             RadiosityRenderer --unit mm --luminaire 1,1,1=@/a.lws @/a.lws @/o.scene | 3 | @/a.lws: expected an IES or EULUMDAT file, got a LightWave scene
             RadiosityRenderer --unit mm --luminaire 1,1,1=@/empty.lws @/a.lws @/o.scene | 3 | @/empty.lws: expected an IES or EULUMDAT file, got an empty file
             RadiosityRenderer --sky cie-clear @/a.lws @/o.scene    | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got no sun
-            RadiosityRenderer --sky cie-clear --sun 0,-1,0 9 @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z not below the horizon (y is up) and an illuminance in lx, like 1,2,1 50000, got 0,-1,0 9
+            RadiosityRenderer --sky cie-clear --sun 0,-1,0 9 @/a.lws @/o.scene | 2 | --sun: expected a sun above the horizon (y is up), got one at 0,-1,0
             RadiosityRenderer --sky cie-clear --sun 1,0,0 9 @/a.lws @/o.scene | 2 | --sky: expected cie-clear with --sun, above the horizon (y > 0), got a sun on it
-            RadiosityRenderer --sun --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z not below the horizon (y is up) and an illuminance in lx, like 1,2,1 50000, got nothing before --sky
-            RadiosityRenderer --sun 0 0 --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z not below the horizon (y is up) and an illuminance in lx, like 1,2,1 50000, got 0 0
+            RadiosityRenderer --sun --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got nothing before --sky
+            RadiosityRenderer --sun 0 0 --sky cie-clear @/a.lws @/o.scene | 2 | --sun: expected a direction x,y,z and an illuminance in lx, like 1,2,1 50000, got 0 0
             RadiosityRenderer --strict --unit mm --luminaire 200,200,200000=@/lamp.ies @/a.lws @/o.scene | 3 | a.lws: expected luminaires in the scene or aimed at it, got 200,200,200000 at 200.000,200.000,200000, outside of 0.00000,0.00000,-559.200 to 556.000,548.800,0.00000; check unit and axes
             RadiosityRenderer --change @/no.scene @/a.lws @/o.scene | 3 | @/no.scene: expected a readable file, got none
             RadiosityRenderer --change @/a.lws @/a.lws @/o.scene   | 3 | @/a.lws: expected a scene file that RadiosityRenderer wrote, got a LightWave scene

@@ -76,8 +76,7 @@ public final class DaylightOptions {
     /** Parses {@code <x,y,z> <lx>}. */
     static final class SunConsumer implements IParameterConsumer {
 
-        private static final String TWO = "a direction x,y,z not below the horizon (y is up) and an"
-                + " illuminance in lx, like 1,2,1 50000";
+        private static final String TWO = "a direction x,y,z and an illuminance in lx, like 1,2,1 50000";
 
         @Override
         public void consumeParameters(Stack<String> arguments, ArgSpec option, CommandSpec command) {
@@ -86,8 +85,11 @@ public final class DaylightOptions {
             double[] x = Arrays.stream(two[0].split(",", -1)).mapToDouble(Values::decimal).toArray();
             double lux = Values.decimal(two[1]);
             Vec3 towards = x.length == 3 ? new Vec3(x[0], x[1], x[2]) : Vec3.ZERO;
-            if (!towards.isFinite() || !(towards.y() >= 0) || !(towards.length() > 0) || !(lux > 0)) {
+            if (!towards.isFinite() || !(towards.length() > 0) || !(lux > 0)) {
                 throw Arguments.wrong(option, "expected " + TWO + ", got " + String.join(" ", two));
+            }
+            if (towards.y() < 0) {
+                throw Arguments.wrong(option, "expected a sun above the horizon (y is up), got one at " + two[0]);
             }
             option.setValue(Light.sun(towards, lux));
         }
