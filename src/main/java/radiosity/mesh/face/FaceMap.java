@@ -19,7 +19,11 @@ final class FaceMap {
     private static final int DEEPEST = 6;
     /** A node that covers fewer pixels is not divided. */
     private static final double PIXELS = 4;
-
+    /**
+     * A node with a smaller share of the area of all faces is not divided: few elements are as small, and images that
+     * repeat over a hundred thousand faces would fill the memory.
+     */
+    private static final double LEAST_SHARE = 1.0 / (1 << 22);
     /** A node is not divided where the colours at its corners differ by less. */
     private static final double STEP = 1.0 / 64;
 
@@ -35,14 +39,16 @@ final class FaceMap {
      * @param u          texture coordinate at each corner; not modified
      * @param v          texture coordinate at each corner, upwards; not modified
      * @param colours    factors for red, green and blue: 3 arrays with a value per corner; not modified
+     * @param share      of the triangle in the area of all faces, above 0
      */
-    record Look(Optional<Raster> raster, Rgb everywhere, double[] u, double[] v, double[][] colours) {
+    record Look(Optional<Raster> raster, Rgb everywhere, double[] u, double[] v, double[][] colours, double share) {
 
         /** The part that child k of the triangle has. */
         Look child(int k) {
             double[][] parts = new double[3][];
             Arrays.setAll(parts, c -> Subdivision.values(colours[c], 1, k));
-            return new Look(raster, everywhere, Subdivision.values(u, 1, k), Subdivision.values(v, 1, k), parts);
+            return new Look(raster, everywhere, Subdivision.values(u, 1, k), Subdivision.values(v, 1, k), parts,
+                    share / 4);
         }
 
         Rgb mean() {
@@ -62,7 +68,9 @@ final class FaceMap {
             for (double[] of : colours) {
                 step = Math.max(step, Arrays.stream(of).max().orElse(0) - Arrays.stream(of).min().orElse(0));
             }
-            for (; (pixels > PIXELS || step > STEP) && levels < DEEPEST; pixels /= 4) {
+            for (double left = share; (pixels > PIXELS || step > STEP) && left > LEAST_SHARE && levels < DEEPEST;
+                 left /= 4) {
+                pixels /= 4;
                 step /= 2;
                 levels++;
             }

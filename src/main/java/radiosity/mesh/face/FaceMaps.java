@@ -43,7 +43,8 @@ final class FaceMaps {
                 }
                 maps[f] = new FaceMap(new FaceMap.Look(raster, everywhere.apply(surface),
                         raster.isEmpty() ? new double[3] : atCorners(faces, f, j -> uv[first + 2 * j]),
-                        raster.isEmpty() ? new double[3] : atCorners(faces, f, j -> uv[first + 2 * j + 1]), colours));
+                        raster.isEmpty() ? new double[3] : atCorners(faces, f, j -> uv[first + 2 * j + 1]), colours,
+                        faces.area(f) / faces.area()));
             }
         }
     }
