@@ -11,7 +11,7 @@ import java.util.List;
 public final class Raster {
 
     /** Largest n where a mean over a triangle takes one sample in each of n x n parts of the triangle. */
-    private static final int MOST_STEPS = 32;
+    public static final int MOST_STEPS = 32;
     /** Most pixels of a row of which a pixel of the row that is half as long covers a part. */
     private static final int MOST_COVERED = 3;
 
@@ -268,8 +268,16 @@ public final class Raster {
      * @param v of three corners, upwards; not modified
      */
     public Rgb mean(double[] u, double[] v) {
+        return mean(u, v, MOST_STEPS);
+    }
+
+    /**
+     * The mean over a triangle with at most {@code most} x {@code most} samples; with fewer samples it is less exact
+     * along the triangle's edges.
+     */
+    public Rgb mean(double[] u, double[] v, int most) {
         double pixels = pixels(u, v);
-        int n = (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(Math.sqrt(pixels))));
+        int n = (int) Math.max(1, Math.min(most, Math.ceil(Math.sqrt(pixels))));
         int l = 0;
         for (double left = pixels / ((double) n * n); left > 2 && l < levels.size() - 1; left /= 4) {
             l++;

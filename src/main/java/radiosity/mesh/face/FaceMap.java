@@ -24,6 +24,8 @@ final class FaceMap {
      * repeat over a hundred thousand faces would fill the memory.
      */
     private static final double LEAST_SHARE = 1.0 / (1 << 22);
+    /** Largest number of samples along an edge of a node that is as small. */
+    private static final int FEW_STEPS = 8;
     /** A node is not divided where the colours at its corners differ by less. */
     private static final double STEP = 1.0 / 64;
 
@@ -53,7 +55,8 @@ final class FaceMap {
 
         Rgb mean() {
             Rgb colour = new Rgb(mean(colours[0]), mean(colours[1]), mean(colours[2]));
-            return raster.map(picture -> picture.mean(u, v)).orElse(everywhere).times(colour);
+            int steps = share > LEAST_SHARE ? Raster.MOST_STEPS : FEW_STEPS;
+            return raster.map(picture -> picture.mean(u, v, steps)).orElse(everywhere).times(colour);
         }
 
         private static double mean(double[] of) {
