@@ -7,6 +7,7 @@
 module radiosity {
     requires com.fasterxml.jackson.databind;
     requires java.desktop;
+    requires static java.logging;
     requires java.management;
     requires java.rmi;
     requires static jdk.httpserver;

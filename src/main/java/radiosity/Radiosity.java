@@ -13,6 +13,7 @@ import radiosity.rmi.HostKey;
 import radiosity.scene.Scene;
 import radiosity.settings.RadiositySettings;
 import radiosity.settings.ReadOptions;
+import radiosity.settings.Schedule;
 import radiosity.settings.StopRule;
 import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
@@ -85,12 +86,17 @@ public final class Radiosity {
      *
      * @param error expected root mean square error of the radiosity relative to its mean, in (0, 1)
      * @return this calculation
-     * @throws IllegalArgumentException for any other number, or NaN
+     * @throws IllegalArgumentException for any other number, or NaN, and after {@link #settings} of a schedule that
+     *                                  ends by a {@link StopRule} only, not by an error
      */
     public Radiosity accuracy(double error) {
         if (!(error > 0 && error < 1)) {
             throw new IllegalArgumentException("accuracy: expected an error between 0 and 1 (0.02 is 2 %), got "
                     + error);
+        }
+        if (settings.schedule() != Schedule.PREDICT) {
+            throw new IllegalArgumentException("accuracy: expected settings of the schedule PREDICT, got "
+                    + settings.schedule());
         }
         settings = settings.accurate(error);
         return this;

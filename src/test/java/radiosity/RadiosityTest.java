@@ -83,6 +83,9 @@ class RadiosityTest {
         assertThrows(IllegalArgumentException.class, () -> new RadiositySettings(0, 0, 1, null));
         assertThrows(IllegalArgumentException.class, () -> RadiositySettings.defaults().accurate(0));
         assertThrows(IllegalArgumentException.class, () -> RadiositySettings.defaults().accurate(Double.NaN));
+        Radiosity paper = Radiosity.of(room().scene("room")).settings(new RadiositySettings(0, 4,
+                Double.POSITIVE_INFINITY, Schedule.PAPER));
+        assertThrows(IllegalArgumentException.class, () -> paper.accuracy(.1), "an error that nothing looks at");
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import radiosity.cli.options.CommandRun;
 import radiosity.cli.options.Failure;
@@ -152,6 +153,11 @@ public final class RadiosityRenderer {
                 if (!journal.resume(radiosity)) {
                     begin(radiosity, before, changed);
                 }
+                int wanted = options.calculation.stopRule().shots();
+                if (radiosity.shots() > wanted) {
+                    user.message(String.format(Locale.ROOT, "-it: expected a saved calculation of at most %,d shots to"
+                            + " go on from, got %,d; the result has these", wanted, radiosity.shots()));
+                }
                 ending.begin(Optional.of(claim.journal()));
             }, RenderJob.Aims.of(options.calculation.aims(settings)), Optional.of(journal), () -> !stop.made());
             user.phase("writing " + options.output().getFileName());
@@ -160,9 +166,15 @@ public final class RadiosityRenderer {
         Summary summary = write(result, Optional.empty(), saved, failures);
         journal.delete();
         if (result.isCut() && options.file.change == null && options.file.frames == null) {
-            System.out.println("stopped: the same command with -tf " + options.output() + " goes on");
+            System.out.println("stopped: the same command with -tf " + quoted(options.output())
+                    + " goes on");
         }
         finish(result, summary);
+    }
+
+    /** A file as a shell takes it in one word. */
+    private static String quoted(Path file) {
+        return file.toString().indexOf(' ') < 0 ? file.toString() : '"' + file.toString() + '"';
     }
 
     private void begin(ProgressiveRadiosity radiosity, SavedCalculation before, Optional<SavedCalculation> changed)

@@ -7,7 +7,8 @@ import radiosity.util.NoNumberException;
  *
  * @param shots    number of shots done
  * @param rounds   number of rounds begun
- * @param unsent   unshot flux relative to the emitted flux; may exceed 1 while light is being gathered
+ * @param unsent   unshot flux relative to the emitted flux, after the last round whose answer has arrived, which may be
+ *                 the one before the round of the last shot; may exceed 1 while light is being gathered
  * @param elements number of elements, those on faces that coincide with others counted, which a solution leaves out
  * @param error    relative error by the latest estimate, see {@link Certificate#expected}; NaN before the first one
  * @param gathers  whether new vertices still gather the light that was shot before they were made, or all vertices

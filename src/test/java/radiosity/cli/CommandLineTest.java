@@ -87,6 +87,8 @@ class CommandLineTest {
             --time 1 -si 3 a b     | --time: expected without -si, got both
             --time 1 -sn 3 a b     | --time: expected without -sn, got both
             --time 1 -dr a b       | --time: expected without -dr, got both
+            -dr -sn 1 a b          | -dr: expected without -sn, got both
+            -dr -si 1 a b          | -dr: expected without -si, got both
             -si 0 a b              | -si: expected a whole number of at least 1, got 0
             -si                    | -si: expected a whole number of at least 1, got nothing
             -sn 0 a b              | -sn: expected a whole number of at least 1, got 0

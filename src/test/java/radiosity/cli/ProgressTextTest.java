@@ -52,6 +52,12 @@ class ProgressTextTest {
     }
 
     @Test
+    void narrowTerminal_keepsTheShare() {
+        text.show(progress(1, .9, false));
+        assertEquals("distribu 0 %", text.bar(12));
+    }
+
+    @Test
     void share_neverGoesBack() {
         int before = 0;
         for (double unsent : new double[] {1, .5, .01, .7, 1.2, .005, .3, .001}) {

@@ -125,6 +125,15 @@ class RenderTest {
     }
 
     @Test
+    void resuming_saysWhereMoreShotsAreThereThanAreWanted() throws IOException {
+        succeeds(render("-q", "-it", 10));
+        ProgramRun run = ProgramRun.of("-q", "-tf", output, "-it", 5, BOX, directory.resolve("more.scene"));
+        succeeds(run);
+        assertTrue(run.err().contains("-it: expected a saved calculation of at most 5 shots to go on from, got 10"),
+                run.err());
+    }
+
+    @Test
     void resuming_mayOverwriteTheFileItComesFrom() throws IOException {
         succeeds(render("-q", "-it", 10));
         succeeds(ProgramRun.of("-q", "-tf", output, 10, "-it", 20, BOX, output));
@@ -301,6 +310,7 @@ class RenderTest {
                     json.toString()));
         }
         assertEquals(!option.equals("-dr"), json.has("certificate"));
+        assertEquals(json.at("/certificate/missingFlux").isNumber(), json.has("missingFluxBound"));
         assertFalse(json.toString().contains("NaN") || json.toString().contains("Infinity"), json.toString());
     }
 

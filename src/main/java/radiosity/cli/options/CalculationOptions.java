@@ -25,8 +25,8 @@ public final class CalculationOptions {
 
     @Option(names = {"-mt", "--meshing-threshold"}, paramLabel = "<n>", converter = Values.NotNegative.class,
             description = "Adaptive meshing: a triangle whose vertices differ by more than this in radiosity (W/m2,"
-                    + " lm/m2) is subdivided. Without it never with a schedule of the paper; by default the error"
-                    + " asked for tells what is subdivided.")
+                    + " lm/m2) is subdivided, up to four times. Without it never with a schedule of the paper; by"
+                    + " default the error asked for tells what is subdivided.")
     Double meshing;
 
     @Option(names = {"-it", "--iterations"}, paramLabel = "<n>", converter = Values.Count.class,

@@ -95,6 +95,9 @@ public final class RendererOptions {
         if (calculation.time != null) {
             checkTime();
         }
+        if (file.disableRendering) {
+            checkDisabled();
+        }
         picture.check();
         if (files.size() != 2 || files.stream().anyMatch(file -> file.toString().isEmpty())) {
             String got = files.stream().map(file -> file.toString().isEmpty() ? "\"\"" : file.toString())
@@ -132,6 +135,12 @@ public final class RendererOptions {
                     + ", too");
         }
         return file.info;
+    }
+
+    /** Fails for options that have no effect without rendering. */
+    private void checkDisabled() {
+        Failure.excludes("-dr", "-si", file.saveInterval != null);
+        Failure.excludes("-dr", "-sn", picture.snapshotInterval != null);
     }
 
     /** Fails for options that exclude a time limit, which chooses the accuracy and calculates several times. */

@@ -17,7 +17,7 @@ public final class StatisticsTable {
     }
 
     public void print(PrintStream out) {
-        out.printf(Locale.ROOT, "%-24s %-8s %7s %10s %7s %9s %7s %9s%n", "host", "", "blocks", "elements", "rounds",
+        out.printf(Locale.ROOT, "%-24s %-8s %7s %10s %7s %9s %7s %9s%n", "host", "", "blocks", "elements", "calls",
                 "CPU s", "idle %", "MiB");
         for (HostStatistics host : world.hosts()) {
             out.printf(Locale.ROOT, "%-24s %-8s %7d %,10d %7d %9.2f %7.1f %9.1f%n", host.name(), host.state(),

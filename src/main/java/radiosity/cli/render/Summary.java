@@ -126,6 +126,8 @@ public final class Summary {
             json.put("luminanceWeights", List.of(Units.WEIGHTS.r(), Units.WEIGHTS.g(), Units.WEIGHTS.b()));
         }
         result.certificate().ifPresent(c -> json.put("certificate", c));
+        result.certificate().filter(c -> c.missingFlux() != null).ifPresent(c -> json.put("missingFluxBound",
+                units.fluxLike(c.missingFlux(), ledger.emitted())));
         inTime.ifPresent(line -> json.put("inTime", line));
         return json;
     }

@@ -1,6 +1,8 @@
 package radiosity.cli.terminal;
 
 import java.io.IOException;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import org.jline.terminal.Attributes;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
@@ -17,6 +19,13 @@ public final class KeyListener implements AutoCloseable {
     private final Runnable pressed;
     private final Thread thread = new Thread(this::openTerminal, "key listener");
     private volatile boolean closed;
+
+    /** JLine's messages are for programmers: an unknown kind of terminal has keys as any other. */
+    private static final Logger JLINE = Logger.getLogger("org.jline");
+
+    static {
+        JLINE.setLevel(Level.OFF);
+    }
 
     /** @param pressed called on the first key, on the listener's own thread */
     public KeyListener(Runnable pressed) {

@@ -69,7 +69,7 @@ public final class ProgressText {
 
     /**
      * The progress as a line of a terminal, with a bar. Where the line is too narrow, the numbers of shots and elements
-     * are left out first, then the bar.
+     * are left out first, then the bar, then the end of the phase.
      *
      * @param width largest number of characters of the line
      */
@@ -81,7 +81,8 @@ public final class ProgressText {
         String details = latest == null || room - bar < details().length() + 2 ? "" : ", " + details();
         String full = bar < SHORTEST_BAR ? "" : " [" + "#".repeat((int) (done * bar))
                 + " ".repeat(bar - (int) (done * bar)) + "]";
-        String line = head + full + tail + details;
+        int kept = Math.max(0, Math.min(head.length(), width - tail.length()));
+        String line = head.substring(0, kept) + full + tail + details;
         return line.substring(0, Math.min(width, line.length()));
     }
 
