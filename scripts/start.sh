@@ -109,6 +109,11 @@ start() {
             built=-Dradiosity.built=true
         fi
     fi
+    # In the locale C, or in one that is not installed, Java cannot open files whose names have letters beyond ASCII.
+    if [ "$(locale charmap 2>/dev/null)" = ANSI_X3.4-1968 ]; then
+        LC_ALL=C.UTF-8
+        export LC_ALL
+    fi
     hot=
     if [ -z "$JAVA_OPTS" ] && [ -f "${directives-}" ]; then hot=$directives; fi
     # JAVA_OPTS is split into words on purpose. Natives of the key listener and of Java 3D are loaded without a word from

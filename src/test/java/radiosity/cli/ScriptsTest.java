@@ -122,6 +122,16 @@ class ScriptsTest {
         return project.resolve("scripts/RadiosityRenderer");
     }
 
+    /** In the locale C, Java cannot open files whose names have letters beyond ASCII. */
+    @Test
+    void localeWithoutLetters_isReplaced() throws IOException {
+        tool("java", "echo $LC_ALL");
+        environment.put("LC_ALL", "C");
+        assertTrue(run(script()).endsWith("C.UTF-8\n"), run(script()));
+        environment.put("LC_ALL", "C.UTF-8");
+        assertTrue(run(script()).endsWith("C.UTF-8\n"), run(script()));
+    }
+
     /** What JogAmp's native code prints where the display goes away, and how it ends. */
     @Test
     void abortOfTheWindow_isOneLine() throws Exception {
