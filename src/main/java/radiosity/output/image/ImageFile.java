@@ -22,7 +22,8 @@ import radiosity.scene.Srgb;
 /**
  * An image with the values that its file has, whatever their type: integers as fractions of the largest value of the
  * type, floats as they are. Alpha is ignored: a transparent pixel keeps its colour. Colour profiles are not applied;
- * only indexed colours and colour models other than grey and RGB (CMYK, CIE Lab) are converted.
+ * only indexed colours and colour models other than grey and RGB (CIE Lab) are converted. CMYK becomes (1 - C)(1 - K),
+ * (1 - M)(1 - K) and (1 - Y)(1 - K), as image programs have it without a profile; Java's conversion gives pale colours.
  */
 final class ImageFile {
 
@@ -35,6 +36,7 @@ final class ImageFile {
     /** Whether the samples are the values: not if they are indices of colours, or belong to another colour model. */
     private final boolean direct;
     private final boolean grey;
+    private final boolean inks;
 
     /** @throws IOException if a value of the image is NaN or infinite */
     ImageFile(BufferedImage image) throws IOException {
@@ -44,6 +46,7 @@ final class ImageFile {
         int space = model.getColorSpace().getType();
         // Java's conversion of grey to RGB gives colours that are brighter than the file's values
         grey = space == ColorSpace.TYPE_GRAY;
+        inks = space == ColorSpace.TYPE_CMYK && !(model instanceof IndexColorModel);
         direct = (grey || space == ColorSpace.TYPE_RGB) && !(model instanceof IndexColorModel);
         if (isFloating()) {
             requireNumbers();
@@ -119,6 +122,7 @@ final class ImageFile {
 
     private double value(int x, int y, int channel, boolean srgb) {
         double code = direct ? uncovered(x, y, grey ? 0 : channel)
+                : inks ? (1 - sample(x, y, channel)) * (1 - sample(x, y, 3))
                 : (image.getRGB(x, y) >> 16 - 8 * channel & 0xFF) / 255.0;
         return srgb ? Srgb.linear(code) : code;
     }

@@ -153,23 +153,13 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
         private void draw(Texels texels, double[][] at, int element, boolean beyond) {
             Rgb[] h = new Rgb[3];
             Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * element + k]));
-            Texels.Light light = (v, w) -> within(h, h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w)));
+            Texels.Light light = (v, w) -> Texels.within(h,
+                    h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w)));
             if (beyond) {
                 texels.drawBeyond(at[0], at[1], light);
             } else {
                 texels.draw(at[0], at[1], light);
             }
-        }
-
-        /** Clamps extrapolated light to at least 0, and to the range of the corners' light, three times as wide. */
-        private static Rgb within(Rgb[] h, Rgb light) {
-            double[] channels = new double[3];
-            Arrays.setAll(channels, c -> {
-                double least = Math.min(h[0].channel(c), Math.min(h[1].channel(c), h[2].channel(c)));
-                double most = Math.max(h[0].channel(c), Math.max(h[1].channel(c), h[2].channel(c)));
-                return Math.max(0, Math.max(2 * least - most, Math.min(2 * most - least, light.channel(c))));
-            });
-            return new Rgb(channels[0], channels[1], channels[2]);
         }
     }
 

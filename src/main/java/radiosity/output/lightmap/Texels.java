@@ -75,6 +75,17 @@ final class Texels {
         });
     }
 
+    /** Clamps extrapolated light to at least 0, and to the range of the corners' light, three times as wide. */
+    static Rgb within(Rgb[] h, Rgb light) {
+        double[] channels = new double[3];
+        Arrays.setAll(channels, c -> {
+            double least = Math.min(h[0].channel(c), Math.min(h[1].channel(c), h[2].channel(c)));
+            double most = Math.max(h[0].channel(c), Math.max(h[1].channel(c), h[2].channel(c)));
+            return Math.max(0, Math.max(2 * least - most, Math.min(2 * most - least, light.channel(c))));
+        });
+        return new Rgb(channels[0], channels[1], channels[2]);
+    }
+
     /** Is given texels, with the weights of a triangle's corners 1 and 2 at their middles. */
     private interface Visitor {
         void take(int texel, double v, double w);

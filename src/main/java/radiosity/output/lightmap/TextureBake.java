@@ -90,7 +90,12 @@ public final class TextureBake {
         int corner = 0;
         for (int c = 0; c < elementsOf.size(); c++) {
             for (int e : elementsOf.get(c)) {
-                draw(texels, atlas.corners(c, solution, e), e);
+                draw(texels, atlas.corners(c, solution, e), e, false);
+            }
+        }
+        for (int c = 0; c < elementsOf.size(); c++) {
+            for (int e : elementsOf.get(c)) {
+                draw(texels, atlas.corners(c, solution, e), e, true);
             }
             for (int face : facesOf.get(c)) {
                 for (int k = 0; k < 3; k++) {
@@ -128,13 +133,21 @@ public final class TextureBake {
         }).toList());
     }
 
-    /** @param at the element's corners on the texture, as {@link Atlas#corners} gives them */
-    private void draw(Texels texels, double[][] at, int element) {
+    /**
+     * @param at     the element's corners on the texture, as {@link Atlas#corners} gives them
+     * @param beyond whether the texels beyond the element's edges are drawn, or the texels on the element; without the
+     *               former, parts that are narrower than a texel would stay black
+     */
+    private void draw(Texels texels, double[][] at, int element, boolean beyond) {
         int triangle = solution.faceOf()[element] >> 1;
         Rgb[] h = new Rgb[3];
         Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * element + k]));
-        texels.draw(at[0], at[1], (v, w) -> solution.scene()
-                .look(triangle, Elements.point(solution, element, v, w))
-                .radiosity(h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
+        Texels.Light light = (v, w) -> solution.scene().look(triangle, Elements.point(solution, element, v, w))
+                .radiosity(Texels.within(h, h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
+        if (beyond) {
+            texels.drawBeyond(at[0], at[1], light);
+        } else {
+            texels.draw(at[0], at[1], light);
+        }
     }
 }

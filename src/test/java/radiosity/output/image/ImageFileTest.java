@@ -53,6 +53,42 @@ class ImageFileTest {
         assertEquals(b, file.value(0, 0, 2, false, false), 1e-7);
     }
 
+    /** Four inks; how Java would turn them to RGB must not matter. */
+    private static final class Inks extends ColorSpace {
+
+        Inks() {
+            super(TYPE_CMYK, 4);
+        }
+
+        @Override
+        public float[] toRGB(float[] value) {
+            return new float[3];
+        }
+
+        @Override
+        public float[] fromRGB(float[] value) {
+            return new float[4];
+        }
+
+        @Override
+        public float[] toCIEXYZ(float[] value) {
+            return new float[3];
+        }
+
+        @Override
+        public float[] fromCIEXYZ(float[] value) {
+            return new float[4];
+        }
+    }
+
+    @Test
+    void inks_takeTheirPartOfWhite() throws IOException {
+        ColorModel model = new ComponentColorModel(new Inks(), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
+        WritableRaster raster = model.createCompatibleWritableRaster(1, 1);
+        raster.setPixel(0, 0, new int[] {51, 102, 0, 51});
+        assertValues(new BufferedImage(model, raster, false, null), .8 * .8, .6 * .8, .8);
+    }
+
     @ParameterizedTest
     @CsvSource({DataBuffer.TYPE_BYTE + ",255", DataBuffer.TYPE_USHORT + ",65535", DataBuffer.TYPE_SHORT + ",32767",
         DataBuffer.TYPE_INT + ",4294967295", DataBuffer.TYPE_FLOAT + ",1", DataBuffer.TYPE_DOUBLE + ",1"})

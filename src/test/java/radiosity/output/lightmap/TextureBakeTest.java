@@ -120,9 +120,10 @@ class TextureBakeTest {
         Vec3 y = new Vec3(0, 1, 0);
         made.grid(surface, Vec3.ZERO, x, y, 2, 2, p -> Rgb.grey(2));
         made.grid(surface, new Vec3(5, 0, 0), x, y, 2, 2, p -> Rgb.grey(20));
-        Picture texture = bake(made.solution(), Vec3.ZERO, 4).get(0).radiosity();
-        for (float value : texture.rgb()) {
-            assertTrue(value == 0 || value == 1 || value == 10, "a mixture of two parts: " + value);
+        TextureBake.Baked baked = bake(made.solution(), Vec3.ZERO, 4).get(0);
+        for (int k = 0; k < baked.places().length / 2; k++) {
+            double value = channel(baked, 0, baked.places()[2 * k], baked.places()[2 * k + 1]);
+            assertEquals(baked.positions()[3 * k] < 5 ? 1 : 10, value, 1e-6, "a mixture of two parts");
         }
     }
 
@@ -177,5 +178,17 @@ class TextureBakeTest {
         assertTrue(one.width() >= 1000 && one.width() < 1100, one.width() + " texels");
         Picture many = bake(painted(150), Vec3.ZERO, SAMPLES).get(0).radiosity();
         assertTrue(Math.max(many.width(), many.height()) <= 8192, many.width() + "x" + many.height());
+    }
+
+    /** A slat of a hundredth, of which a sample of the texture is a seventh. */
+    @Test
+    void surfaceNarrowerThanATexel_isNotBlack() throws IOException {
+        Handmade made = new Handmade();
+        made.grid(made.surface("slat", Rgb.BLACK, Rgb.grey(.5), false), Vec3.ZERO, new Vec3(.01, 0, 0),
+                new Vec3(0, 1, 0), 1, 4, p -> Rgb.grey(3));
+        TextureBake.Baked baked = bake(made.solution(), Vec3.ZERO, SAMPLES).get(0);
+        for (int k = 0; k < baked.places().length / 2; k++) {
+            assertEquals(1.5, channel(baked, 0, baked.places()[2 * k], baked.places()[2 * k + 1]), 1e-6);
+        }
     }
 }
