@@ -67,7 +67,7 @@ final class AuditPlaces {
         this.leaving = ofAllLayers(leaving);
         burial = new InteriorTest(faces, mesh.bounds(), mesh.coincident, mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
-        bulges = new VertexBulge(faces.channels());
+        bulges = new VertexBulge(faces.channels(), faces.colours());
         for (int first = 0; first < weighed.length; first += BLOCKS_AT_A_TIME) {
             look(first, Math.min(BLOCKS_AT_A_TIME, weighed.length - first));
         }

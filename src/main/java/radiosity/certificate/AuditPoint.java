@@ -106,15 +106,27 @@ final class AuditPoint {
         reflectance = channels(c -> nodes.reflectance(node, c));
         interpolated = channels(c -> IntStream.range(0, 3)
                 .mapToDouble(k -> weight[k] * nodes.light().irradiance(node, k, c)).sum());
-        shown = nodes.isPoint(node) ? interpolated : channels(c -> IntStream.range(0, 3)
-                .mapToDouble(k -> weight[k] * bulges.shown(nodes.points().key(nodes.corner(node, k)), c,
-                        nodes.light().irradiance(node, k, c))).sum());
+        shown = nodes.isPoint(node) ? interpolated : shown(nodes, node, bulges);
         bulge = channels(c -> nodes.light().bulge(node, c));
         atVertex = channels(c -> nodes.light().irradiance(node, nearest, c));
         fromLights = new double[faces.channels()];
         anew = new double[TIMES][faces.channels()];
         anewAtVertex = new double[TIMES][faces.channels()];
         factors = new double[faces.channels()];
+    }
+
+    /** The irradiance that the solution shows here, interpolated between what the vertices show. */
+    private double[] shown(RadiosityNodes nodes, int node, VertexBulge bulges) {
+        double[] sum = new double[faces.channels()];
+        for (int k = 0; k < 3; k++) {
+            int corner = k;
+            double[] atCorner = channels(c -> nodes.light().irradiance(node, corner, c));
+            bulges.show(nodes.points().key(nodes.corner(node, k)), atCorner, 0);
+            for (int c = 0; c < sum.length; c++) {
+                sum[c] += weight[k] * atCorner[c];
+            }
+        }
+        return sum;
     }
 
     private double[] channels(IntToDoubleFunction value) {

@@ -12,15 +12,24 @@ import radiosity.util.LongIndex;
  */
 public final class VertexBulge {
 
+    /**
+     * Largest part of a vertex's irradiance that a correction takes: light with a step, as at the edge of a shadow, has
+     * a bulge that says nothing of a curve, and would turn the vertex black.
+     */
+    private static final double MOST_TAKEN = 0.5;
+
     private final int channels;
+    private final int colours;
     private final LongIndex index = new LongIndex(1024);
     /** channels per vertex: area times bulge summed over the elements around it, W/m² times squared scene size. */
     private double[] flux;
     /** 1 per vertex: area of the elements around the vertex, in squared scene sizes. */
     private double[] area = new double[1024];
 
-    public VertexBulge(int channels) {
+    /** @param colours channels of one lamp or of all light together, 1 or 3; divides {@code channels} */
+    public VertexBulge(int channels, int colours) {
         this.channels = channels;
+        this.colours = colours;
         flux = new double[channels * area.length];
     }
 
@@ -63,10 +72,24 @@ public final class VertexBulge {
         }
     }
 
-    /** The irradiance that a vertex shows, W/m²; a negative correction is at most the irradiance that arrived. */
-    public double shown(long vertexKey, int channel, double arrived) {
+    /**
+     * Corrects the irradiance of a vertex. Of a channel at most {@link #MOST_TAKEN} is taken; where the bulge is more,
+     * as at the edge of a shadow, the corrections of all colours are reduced alike, and the vertex keeps its hue.
+     *
+     * @param irradiance that arrived, W/m², one per channel from {@code first}; modified
+     */
+    public void show(long vertexKey, double[] irradiance, int first) {
         int v = index.find(vertexKey);
-        double more = v < 0 ? 0 : flux[channels * v + channel] / area[v];
-        return arrived + Math.max(more, -Math.max(0, arrived));
+        for (int c = 0; v >= 0 && c < channels; c += colours) {
+            double part = 1;
+            for (int k = c; k < c + colours; k++) {
+                double taken = -flux[channels * v + k] / area[v];
+                double most = MOST_TAKEN * Math.max(0, irradiance[first + k]);
+                part = taken > most ? Math.min(part, most / taken) : part;
+            }
+            for (int k = c; k < c + colours; k++) {
+                irradiance[first + k] += part * flux[channels * v + k] / area[v];
+            }
+        }
     }
 }

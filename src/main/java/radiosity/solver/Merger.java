@@ -46,7 +46,7 @@ final class Merger {
         this.dark = dark;
         channels = mesh.faces.channels();
         irradiance = new double[channels * 1024];
-        bulge = new VertexBulge(channels);
+        bulge = new VertexBulge(channels, mesh.faces.colours());
         for (int b = 0; b < states.size(); b++) {
             RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(b)));
             BlockState.restore(nodes, nodes.tops(), states.get(b));
@@ -105,10 +105,14 @@ final class Merger {
 
     Solution solution(int shots, int rounds, double unshotFlux, EnergyLedger ledger, SavedState state) {
         int vertices = index.size();
-        for (int i = 0; i < channels * vertices; i++) {
-            int v = i / channels;
-            int c = i % channels;
-            irradiance[i] = share[c] * bulge.shown(vertexKey[v], c, irradiance[i] / Math.max(1, copies[v]));
+        for (int v = 0; v < vertices; v++) {
+            for (int i = channels * v; i < channels * (v + 1); i++) {
+                irradiance[i] /= Math.max(1, copies[v]);
+            }
+            bulge.show(vertexKey[v], irradiance, channels * v);
+            for (int c = 0; c < channels; c++) {
+                irradiance[channels * v + c] *= share[c];
+            }
         }
         fillBuried();
         return new Solution(mesh.original, channels, mesh.faces.lamps(), Arrays.copyOf(position, 3 * vertices),

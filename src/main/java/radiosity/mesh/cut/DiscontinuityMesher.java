@@ -34,7 +34,9 @@ public final class DiscontinuityMesher {
 
     private final Faces faces;
     final FaceIntersections contacts;
-    private final LampBands bands;
+    private final EdgeBands bands;
+    /** Length of the shortest contact or band that counts, scene units. */
+    private final double leastLength;
     private final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
     private final Map<Integer, List<int[]>> pieces = new HashMap<>();
@@ -51,26 +53,30 @@ public final class DiscontinuityMesher {
      */
     public static Faces cut(Faces faces) {
         double least = LEAST_LENGTH;
-        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least);
+        EdgeBands bands = new EdgeBands(faces, least * Math.sqrt(faces.area()) * faces.size());
+        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least, bands);
         while (mesher.isTooFine()) {
             least *= 2;
-            mesher = new DiscontinuityMesher(faces, least);
+            mesher = new DiscontinuityMesher(faces, least, bands);
         }
         return mesher.pieces.isEmpty() ? faces
                 : faces.withPieces(new FacePieces(mesher.points, mesher.pieces, mesher.edges));
     }
 
     DiscontinuityMesher(Faces faces) {
-        this(faces, LEAST_LENGTH);
+        this(faces, LEAST_LENGTH, new EdgeBands(faces, LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size()));
     }
 
-    /** @param least length of the shortest contact that counts, relative to the square root of the area of all faces */
-    private DiscontinuityMesher(Faces faces, double least) {
+    /**
+     * @param least length of the shortest contact or band that counts, relative to the square root of the area of all
+     *              faces
+     */
+    private DiscontinuityMesher(Faces faces, double least, EdgeBands bands) {
         this.faces = faces;
+        this.bands = bands;
         points = new CutPoints(faces.scene(), SAME * faces.size());
-        double leastLength = least * Math.sqrt(faces.area()) * faces.size();
+        leastLength = least * Math.sqrt(faces.area()) * faces.size();
         contacts = new FaceIntersections(faces, points, leastLength);
-        bands = new LampBands(faces, leastLength);
         for (List<Integer> part : parts().values()) {
             if (!isTooFine()) {
                 cut(part);
@@ -111,7 +117,7 @@ public final class DiscontinuityMesher {
         }
         on.forEach((f, some) -> some.forEach(contact -> mesh.refine(f, contact)));
         on.forEach((f, some) -> some.forEach(contact -> mesh.cut(f, contact)));
-        part.forEach(f -> bands.on(f).forEach(line -> mesh.cut(f, line)));
+        part.forEach(f -> bands.on(f, leastLength).forEach(line -> mesh.cut(f, line)));
         int divided = part.stream().mapToInt(f -> mesh.polygons(f).size()).filter(n -> n > 1).sum();
         if (count + divided > MOST) {
             count += divided;

@@ -92,7 +92,8 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
                     + " OBJ), in a small room a smaller --spacing";
         }
         return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
-                + " points", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length)
+                + " point%s", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length,
+                rows.length == 1 ? "" : "s")
                 + (left > 0 ? " (" + left + " inside solids or outside are left out)" : "");
     }
 

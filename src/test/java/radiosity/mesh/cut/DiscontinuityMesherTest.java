@@ -132,18 +132,24 @@ class DiscontinuityMesherTest {
         assertEquals(1 + .8 * .01, cut.area(), 1e-12);
     }
 
+    /** As a rug has, too, and other things that do not shine on the face. */
     @Test
-    void lampThatIsShortOrLooksAway_leavesAFaceAsItIs() {
-        Faces shortLamp = new Faces(strip(.16, true).scene("short"));
-        assertSame(shortLamp, DiscontinuityMesher.cut(shortLamp));
-        Faces away = new Faces(strip(.9, false).scene("away"));
-        assertSame(away, DiscontinuityMesher.cut(away));
+    void longEdgeOfWhatDoesNotShine_hasALineOnEitherSide() {
+        double[] found = acrossTheStrip(cut(strip(.9, false)));
+        assertEquals(List.of(.498, .502, .508, .512), java.util.Arrays.stream(found).boxed().toList());
+    }
+
+    @Test
+    void shortEdge_leavesAFaceAsItIs() {
+        Faces whole = new Faces(strip(.16, true).scene("short"));
+        assertSame(whole, DiscontinuityMesher.cut(whole));
     }
 
     /** A long lamp below a row of boards, each of which is short beside its height above the lamp. */
     @Test
     void facesThatAreShortBesideALamp_areLeftAsTheyAre() {
-        SceneBuilder boards = strip(.9, false);
+        SceneBuilder boards = new SceneBuilder().polygon(radiosity.testkit.RoomScenes.grey("lamp", 1, 0),
+                new Vec3(.1, .002, .51), new Vec3(.9, .002, .51), new Vec3(.9, .002, .5), new Vec3(.1, .002, .5));
         for (int i = 0; i < 40; i++) {
             double x = .1 + i * .02;
             boards.polygon(GREY, new Vec3(x + .015, .004, .4), new Vec3(x + .015, .004, .6),
