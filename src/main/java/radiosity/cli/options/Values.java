@@ -45,12 +45,7 @@ public final class Values {
 
     /** The finite decimal number in a text; NaN where there is none, as in "NaN", "1d" and "0x1". */
     static double decimal(String text) {
-        try {
-            double value = new BigDecimal(text).doubleValue();
-            return Double.isInfinite(value) ? Double.NaN : value;
-        } catch (NumberFormatException e) {
-            return Double.NaN;
-        }
+        return radiosity.util.Decimal.parse(text);
     }
 
     /** The whole number in a text; null where there is none or it is not in [least, most]. */

@@ -3,6 +3,7 @@ package radiosity.input.obj;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import radiosity.input.file.Utf8;
+import radiosity.util.Decimal;
 
 /**
  * The lines of an OBJ or MTL file, each a keyword and words. A line that ends in a backslash continues in the next one;
@@ -99,11 +100,8 @@ final class TextLines {
 
     /** A word as a number; {@code otherwise} where it is not a number. */
     static double number(String text, double otherwise) {
-        try {
-            return Double.parseDouble(text);
-        } catch (NumberFormatException e) {
-            return otherwise;
-        }
+        double number = Decimal.parse(text);
+        return Double.isNaN(number) ? otherwise : number;
     }
 
     private int skipBlanks() {

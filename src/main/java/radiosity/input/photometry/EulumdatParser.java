@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import radiosity.scene.LuminousIntensity;
 import radiosity.scene.SceneFormatException;
+import radiosity.util.Decimal;
 
 /**
  * Reads EULUMDAT: a number or a text per line.

@@ -9,6 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import radiosity.scene.LuminousIntensity;
 import radiosity.scene.SceneFormatException;
+import radiosity.util.Decimal;
 
 /**
  * Reads IES LM-63 of 1986, 1991, 1995, 2002 and 2019.

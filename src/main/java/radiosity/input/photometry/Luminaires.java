@@ -13,6 +13,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
+import radiosity.util.Decimal;
 
 /** Replaces a scene's lights by luminaires of the same name, and adds luminaires at given positions. */
 public final class Luminaires {

@@ -32,6 +32,12 @@ final class EdgeBands {
     /** A line nearer to another than this is left out, in heights. */
     private static final double SAME = .25;
 
+    private static final Comparator<Vec3> PLACES = Comparator.comparingDouble(Vec3::x).thenComparingDouble(Vec3::y)
+            .thenComparingDouble(Vec3::z);
+    /** The lowest edges first, as floats, as the heights of equal edges differ by rounding. */
+    private static final Comparator<Foot> LOWEST = Comparator.<Foot>comparingDouble(foot -> (float) foot.height())
+            .thenComparing(Foot::from, PLACES).thenComparing(Foot::to, PLACES);
+
     private final Faces faces;
     /** The edges on borders of coplanar regions. */
     private final List<Edge> edges = new ArrayList<>();
@@ -75,7 +81,7 @@ final class EdgeBands {
         this.faces = faces;
         for (int f = 0; f < faces.count(); f++) {
             for (int k = 0; k < 3; k++) {
-                Edge edge = new Edge(f, faces.sceneCorner(f, (k + 1) % 3), faces.sceneCorner(f, (k + 2) % 3));
+                Edge edge = edge(f, faces.sceneCorner(f, (k + 1) % 3), faces.sceneCorner(f, (k + 2) % 3));
                 if (faces.isBorder(f, k) && edge.length() > least) {
                     edges.add(edge);
                 }
@@ -93,6 +99,11 @@ final class EdgeBands {
             }
         }
         near = new BoxTree(boxes);
+    }
+
+    /** An edge in one direction, whatever the order of a polygon's corners is: the same scene has the same lines. */
+    private static Edge edge(int face, Vec3 p, Vec3 q) {
+        return PLACES.compare(p, q) <= 0 ? new Edge(face, p, q) : new Edge(face, q, p);
     }
 
     /** Prepares for the faces of a coplanar region. */
@@ -119,7 +130,7 @@ final class EdgeBands {
             }
             return false;
         });
-        feet.sort(Comparator.comparingDouble(Foot::height));
+        feet.sort(LOWEST);
         List<Contact> lines = new ArrayList<>();
         List<Contact> shaded = new ArrayList<>();
         for (Foot foot : feet) {

@@ -8,6 +8,7 @@ import java.util.regex.Pattern;
 import radiosity.scene.Lamp;
 import radiosity.scene.Rgb;
 import radiosity.scene.SceneFormatException;
+import radiosity.util.Decimal;
 
 /**
  * What the light of each lamp of a scene is multiplied with; lamps with one name are one group. Immutable.
@@ -85,7 +86,7 @@ public record LampMix(List<Lamp> lamps, List<Rgb> factors) {
             double[] factor = new double[CHANNELS];
             boolean isSound = words.matches();
             for (int c = 0; c < CHANNELS && isSound; c++) {
-                factor[c] = number(words.group(c + 1));
+                factor[c] = Decimal.parse(words.group(c + 1));
                 isSound = factor[c] >= 0 && factor[c] < Double.POSITIVE_INFINITY;
             }
             if (!isSound) {
@@ -94,13 +95,5 @@ public record LampMix(List<Lamp> lamps, List<Rgb> factors) {
             mix = mix.with(words.group(CHANNELS + 1), new Rgb(factor[0], factor[1], factor[2]));
         }
         return mix;
-    }
-
-    private static double number(String word) {
-        try {
-            return Double.parseDouble(word);
-        } catch (NumberFormatException e) {
-            return Double.NaN;
-        }
     }
 }

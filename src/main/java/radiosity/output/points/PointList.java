@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Vec3;
+import radiosity.util.Decimal;
 
 /**
  * Reads points on surfaces, each with the normal of the side that is meant, from a text file of columns.
@@ -68,7 +69,7 @@ final class PointList {
             return;
         }
         String[] fields = fields(text);
-        if (!isBegun && !isNumber(fields[0])) {
+        if (!isBegun && Double.isNaN(Decimal.parse(fields[0])) && !fields[0].equalsIgnoreCase("nan")) {
             header(fields);
             return;
         }
@@ -106,19 +107,11 @@ final class PointList {
 
     private double number(String[] fields, int i) throws SceneFormatException {
         String field = column[i] < fields.length ? fields[column[i]].strip() : "nothing";
-        if (!isNumber(field) || !Double.isFinite(Double.parseDouble(field))) {
+        double number = Decimal.parse(field);
+        if (Double.isNaN(number)) {
             throw wrong("a number for " + COLUMNS.get(i), field);
         }
-        return Double.parseDouble(field);
-    }
-
-    private static boolean isNumber(String field) {
-        try {
-            Double.parseDouble(field.strip());
-            return true;
-        } catch (NumberFormatException e) {
-            return false;
-        }
+        return number;
     }
 
     private SceneFormatException wrong(String expected, String got) {

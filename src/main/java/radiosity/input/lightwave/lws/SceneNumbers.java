@@ -1,6 +1,7 @@
 package radiosity.input.lightwave.lws;
 
 import java.util.StringTokenizer;
+import radiosity.util.Decimal;
 
 /** Reads numbers from a scene's lines in all notations that versions of LightWave wrote. */
 public final class SceneNumbers {
@@ -20,15 +21,7 @@ public final class SceneNumbers {
 
     /** A number with a decimal point or comma; NaN for a word that is not a finite number ("1.#IND"). */
     public static double one(String word) {
-        if (!word.chars().allMatch(c -> c >= '0' && c <= '9' || "+-.,eE".indexOf(c) >= 0)) {
-            return Double.NaN;
-        }
-        try {
-            double number = Double.parseDouble(word.replace(',', '.'));
-            return Double.isFinite(number) ? number : Double.NaN;
-        } catch (NumberFormatException e) {
-            return Double.NaN;
-        }
+        return Decimal.parse(word.replace(',', '.'));
     }
 
     /** Whether a line begins as a number does. */
