@@ -53,10 +53,21 @@ public final class EscapingLight {
             x[a] = (float) (place[a] + LIFT * n[a]);
             d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n[a]);
         }
-        float[] hit = new float[3];
+        return arrival(x, d, new float[3]) < 0;
+    }
+
+    /**
+     * The triangle on whose visible side a ray arrives; -1 where the ray arrives nowhere.
+     *
+     * @param x   origin, in coordinates of the scene scaled to size 1; not modified
+     * @param d   direction, of length 1; not modified
+     * @param hit modified: see {@link RadiosityBounds#nearestFront}
+     */
+    int arrival(float[] x, float[] d, float[] hit) {
         int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], FAR, true, hit);
-        return t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0
+        boolean isLost = t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0
                 || isInsideSolid(t, x, d, hit[0]);
+        return isLost ? -1 : t;
     }
 
     /** Whether a ray from x in direction d meets a triangle inside a solid; one that shows both sides never is. */

@@ -8,7 +8,6 @@ import radiosity.scene.Light;
 import radiosity.scene.Vec3;
 import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
-import radiosity.visibility.Solids;
 
 /**
  * Finds lamps whose light arrives nowhere by rays: luminaires inside a slab, and surfaces that emit towards the back of
@@ -22,23 +21,17 @@ public final class UnseenLamps {
     private static final int MOST_FACES = 256;
     /** Distance from a lamp at which a ray begins, and from the place that it meets, in units of the scene's size. */
     private static final double MOUNTED = 1e-4;
-    /** Length of a ray, in units of the scene's size. */
-    private static final double FAR = 4;
 
     private final Faces faces;
-    private final RadiosityBounds bounds;
     private final float[] front;
     private final EscapingLight escaping;
     private final LightSources lights;
-    private final Solids solids;
 
     public UnseenLamps(Faces faces, RadiosityBounds bounds) {
         this.faces = faces;
-        this.bounds = bounds;
         front = faces.fronts();
         escaping = new EscapingLight(faces, bounds);
         lights = new LightSources(faces, bounds);
-        solids = new Solids(bounds, front);
     }
 
     /** The lamps of the scene none of whose rays arrives on a visible side. */
@@ -94,20 +87,22 @@ public final class UnseenLamps {
                 .plus(axis.cross(u).times(sin * StrictMath.sin(angle)));
     }
 
-    /** Whether a ray from a lamp meets a visible side that the lamp lights. */
+    /** Whether a ray from a lamp arrives on a visible side that the lamp lights. */
     private boolean arrives(Light light, Vec3 d) {
-        float[] hit = new float[3];
         Vec3 from = faces.unit(light.position()).plus(d.times(MOUNTED));
-        int t = bounds.nearestFront(from, d, FAR, true, hit);
+        float[] hit = new float[3];
+        int t = escaping.arrival(floats(from), floats(d), hit);
         if (t < 0) {
             return false;
         }
         Vec3 normal = new Vec3(front[3 * t], front[3 * t + 1], front[3 * t + 2]);
-        boolean isTwoSided = normal.length() == 0;
-        Vec3 n = isTwoSided ? d.times(-1) : normal;
-        Vec3 x = from.plus(d.times(hit[0])).plus(n.times(MOUNTED));
-        return lights.irradiance(light, x, n) > 0
-                && (isTwoSided || !solids.hold((float) x.x(), (float) x.y(), (float) x.z(), front[3 * t],
-                front[3 * t + 1], front[3 * t + 2]));
+        Vec3 n = normal.length() == 0 ? d.times(-1) : normal; // without a normal the triangle shows both sides
+        return lights.irradiance(light, from.plus(d.times(hit[0])).plus(n.times(MOUNTED)), n) > 0;
+    }
+
+    private static float[] floats(Vec3 v) {
+        float[] floats = new float[3];
+        v.write(floats, 0);
+        return floats;
     }
 }
