@@ -11,24 +11,30 @@ import radiosity.visibility.RadiosityBounds;
 
 /**
  * Finds lamps whose light arrives nowhere by rays: luminaires inside a slab, and surfaces that emit towards the back of
- * what they lie on. The sun, skies, and lights without power are not looked at.
+ * what they lie on, and the sun and skies outside of closed rooms. Lights without power are not looked at.
  */
 public final class UnseenLamps {
 
     /** Most rays per lamp, until one arrives. */
     private static final int RAYS = 1 << 13;
+    /** Most rays to the sun or a sky, until one is free: a small window is seen from few places. */
+    private static final int RAYS_OUT = 1 << 17;
+    /** Share of a face along its edges from which no ray begins: there rays could slip between two faces. */
+    private static final double INSET = 1e-3;
     /** Most faces of a surface from which rays begin. */
     private static final int MOST_FACES = 256;
     /** Distance from a lamp at which a ray begins, and from the place that it meets, in units of the scene's size. */
     private static final double MOUNTED = 1e-4;
 
     private final Faces faces;
+    private final RadiosityBounds bounds;
     private final float[] front;
     private final EscapingLight escaping;
     private final LightSources lights;
 
     public UnseenLamps(Faces faces, RadiosityBounds bounds) {
         this.faces = faces;
+        this.bounds = bounds;
         front = faces.fronts();
         escaping = new EscapingLight(faces, bounds);
         lights = new LightSources(faces, bounds);
@@ -58,10 +64,10 @@ public final class UnseenLamps {
         return false;
     }
 
-    /** Point of a number on a face, x, y, z in the scene brought to size 1. */
+    /** Point of a number on a face but not on its edges, x, y, z in the scene brought to size 1. */
     private float[] point(int face, int number) {
-        double r = Math.sqrt(R2.v(number));
-        double s = R2.u(number);
+        double r = 2 / 3.0 + (1 - INSET) * (Math.sqrt(R2.v(number)) - 2 / 3.0);
+        double s = 0.5 + (1 - INSET) * (R2.u(number) - 0.5);
         float[] point = new float[3];
         for (int a = 0; a < 3; a++) {
             point[a] = (float) ((1 - r) * faces.corner(face, 0, a) + r * (1 - s) * faces.corner(face, 1, a)
@@ -71,8 +77,39 @@ public final class UnseenLamps {
     }
 
     private boolean isSeen(Light light) {
-        return light.kind().isOutside() || light.power().max() == 0
-                || IntStream.rangeClosed(1, RAYS).anyMatch(i -> arrives(light, direction(light, i)));
+        if (light.power().max() == 0) {
+            return true;
+        }
+        return light.kind().isOutside() ? isSeenOutside(light)
+                : IntStream.rangeClosed(1, RAYS).anyMatch(i -> arrives(light, direction(light, i)));
+    }
+
+    /** Whether rays from points spread evenly over the faces find a light that is outside. */
+    private boolean isSeenOutside(Light light) {
+        double due = 0;
+        int ray = 0;
+        for (int f = 0; f < faces.count(); f++) {
+            Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
+            for (due += RAYS_OUT * faces.area(f) / faces.area(); due >= 1; due--) {
+                float[] place = point(f, ++ray);
+                if (isSeenOutside(light, new Vec3(place[0], place[1], place[2]), n, ray)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean isSeenOutside(Light light, Vec3 x, Vec3 n, int ray) {
+        if (!light.kind().isSky()) {
+            return lights.irradiance(light, x, n) > 0;
+        }
+        double r = Math.sqrt(R2.u(ray));
+        double angle = 2 * Math.PI * R2.v(ray);
+        Vec3 u = n.perpendicular();
+        Vec3 d = n.times(Math.sqrt(1 - r * r)).plus(u.times(r * StrictMath.cos(angle)))
+                .plus(n.cross(u).times(r * StrictMath.sin(angle)));
+        return lights.luminance(light, d) > 0 && bounds.isFree(x, d, new RadiosityBounds.Blocker());
     }
 
     /** Direction of a ray, in the cone of a spot light, in any direction from other lights. */

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import radiosity.gltf.GltfModel;
+import radiosity.input.assembly.LeftOut;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSniffer;
 import radiosity.input.file.InputFile;
@@ -61,11 +62,12 @@ public final class SceneReader {
             notes.note("", "--up is for OBJ only; in LightWave and glTF y points up");
         }
         notes.flush();
-        return Luminaires.place(switch (format.get()) {
+        Scene whole = switch (format.get()) {
             case LIGHTWAVE -> LightWaveReader.read(file, options, warnings).with(options.units());
             case OBJ -> ObjReader.read(file, options, warnings).with(options.units());
             case GLTF -> GltfReader.read(file, options, warnings);
-        }, options);
+        };
+        return Luminaires.place(LeftOut.of(whole, options.leftOut()), options);
     }
 
     /**

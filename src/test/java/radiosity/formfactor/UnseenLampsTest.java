@@ -2,19 +2,24 @@ package radiosity.formfactor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import radiosity.input.assembly.LeftOut;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Lamp;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
 import radiosity.scene.LuminousIntensity;
 import radiosity.scene.Rgb;
+import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.testkit.Box;
+import radiosity.testkit.Cells;
 import radiosity.testkit.RoomScenes;
 import radiosity.visibility.RadiosityBounds;
 
@@ -26,7 +31,11 @@ class UnseenLampsTest {
     private static List<String> unseen(SceneBuilder builder) {
         RoomScenes.addRoom(builder, RoomScenes.grey("room", 0, .5), Box.UNIT);
         RoomScenes.addSolid(builder, RoomScenes.grey("slab", 0, .5), new Vec3(-.1, 1, -.1), new Vec3(1.1, 1.2, 1.1));
-        Faces faces = new Faces(builder.scene("room"));
+        return unseen(builder.scene("room"));
+    }
+
+    private static List<String> unseen(Scene scene) {
+        Faces faces = new Faces(scene);
         return new UnseenLamps(faces, new RadiosityBounds(faces.occluders())).list().stream().map(Lamp::name).toList();
     }
 
@@ -53,6 +62,21 @@ class UnseenLampsTest {
     void lightsBelowASlabOrInItsPlane_areSeen() {
         assertEquals(List.of(), unseen(lights(.9, 1)));
         assertEquals(List.of(), unseen(lights(1, 1)));
+    }
+
+    @Test
+    void sunAndSky_areSeenThroughSmallWindowsOnly() throws IOException {
+        double[] side = {0, .5, .53, 1};
+        Surface wall = RoomScenes.grey("wall", 0, .5);
+        Surface pane = RoomScenes.grey("pane", 0, .5);
+        Scene closed = new Cells(side, side, side).room("room", (i, j, k) -> true,
+                (i, j, k, face) -> face == 0 && j == 1 && k == 1 ? pane : wall);
+        Vec3 up = new Vec3(0, 1, 0);
+        closed = closed.with(closed.surfaces(), List.of(Light.sky(Light.Kind.SKY_OVERCAST, 1, up, up),
+                new Light("sun", Light.Kind.DISTANT, Rgb.grey(1), Vec3.ZERO, new Vec3(1, -1, .5), Vec3.ZERO, Vec3.ZERO, 1,
+                        0, 0)));
+        assertEquals(List.of("sky", "sun"), unseen(closed));
+        assertEquals(List.of(), unseen(LeftOut.of(closed, Set.of("pane"))));
     }
 
     @Test

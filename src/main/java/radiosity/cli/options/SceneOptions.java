@@ -4,8 +4,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.Stack;
 import picocli.CommandLine.IParameterConsumer;
 import picocli.CommandLine.Model.ArgSpec;
@@ -66,6 +68,11 @@ public final class SceneOptions {
             description = "A light of that name, or a new one at x,y,z that shines down, shines as an IES or EULUMDAT"
                     + " file says. Repeatable.")
     public Map<String, Path> luminaires = new LinkedHashMap<>();
+
+    @Option(names = "--leave-out", paramLabel = "<name>",
+            description = "Leave out the surface of that name, or the object with all below it: panes that keep"
+                    + " daylight out, a wall in the way of the view. Repeatable.")
+    Set<String> leftOut = new LinkedHashSet<>();
 
     @Option(names = "--strict", description = "Every warning about the scene is an error (exit code 3).")
     public boolean strict;
@@ -142,7 +149,8 @@ public final class SceneOptions {
     public ReadOptions readOptions() {
         ReadOptions options = ReadOptions.defaults().withEmission(emission).withContent(content).withMap(map)
                 .withLights(lights).withSrgb(srgb).withTwoSided(twoSided).withUp(up).withStrict(strict)
-                .withLuminaires(luminaires).withUnits(new Units(unit == null ? Double.NaN : unit, photometric));
+                .withLuminaires(luminaires).withLeftOut(leftOut)
+                .withUnits(new Units(unit == null ? Double.NaN : unit, photometric));
         return frame == null ? options : options.withFrame(frame);
     }
 

@@ -53,12 +53,18 @@ public final class SceneChecks {
         if (!lamps.isEmpty()) {
             warnings.accept(scene.name() + ": expected lamps whose light arrives somewhere, got "
                     + (lamps.size() == 1 ? "one" : lamps.size()) + " enclosed, outside of the room, or on the wrong"
-                    + " side of all that is visible: " + names(lamps.stream().map(this::text)));
+                    + " side of all that is visible: " + names(lamps.stream().map(this::text))
+                    + (lamps.stream().anyMatch(this::isOutside) ? " (--leave-out leaves panes out)" : ""));
         }
     }
 
+    private boolean isOutside(Lamp lamp) {
+        return !lamp.surface() && scene.lights().get(lamp.index()).kind().isOutside();
+    }
+
     private String text(Lamp lamp) {
-        return lamp.surface() ? lamp.name() : lamp.name() + " at " + text(scene.lights().get(lamp.index()).position());
+        return lamp.surface() || isOutside(lamp) ? lamp.name()
+                : lamp.name() + " at " + text(scene.lights().get(lamp.index()).position());
     }
 
     private static String names(Stream<String> names) {

@@ -116,7 +116,7 @@ final class Materials {
             throw material.wrong("emission of at least 0");
         }
         if (!material.text("alphaMode", "OPAQUE").equals("OPAQUE")) {
-            notes.note("", "transparent surfaces are taken as opaque", name);
+            notes.note("", "transparent surfaces are taken as opaque (see --leave-out)", name);
         }
         List<ImageMap> maps = new ArrayList<>(0);
         Optional<TextureLie> lie = Optional.empty();

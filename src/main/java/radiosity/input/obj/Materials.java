@@ -71,7 +71,7 @@ final class Materials {
     Surface surface(Material material) {
         Rgb diffuse = options.srgb() ? Srgb.linear(material.diffuse()) : material.diffuse();
         if (material.isTransparent()) {
-            notes.note("", "transparent surfaces are taken as opaque", material.name);
+            notes.note("", "transparent surfaces are taken as opaque (see --leave-out)", material.name);
         }
         List<ImageMap> maps = new ArrayList<>(0);
         TextureImage base = material.diffuseImage;

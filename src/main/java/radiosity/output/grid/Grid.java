@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.points.Points;
@@ -29,9 +30,10 @@ import radiosity.solution.Solution;
  * @param maximum  largest illuminance
  * @param left     number of points left out: inside solids, or outside of rooms
  * @param quantity name of the quantity, and its unit
+ * @param daylight the daylight factors; empty where anything but an overcast sky lights the scene
  */
 public record Grid(String where, double[][] rows, double mean, double minimum, double maximum, int left,
-                   String[] quantity) {
+                   String[] quantity, Optional<DaylightFactor> daylight) {
 
     /**
      * Checks that a grid can be made, before a long render.
@@ -74,9 +76,13 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         double[] values = Arrays.stream(lit).mapToDouble(row -> row[6]).sorted().toArray();
         int n = values.length;
         String[] quantity = {units.irradianceWord(), units.irradiance()};
-        return n == 0 ? new Grid(where, lit, Double.NaN, Double.NaN, Double.NaN, rows.length, quantity)
-                : new Grid(where, lit, flux / area, values[0], values[n - 1], rows.length - n,
-                quantity);
+        if (n == 0) {
+            return new Grid(where, lit, Double.NaN, Double.NaN, Double.NaN, rows.length, quantity, Optional.empty());
+        }
+        double[] areas = IntStream.range(0, rows.length).filter(i -> !Double.isNaN(rows[i][6]))
+                .mapToDouble(i -> places.areas().get(i)).toArray();
+        return new Grid(where, lit, flux / area, values[0], values[n - 1], rows.length - n, quantity,
+                DaylightFactor.of(solution.scene(), lit, areas));
     }
 
     /** Uniformity U0: minimum over average; 0 if all is dark, NaN if there is no point. */
@@ -94,6 +100,7 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         return String.format(Locale.ROOT, "%s: average %s %.4g %s, minimum %.4g, maximum %.4g, uniformity U0 %.2f, %d"
                 + " point%s", where, quantity[0], mean, quantity[1], minimum, maximum, uniformity(), rows.length,
                 rows.length == 1 ? "" : "s")
+                + daylight.map(d -> ", " + d.summary()).orElse("")
                 + (left > 0 ? " (" + left + " inside solids or outside are left out)" : "");
     }
 
@@ -106,6 +113,9 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
             for (double[] row : rows) {
                 for (int i = 0; i < row.length; i++) {
                     text.append(i == 0 ? "" : ",").append(String.valueOf(row[i] == 0 ? 0.0 : row[i]));
+                }
+                if (daylight.isPresent()) {
+                    text.append(',').append(String.valueOf(daylight.get().percent(row[6])));
                 }
                 text.append('\n');
             }
@@ -121,6 +131,10 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         text.append("\n# maximum ").append(quantity[0]).append(',').append(maximum).append(',').append(quantity[1]);
         text.append("\n# uniformity U0 (minimum / average),").append(uniformity()).append("\n# diversity (minimum /"
                 + " maximum),").append(maximum == 0 ? 0 : minimum / maximum).append("\n# points,").append(rows.length);
-        return text.append("\nx,y,z,nx,ny,nz,E_").append(quantity[1].replace("/", "_")).append('\n');
+        daylight.ifPresent(d -> text.append("\n# daylight factor average,").append(d.average())
+                .append(",%\n# daylight factor median,").append(d.median())
+                .append(",%\n# daylight factor that 95 % of the area exceeds,").append(d.exceeded()).append(",%"));
+        return text.append("\nx,y,z,nx,ny,nz,E_").append(quantity[1].replace("/", "_"))
+                .append(daylight.isPresent() ? ",DF_percent\n" : "\n");
     }
 }

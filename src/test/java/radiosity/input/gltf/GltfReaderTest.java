@@ -495,7 +495,7 @@ class GltfReaderTest {
                 "'materials':[{'name':'a'},{'name':'a','alphaMode':'BLEND'}]");
         assertEquals(List.of("a", "a#1"), read(text).surfaces().stream().map(Surface::name).toList());
         assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: a, a#1 (2 times)",
-                "a.gltf: transparent surfaces are taken as opaque: a#1"), told);
+                "a.gltf: transparent surfaces are taken as opaque (see --leave-out): a#1"), told);
     }
 
     private Optional<Specular> specular(String material) throws IOException {

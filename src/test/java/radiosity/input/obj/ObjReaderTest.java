@@ -225,7 +225,7 @@ class ObjReaderTest {
         Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n"
                 + "usemtl tint\nf 1 3 4\nusemtl opaque\nf 1 2 5\n", ReadOptions.defaults());
         assertEquals(List.of("room.obj: images that are not found leave the base colour: D:\\maps\\my wood.png",
-                "room.obj: transparent surfaces are taken as opaque: glass, tint (2 times)"),
+                "room.obj: transparent surfaces are taken as opaque (see --leave-out): glass, tint (2 times)"),
                 told.stream().filter(line -> line.contains("images") || line.contains("transparent")).sorted().toList());
         assertEquals(Rgb.grey(.3), scene.surfaces().get(2).reflectance());
     }

@@ -10,9 +10,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import radiosity.input.assembly.LeftOut;
 import radiosity.scene.Hierarchy;
 import radiosity.scene.ImageMap;
 import radiosity.scene.Light;
@@ -266,6 +268,66 @@ class GridTest {
         assertTrue(lines.get(4).matches("# uniformity U0 \\(minimum / average\\),(1\\.0|0\\.99\\d+)"), lines.get(4));
         assertEquals("x,y,z,nx,ny,nz,E_lx", lines.get(7));
         assertEquals(8 + 4, lines.size());
+    }
+
+    /**
+     * A black room whose pane in the ceiling is left out. The sky's light at a point is the integral over the opening;
+     * under a level place in the open the CIE's overcast sky of zenith luminance 1 gives 7 pi / 9.
+     */
+    @Test
+    void daylightFactors_areThoseOfTheOpening(@TempDir Path folder) throws IOException {
+        Scene open = skylit(List.of(Light.sky(Light.Kind.SKY_OVERCAST, 8000, new Vec3(0, 1, 0), Vec3.ZERO)));
+        Grid grid = Grid.of(Solve.byDefault().solution(open), "y=1", 1);
+        double[] expected = Arrays.stream(grid.rows()).mapToDouble(GridTest::throughOpening).sorted().toArray();
+        DaylightFactor factor = grid.daylight().orElseThrow();
+        assertEquals(16, grid.rows().length);
+        assertEquals(Arrays.stream(expected).average().orElseThrow(), factor.average(), .01 * factor.average());
+        assertEquals(expected[8], factor.median(), .02 * factor.median());
+        assertEquals(expected[0], factor.exceeded(), .02 * factor.exceeded());
+        assertTrue(grid.summary().matches(".*, 16 points, daylight factor average \\d.\\d\\d %, median \\d.\\d\\d,"
+                + " over 95 % of the area at least \\d.\\d\\d"), grid.summary());
+        Path file = folder.resolve("plane.csv");
+        grid.write(file);
+        List<String> lines = Files.readAllLines(file);
+        assertEquals("# daylight factor average," + factor.average() + ",%", lines.get(7));
+        assertEquals("x,y,z,nx,ny,nz,E_lx,DF_percent", lines.get(10));
+        String[] first = lines.get(11).split(",");
+        assertEquals(Double.parseDouble(first[6]) / 80, Double.parseDouble(first[7]), 1e-9);
+    }
+
+    @Test
+    void daylightFactors_areOfOvercastSkiesOnly() throws IOException {
+        Light overcast = Light.sky(Light.Kind.SKY_OVERCAST, 8000, new Vec3(0, 1, 0), Vec3.ZERO);
+        Light uniform = Light.sky(Light.Kind.SKY_UNIFORM, 8000, new Vec3(0, 1, 0), Vec3.ZERO);
+        Light bulb = new Light("bulb", Light.Kind.POINT, Rgb.grey(1000), new Vec3(2, 2.5, 2), Vec3.ZERO, Vec3.ZERO,
+                Vec3.ZERO, 1, 0, 0);
+        for (List<Light> lights : List.of(List.of(uniform), List.of(overcast, bulb), List.of(bulb))) {
+            Grid grid = Grid.of(Solve.byDefault().solution(skylit(lights)), "y=1", 2);
+            assertEquals(Optional.empty(), grid.daylight());
+        }
+    }
+
+    private static Scene skylit(List<Light> lights) throws IOException {
+        double[] side = {0, 1.5, 2.5, 4};
+        Surface wall = RoomScenes.grey("wall", 0, 0);
+        Surface pane = RoomScenes.grey("pane", 0, 0);
+        Scene closed = new Cells(side, new double[] {0, 3}, side).room("room", (i, j, k) -> true,
+                (i, j, k, face) -> face == 3 && i == 1 && k == 1 ? pane : wall).with(LUX);
+        Scene open = LeftOut.of(closed, Set.of("pane"));
+        return open.with(open.surfaces(), lights);
+    }
+
+    /** Percent of the light of the open that reaches a point 2 m below the opening. */
+    private static double throughOpening(double[] row) {
+        int n = 200;
+        double sum = 0;
+        for (int i = 0; i < n * n; i++) {
+            double x = 1.5 + (i / n + .5) / n - row[0];
+            double z = 1.5 + (i % n + .5) / n - row[2];
+            double squared = x * x + 4 + z * z;
+            sum += (1 + 2 * 2 / Math.sqrt(squared)) / 3 * 4 / (squared * squared);
+        }
+        return 100 * sum / (n * n) / (7 * Math.PI / 9);
     }
 
     @Test
