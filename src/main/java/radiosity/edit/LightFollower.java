@@ -194,15 +194,14 @@ public final class LightFollower implements AutoCloseable {
             return;
         }
         Optional<Rest> rest = exact.render(goal, pictures);
-        if (isFirst && isQuickWanted) {
-            preparation = new Preparation(goal.scene);
-            prepare(goal);
-        }
-        isFirst = false;
         if (isWanted(goal)) {
             rest.ifPresent(rested);
-            prepare(goal);
         }
+        if (isFirst && isQuickWanted) {
+            preparation = new Preparation(goal.scene);
+        }
+        isFirst = false;
+        prepare(goal);
     }
 
     /** Renders the first quick solution, or continues its render, until a further edit comes. */

@@ -9,10 +9,14 @@ public final class LongIndex {
     private int[] numbers;
     private int size;
 
-    public LongIndex(int expected) {
-        int capacity = Integer.highestOneBit(Math.max(8, expected)) * 4;
-        keys = new long[capacity];
-        numbers = new int[capacity];
+    /**
+     * @param expected number of keys for which there is room without growing
+     * @throws TooLargeException where an array cannot have that much room
+     */
+    public LongIndex(long expected) {
+        long power = Long.highestOneBit(Math.max(8, expected));
+        keys = new long[ArraySize.of("an index of " + expected + " keys", power, 4)];
+        numbers = new int[keys.length];
         Arrays.fill(numbers, -1);
     }
 
@@ -58,7 +62,7 @@ public final class LongIndex {
     private void grow() {
         long[] oldKeys = keys;
         int[] oldNumbers = numbers;
-        keys = new long[2 * oldKeys.length];
+        keys = new long[ArraySize.of("an index of " + size + " keys", 2, oldKeys.length)];
         numbers = new int[keys.length];
         Arrays.fill(numbers, -1);
         for (int i = 0; i < oldKeys.length; i++) {

@@ -202,7 +202,7 @@ public final class OutputFiles {
 
     private void saveGrid(Solution solution, FileOptions.GridFile file) throws IOException {
         write(file.out(), out -> {
-            Grid grid = Grid.of(solution, file.where(), options.file.spacing);
+            Grid grid = Grid.of(solution, file.where(), options.file.spacing, options.calculation.threads);
             grid.write(out);
             System.out.println(SceneFormatException.escape(grid.summary()));
         });

@@ -31,7 +31,7 @@ final class CoplanarRegions {
         DisjointSets fans = new DisjointSets(faces.fan.length);
         Arrays.fill(faces.across, -1);
         int[] next = new int[3 * n];
-        LongIndex edges = new LongIndex(3 * n);
+        LongIndex edges = new LongIndex(3L * n);
         int[] first = new int[3 * n];
         Arrays.fill(first, -1);
         for (int e = 0; e < 3 * n; e++) {

@@ -18,6 +18,7 @@ import radiosity.scene.Scene;
 import radiosity.scene.Units;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.ParallelFor;
 
 /**
  * Illuminance (irradiance in radiometric scenes) on a grid of points, and the figures that EN 12464-1 asks for.
@@ -51,19 +52,21 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
      * @param where   the name of a surface, for its visible side; or a plane, x, y or z = a number, for its side
      *                towards larger numbers, or with - before it for the other side
      * @param spacing approximate distance of neighbouring points, scene units, above 0
+     * @param threads at least 1
      * @throws IllegalArgumentException as {@link #check}
      */
-    public static Grid of(Solution solution, String where, double spacing) {
+    public static Grid of(Solution solution, String where, double spacing, int threads) {
         GridPlaces places = GridPlaces.of(solution.scene(), where, spacing);
         Units units = solution.scene().units();
         Points points = new Points(solution);
         FreeIrradiance free = places.onSurface() ? null : new FreeIrradiance(solution, points);
-        double[][] rows = IntStream.range(0, places.points().size()).parallel().mapToObj(i -> {
+        double[][] rows = new double[places.points().size()][];
+        new ParallelFor(threads).run(rows.length, i -> {
             Vec3 p = places.points().get(i);
             Vec3 n = places.normals().get(i);
             Rgb light = free == null ? points.outsideSolids(p, n) : free.at(p, n);
-            return new double[] {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), units.total(light)};
-        }).toArray(double[][]::new);
+            rows[i] = new double[] {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), units.total(light)};
+        });
         double[][] lit = Arrays.stream(rows).filter(row -> !Double.isNaN(row[6])).toArray(double[][]::new);
         double area = 0;
         double flux = 0;

@@ -1,5 +1,6 @@
 package radiosity.output.grid;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -60,6 +61,10 @@ class GridTest {
                 Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1, 0, 0)));
     }
 
+    private static Grid grid(Solution solution, String where, double spacing) {
+        return Grid.of(solution, where, spacing, 2);
+    }
+
     private static double ofBulb(double[] row) {
         double h = 2.5 - row[1];
         double x = row[0] - 2;
@@ -69,7 +74,7 @@ class GridTest {
 
     @Test
     void surface_hasAMeanAndAUniformity() {
-        Grid grid = Grid.of(Solve.byDefault().solution(withBulb()), "floor", .5);
+        Grid grid = grid(Solve.byDefault().solution(withBulb()), "floor", .5);
         assertEquals(64, grid.rows().length);
         double sum = 0;
         double least = Double.MAX_VALUE;
@@ -110,7 +115,7 @@ class GridTest {
             builder.polygon(RoomScenes.grey("wall", 1, .5), onWall(i % 6, i / 6), onWall(i % 6 + 1, i / 6),
                     onWall(i % 6 + 1, i / 6 + 1), onWall(i % 6, i / 6 + 1));
         }
-        Grid grid = Grid.of(Solve.byDefault().accurate(.5).solution(builder.scene("wall")), "wall", .4);
+        Grid grid = grid(Solve.byDefault().accurate(.5).solution(builder.scene("wall")), "wall", .4);
         assertEquals(0, grid.left());
         assertTrue(grid.rows().length > 80, "points: " + grid.rows().length);
     }
@@ -129,7 +134,7 @@ class GridTest {
             Vec3 away = new Vec3(500_000, 12, 4_000_000).times(i);
             SceneBuilder builder = new SceneBuilder();
             RoomScenes.addRoom(builder, RoomScenes.grey("room", 3, .4), new Box(away, away.plus(new Vec3(4, 3, 4))));
-            mean[i] = Grid.of(Solve.byDefault().accurate(.1).solution(builder.scene("room")),
+            mean[i] = grid(Solve.byDefault().accurate(.1).solution(builder.scene("room")),
                     "y=" + (away.y() + 1), 1.5).mean();
         }
         assertEquals(5, mean[0], .1);
@@ -148,13 +153,14 @@ class GridTest {
 
     @Test
     void planeInTheAir_receivesLight_fromLights() {
-        Grid grid = Grid.of(Solve.byDefault().solution(withBulb()), "y=0.85", 1);
+        Grid grid = grid(Solve.byDefault().solution(withBulb()), "y=0.85", 1);
         assertEquals(16, grid.rows().length);
+        assertArrayEquals(grid.rows(), Grid.of(Solve.byDefault().solution(withBulb()), "y=0.85", 1, 1).rows());
         for (double[] row : grid.rows()) {
             assertEquals(.85, row[1]);
             assertEquals(ofBulb(row), row[6], 1e-3 * ofBulb(row));
         }
-        Grid below = Grid.of(Solve.byDefault().solution(withBulb()), "-y=0.85", 1);
+        Grid below = grid(Solve.byDefault().solution(withBulb()), "-y=0.85", 1);
         assertEquals(50, below.mean(), 25, "what the floor reflects");
     }
 
@@ -162,7 +168,7 @@ class GridTest {
     void planeInTheAir_receivesLight_fromAllThatEmitsAndReflects() {
         Solution solution = Solve.byDefault().solution(room(3, .4));
         for (String plane : List.of("y=1", "-y=1", "x=1.3", "-z=3.9")) {
-            Grid grid = Grid.of(solution, plane, 1.5);
+            Grid grid = grid(solution, plane, 1.5);
             for (double[] row : grid.rows()) {
                 assertEquals(5, row[6], .02, plane);
             }
@@ -176,7 +182,7 @@ class GridTest {
         double[] x = {0, 1, 2, 3, 4};
         Scene room = new Cells(x, new double[] {0, 1, 3}, x).room("L", (i, j, k) -> !(i > 1 && k > 1)
                 && !(i == 0 && k == 0 && j == 0), wall).with(LUX);
-        Grid grid = Grid.of(Solve.byDefault().solution(room), "y=0.5", 1);
+        Grid grid = grid(Solve.byDefault().solution(room), "y=0.5", 1);
         assertEquals(11, grid.rows().length);
         assertEquals(5, grid.left());
         assertEquals(2, grid.mean(), .02);
@@ -192,7 +198,7 @@ class GridTest {
             Vec3[] inside = box.inside(side);
             builder.polygon(RoomScenes.grey("box", 0, .5), inside[3], inside[2], inside[1], inside[0]);
         }
-        Grid grid = Grid.of(Solve.byDefault().accurate(.2).solution(builder.scene("box in a room")), "y=0.5", 4);
+        Grid grid = grid(Solve.byDefault().accurate(.2).solution(builder.scene("box in a room")), "y=0.5", 4);
         assertEquals(0, grid.rows().length);
         assertTrue(Double.isNaN(grid.mean()) && Double.isNaN(grid.uniformity()));
         assertEquals("y=0.5: no points, as 1 inside solids or outside are left out: on a plane that lies on a surface"
@@ -216,7 +222,7 @@ class GridTest {
         Scene tables = builder.light(Light.sun(new Vec3(0, 1, 0), 100)).light(new Light("bulb", Light.Kind.POINT,
                 Rgb.grey(1000), new Vec3(6.2, 2, 6.2), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 1, 0, 0)).scene("tables")
                 .with(LUX);
-        Grid grid = Grid.of(Solve.byDefault().solution(tables), "wood", 1);
+        Grid grid = grid(Solve.byDefault().solution(tables), "wood", 1);
         double sum = 0;
         for (double[] row : grid.rows()) {
             sum += row[6] * (row[1] == 1 ? .16 : 1);
@@ -239,8 +245,8 @@ class GridTest {
         Scene imaged = new Scene("lamp", half.points(), half.corners(), half.surfaceOf(), half.surfaces(), List.of(),
                 Optional.empty(), new float[] {0, 0, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1},
                 new float[0], Hierarchy.NONE).with(LUX);
-        Grid expected = Grid.of(Solve.byDefault().solution(plain), "y=0.001", 1);
-        Grid grid = Grid.of(Solve.byDefault().solution(imaged), "y=0.001", 1);
+        Grid expected = grid(Solve.byDefault().solution(plain), "y=0.001", 1);
+        Grid grid = grid(Solve.byDefault().solution(imaged), "y=0.001", 1);
         for (int i = 0; i < grid.rows().length; i++) {
             assertEquals(expected.rows()[i][6], grid.rows()[i][6], .02 * expected.maximum(), "point " + i);
         }
@@ -261,7 +267,7 @@ class GridTest {
     @Test
     void table_hasItsFiguresAndPoints(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("floor.csv");
-        Grid.of(Solve.byDefault().solution(room(3, .4)), "floor", 2).write(file);
+        grid(Solve.byDefault().solution(room(3, .4)), "floor", 2).write(file);
         List<String> lines = Files.readAllLines(file);
         assertEquals("# floor", lines.get(0));
         assertTrue(lines.get(1).matches("# average illuminance,[45]\\.\\d+,lx"), lines.get(1));
@@ -277,7 +283,7 @@ class GridTest {
     @Test
     void daylightFactors_areThoseOfTheOpening(@TempDir Path folder) throws IOException {
         Scene open = skylit(List.of(Light.sky(Light.Kind.SKY_OVERCAST, 8000, new Vec3(0, 1, 0), Vec3.ZERO)));
-        Grid grid = Grid.of(Solve.byDefault().solution(open), "y=1", 1);
+        Grid grid = grid(Solve.byDefault().solution(open), "y=1", 1);
         double[] expected = Arrays.stream(grid.rows()).mapToDouble(GridTest::throughOpening).sorted().toArray();
         DaylightFactor factor = grid.daylight().orElseThrow();
         assertEquals(16, grid.rows().length);
@@ -302,7 +308,7 @@ class GridTest {
         Light bulb = new Light("bulb", Light.Kind.POINT, Rgb.grey(1000), new Vec3(2, 2.5, 2), Vec3.ZERO, Vec3.ZERO,
                 Vec3.ZERO, 1, 0, 0);
         for (List<Light> lights : List.of(List.of(uniform), List.of(overcast, bulb), List.of(bulb))) {
-            Grid grid = Grid.of(Solve.byDefault().solution(skylit(lights)), "y=1", 2);
+            Grid grid = grid(Solve.byDefault().solution(skylit(lights)), "y=1", 2);
             assertEquals(Optional.empty(), grid.daylight());
         }
     }
