@@ -48,7 +48,7 @@ public final class InitialMesh {
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Version of the saved state of calculations: a state with another version is refused. */
-    private static final int STATE = 12;
+    private static final int STATE = 13;
     /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
     /**

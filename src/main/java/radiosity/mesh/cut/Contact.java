@@ -1,5 +1,6 @@
 package radiosity.mesh.cut;
 
+import java.util.Optional;
 import radiosity.scene.Vec3;
 
 /**
@@ -31,5 +32,26 @@ record Contact(Vec3 from, Vec3 to, Vec3 across) {
     boolean holds(Vec3 p, double near) {
         double at = along(p);
         return Math.abs(beside(p)) <= near && at >= -near && at <= length() + near;
+    }
+
+    /** The part of the segment that lies inside of a triangle of the same plane; empty where none does. */
+    Optional<Contact> within(Vec3 a, Vec3 b, Vec3 c) {
+        Vec3 n = b.minus(a).cross(c.minus(a));
+        Vec3[] corner = {a, b, c};
+        double begin = 0;
+        double end = 1;
+        for (int k = 0; k < 3; k++) {
+            Vec3 inwards = n.cross(corner[(k + 1) % 3].minus(corner[k])).unit();
+            double p = from.minus(corner[k]).dot(inwards);
+            double q = to.minus(corner[k]).dot(inwards);
+            if (p <= 0 && q <= 0) {
+                return Optional.empty();
+            }
+            begin = p < 0 ? Math.max(begin, p / (p - q)) : begin;
+            end = q < 0 ? Math.min(end, p / (p - q)) : end;
+        }
+        Vec3 d = to.minus(from);
+        return begin >= end ? Optional.empty()
+                : Optional.of(new Contact(from.plus(d.times(begin)), from.plus(d.times(end)), across));
     }
 }

@@ -5,8 +5,10 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import radiosity.mesh.face.CutPoints;
 import radiosity.mesh.face.EdgePieces;
 import radiosity.mesh.face.FacePieces;
@@ -31,6 +33,12 @@ public final class DiscontinuityMesher {
     private static final int MOST = 20_000;
     /** Least length of a contact that is worth an edge, relative to the square root of the area of all faces. */
     private static final double LEAST_LENGTH = 1e-3;
+    /**
+     * Length of a contact inside of a face, and its distance from the border of the face's region, up to which it is
+     * not worth a cut, relative to the square root of the area of all faces: where a mesh is not welded, triangles from
+     * beyond the border pass through its faces by that little.
+     */
+    private static final double TRIFLE = LEAST_LENGTH / 5;
 
     private final Faces faces;
     final FaceIntersections contacts;
@@ -115,9 +123,9 @@ public final class DiscontinuityMesher {
             on.put(f, contacts.on(f));
             mesh.add(f);
         }
-        on.forEach((f, some) -> some.forEach(contact -> mesh.refine(f, contact)));
-        on.forEach((f, some) -> some.forEach(contact -> mesh.cut(f, contact)));
-        part.forEach(f -> bands.on(f, leastLength).forEach(line -> mesh.cut(f, line)));
+        on.forEach((f, some) -> worthACut(f, some).forEach(contact -> mesh.refine(f, contact)));
+        on.forEach((f, some) -> worthACut(f, some).forEach(contact -> mesh.cut(f, contact)));
+        part.forEach(f -> worthACut(f, bands.on(f, leastLength)).forEach(line -> mesh.cut(f, line)));
         int divided = part.stream().mapToInt(f -> mesh.polygons(f).size()).filter(n -> n > 1).sum();
         if (count + divided > MOST) {
             count += divided;
@@ -132,6 +140,25 @@ public final class DiscontinuityMesher {
         }
         part.forEach(this::leaveWhole);
         count += part.stream().filter(pieces::containsKey).mapToInt(f -> pieces.get(f).size()).sum();
+    }
+
+    private Stream<Contact> worthACut(int face, List<Contact> contacts) {
+        return contacts.stream().filter(contact -> isWorthACut(face, contact));
+    }
+
+    private boolean isWorthACut(int face, Contact contact) {
+        double trifle = TRIFLE * Math.sqrt(faces.area()) * faces.size();
+        Vec3[] corner = {faces.sceneCorner(face, 0), faces.sceneCorner(face, 1), faces.sceneCorner(face, 2)};
+        Optional<Contact> inside = contact.within(corner[0], corner[1], corner[2]);
+        boolean isWorth = inside.isPresent() && inside.get().length() > trifle;
+        for (int k = 0; k < 3 && isWorth; k++) {
+            Vec3 from = corner[(k + 1) % 3];
+            Vec3 inwards = faces.exactNormal(face).cross(corner[(k + 2) % 3].minus(from)).unit();
+            double depth = Math.max(inside.get().from().minus(from).dot(inwards),
+                    inside.get().to().minus(from).dot(inwards));
+            isWorth = !faces.isBorder(face, k) || depth > trifle;
+        }
+        return isWorth;
     }
 
     private void take(CutPolygon polygon) {

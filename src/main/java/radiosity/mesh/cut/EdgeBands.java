@@ -155,11 +155,11 @@ final class EdgeBands {
         return box;
     }
 
-    /** Height of an edge above a plane, 0 where the edge reaches below. */
+    /** Height of an edge above a plane; 0 where an end is at less than half the height of the other, or below. */
     private static double height(Edge edge, Vec3 origin, Vec3 n) {
         double from = edge.from().minus(origin).dot(n);
         double to = edge.to().minus(origin).dot(n);
-        return Math.min(from, to) < 0 ? 0 : Math.max(from, to);
+        return 2 * Math.min(from, to) < Math.max(from, to) ? 0 : Math.max(from, to);
     }
 
     /** Whether the face of an edge emits light that can reach a face, which has these corners. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
@@ -156,6 +157,25 @@ class DiscontinuityMesherTest {
                     new Vec3(x, .004, .6), new Vec3(x, .004, .4));
         }
         Faces whole = new Faces(boards.scene("boards"));
+        assertSame(whole, DiscontinuityMesher.cut(whole));
+    }
+
+    /** A bumpy wall as a scanner makes it: large facets at small angles, whose corners almost meet or do. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-6, 1e-5, 3e-5})
+    void facetsOfAScan_areLeftAsTheyAre(double apart) {
+        Random random = new Random(1);
+        double[] bump = IntStream.range(0, 121).mapToDouble(i -> random.nextGaussian() * 1e-3).toArray();
+        SceneBuilder wall = new SceneBuilder();
+        for (int i = 0; i < 100; i++) {
+            int at = i / 10 * 11 + i % 10;
+            for (int[] corners : new int[][] {{at, at + 1, at + 12}, {at, at + 12, at + 11}}) {
+                wall.polygon(GREY, Arrays.stream(corners).mapToObj(c -> new Vec3(c % 11 / 10.0, c / 11 / 10.0, bump[c])
+                        .plus(new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
+                        .times(apart))).toArray(Vec3[]::new));
+            }
+        }
+        Faces whole = new Faces(wall.scene("wall"));
         assertSame(whole, DiscontinuityMesher.cut(whole));
     }
 
