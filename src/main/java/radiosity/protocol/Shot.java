@@ -77,10 +77,6 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
         }
     }
 
-    public ShooterHierarchy shooter(Faces faces, Weights weights) {
-        return new ShooterHierarchy(faces, trees, weights);
-    }
-
     public ShooterHierarchy shooter(Faces faces, Weights weights, UniformRadiosity ambient) {
         return new ShooterHierarchy(faces, trees, weights, ambient);
     }

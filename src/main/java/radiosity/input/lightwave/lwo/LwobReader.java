@@ -23,8 +23,7 @@ final class LwobReader {
                 case "SRFS" -> surfaceNames(chunks.data(), chunks.place());
                 case "POLS" -> polygons(chunks.data(), chunks.place());
                 case "PCHS" -> patches(chunks.data(), chunks.place());
-                case "SURF" -> object.addSurface(new LwobSurface(notes).read(chunks.data(), chunks.place()),
-                        chunks.place(), notes);
+                case "SURF" -> object.addSurface(new LwobSurface(notes).read(chunks.data()), chunks.place(), notes);
                 default -> { }
             }
         }

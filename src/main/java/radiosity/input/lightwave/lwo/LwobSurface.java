@@ -27,7 +27,7 @@ final class LwobSurface {
         this.notes = notes;
     }
 
-    SurfaceValues read(ByteReader data, String place) {
+    SurfaceValues read(ByteReader data) {
         surface = new SurfaceValues(data.s0(), "");
         Chunks chunks = new Chunks(data, 2, notes);
         while (chunks.next()) {
