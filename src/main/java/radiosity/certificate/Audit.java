@@ -105,7 +105,7 @@ public final class Audit {
         this.asked = asked;
         this.parallel = parallel;
         places = new AuditPlaces(mesh, this::nodes, reflected(), leaving(), parallel);
-        nearby = new NearbyPoints(faces, mesh.bounds(), places);
+        nearby = new NearbyPoints(faces, mesh.bounds, places);
         isBegun = Arrays.stream(ledger.unshot()).map(Math::abs).sum()
                 > MOSTLY * Arrays.stream(ledger.emitted()).sum();
         wanted = isBegun ? LEAST_POINTS
@@ -182,10 +182,10 @@ public final class Audit {
     }
 
     private void look(List<AuditPoint> batch, UniformRadiosity ambient) throws IOException {
-        LightSources lights = new LightSources(faces, mesh.bounds());
+        LightSources lights = new LightSources(faces, mesh.bounds);
         List<NearbyPoints.Near> near = nearby.around(batch);
         parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient));
-        Escape escape = new Escape(faces, mesh.bounds());
+        Escape escape = new Escape(faces, mesh.bounds);
         parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
             point.light(lights, ambient);
@@ -291,7 +291,7 @@ public final class Audit {
     }
 
     private FormFactorCalculator factors() {
-        return FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), FACTOR_TOLERANCE);
+        return FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds, mesh.rays(), FACTOR_TOLERANCE);
     }
 
     private static double[] ones(int count) {

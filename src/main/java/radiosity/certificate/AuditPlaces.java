@@ -65,7 +65,7 @@ final class AuditPlaces {
         faces = mesh.faces;
         this.reflected = ofAllLayers(reflected);
         this.leaving = ofAllLayers(leaving);
-        burial = new InteriorTest(faces, mesh.bounds(), mesh.coincident, mesh.rooms::isHidden);
+        burial = new InteriorTest(faces, mesh.bounds, mesh.coincident, mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
         bulges = new VertexBulge(faces.channels(), faces.colours());
         for (int first = 0; first < weighed.length; first += BLOCKS_AT_A_TIME) {

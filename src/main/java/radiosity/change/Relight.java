@@ -88,8 +88,8 @@ public final class Relight {
             correct(earlier, kept, rules, weight);
         }
         if (change.isOfGeometry() || change.isOfLights()) {
-            lit.light(kept, new LightSources(before.faces, before.bounds()), -1);
-            lit.light(kept, new LightSources(now.faces, now.bounds()), 1);
+            lit.light(kept, new LightSources(before.faces, before.bounds), -1);
+            lit.light(kept, new LightSources(now.faces, now.bounds), 1);
         }
         int[] fresh = transfer.fresh.stream().filter(v -> !nodes.points().isBuried(v)).toArray();
         gather(fresh, rules, weight);
@@ -153,14 +153,14 @@ public final class Relight {
         boolean[] gone = change.goneFaces();
         ShooterHierarchy[] kept = shooters(old, rules, tree -> !gone[tree.face()]);
         ShooterHierarchy[] vanished = shooters(old, rules, tree -> gone[tree.face()]);
-        VisibilityChange visibility = new VisibilityChange(before.bounds(), now.bounds(),
+        VisibilityChange visibility = new VisibilityChange(before.bounds, now.bounds,
                 new RadiosityBounds(change.goneCorners()), new RadiosityBounds(change.comeCorners()), change.boxes());
         FormFactorCalculator[] differences = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
         FormFactorCalculator[] whole = new FormFactorCalculator[differences.length];
         for (int slack = 0; slack < differences.length; slack++) {
             double tolerance = rules.tolerance() * (1 << slack);
             differences[slack] = new RayCaster(visibility, now.rays(), COMPARED * tolerance);
-            whole[slack] = new RayCaster(before.bounds(), now.rays(), tolerance);
+            whole[slack] = new RayCaster(before.bounds, now.rays(), tolerance);
         }
         EdgeInterpolation interpolation = new EdgeInterpolation(now, lit.gatherer, nodes, parallel);
         Order.Rules later = new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]);
@@ -201,7 +201,7 @@ public final class Relight {
                 irradiance[i] *= 0.5;
             }
         }
-        lit.light(vertices, new LightSources(now.faces, now.bounds()), 1);
+        lit.light(vertices, new LightSources(now.faces, now.bounds), 1);
     }
 
     private void checkWanted() {
@@ -242,7 +242,7 @@ public final class Relight {
 
     /** Returns the flux of sources without geometry that arrives at the elements, one per channel, W. */
     public double[] lights() {
-        LightSources sources = new LightSources(now.faces, now.bounds());
+        LightSources sources = new LightSources(now.faces, now.bounds);
         double[] sum = new double[channels];
         double[] at = new double[channels * nodes.vertices()];
         if (sources.isEmpty()) {

@@ -48,7 +48,7 @@ final class CoarseReceivers {
     byte[] rows(Order order) {
         ShooterHierarchy[] all = receivers.shooters(order);
         FormFactorCalculator calculator = mesh.solvesAtOnce() ? receivers.calculators(order)[0]
-                : new RayCaster(mesh.bounds(), 1, order.rules().tolerance(), 1);
+                : new RayCaster(mesh.bounds, 1, order.rules().tolerance(), 1);
         byte[][] row = new byte[asked.length][];
         parallel.run(row.length, Gatherer.RUN, (from, to) -> rows(from, to, all, calculator, row));
         long size = Integer.BYTES + Arrays.stream(row).mapToLong(bytes -> bytes.length).sum();

@@ -33,7 +33,7 @@ public final class Gatherer {
         this.mesh = mesh;
         this.parallel = parallel;
         faces = mesh.faces;
-        burial = new InteriorTest(faces, mesh.bounds(), mesh.coincident, mesh.rooms::isHidden);
+        burial = new InteriorTest(faces, mesh.bounds, mesh.coincident, mesh.rooms::isHidden);
     }
 
     /** Marks the vertices from {@code first} on that lie inside a solid as buried. */
@@ -104,8 +104,8 @@ public final class Gatherer {
     }
 
     private FormFactorCalculator calculator(Order.Rules rules, double tolerance) {
-        return rules.sparing() ? RayCaster.sparing(mesh.bounds(), mesh.rays(), tolerance)
-                : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(), tolerance);
+        return rules.sparing() ? RayCaster.sparing(mesh.bounds, mesh.rays(), tolerance)
+                : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds, mesh.rays(), tolerance);
     }
 
     /**

@@ -60,7 +60,7 @@ public final class PartitionImpl implements Partition {
         this.parallel = parallel;
         receivers = new Gatherer(mesh, parallel);
         meshing = new AdaptiveMeshing(mesh.settings.meshing());
-        lights = new LightSources(faces, mesh.bounds());
+        lights = new LightSources(faces, mesh.bounds);
         nodes = new RadiosityNodes(mesh.patcher, mine);
         costs = new BlockCosts(nodes, mine);
         shooters = mesh.shootsClusters() ? mine.stream().map(nodes::tops).toArray(int[][]::new) : patches();

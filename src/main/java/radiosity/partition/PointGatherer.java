@@ -95,9 +95,9 @@ final class PointGatherer {
 
     private FormFactorCalculator calculator(GatherPoints.Rays rays, double tolerance) {
         return switch (rays) {
-            case COARSE -> RayCaster.sparing(mesh.bounds(), 1, COARSE * tolerance);
-            case FINE -> new RayCaster(mesh.bounds(), 1, FINE * tolerance);
-            case FORM_FACTORS -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds(), mesh.rays(),
+            case COARSE -> RayCaster.sparing(mesh.bounds, 1, COARSE * tolerance);
+            case FINE -> new RayCaster(mesh.bounds, 1, FINE * tolerance);
+            case FORM_FACTORS -> FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds, mesh.rays(),
                     tolerance);
         };
     }

@@ -77,6 +77,8 @@ public final class InitialMesh {
     public final int[] origins;
     public final RadiositySettings settings;
     public final Faces faces;
+    /** Tree of the triangles that cast shadows. */
+    public final RadiosityBounds bounds;
     public final CoincidentFaces coincident;
     public final ClosedRooms rooms;
     public final Patcher patcher;
@@ -93,13 +95,10 @@ public final class InitialMesh {
     /** How radiosities to be shot are rounded for sending. */
     public final Rounding rounding;
 
-    private RadiosityBounds bounds;
     /** Made when escaping light is looked for first; null before. */
     private EscapingLight escaping;
     /** See {@link #allLightFlux}; null before its first call. */
     private double[] allLightFlux;
-    /** Made by the first test whether a face lies inside a solid; null before. */
-    private Solids solids;
 
     public InitialMesh(Scene scene, RadiositySettings settings) {
         this.settings = settings;
@@ -110,11 +109,13 @@ public final class InitialMesh {
         origins = cut.origin();
         Faces sides = new Faces(this.scene, settings.layers());
         faces = predicts() ? withoutDarkPlaces(sides) : sides;
-        coincident = new CoincidentFaces(faces, bounds());
-        rooms = new ClosedRooms(faces, this::isBuried, coincident.covered());
+        bounds = new RadiosityBounds(faces.occluders());
+        coincident = new CoincidentFaces(faces, bounds);
+        Solids solids = new Solids(bounds, faces.fronts());
+        rooms = new ClosedRooms(faces, face -> isBuried(solids, face), coincident.covered());
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();
-        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds(), coincident) : null;
+        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds, coincident) : null;
         if (mayBeCovered) {
             faces.cover(covered::visibleShare);
         }
@@ -153,30 +154,15 @@ public final class InitialMesh {
     }
 
     /** Whether the middle of a face lies inside a solid. */
-    private boolean isBuried(int face) {
+    private boolean isBuried(Solids solids, int face) {
         float[] middle = faces.middle(face);
-        return solids().hold(middle[0], middle[1], middle[2],
+        return solids.hold(middle[0], middle[1], middle[2],
                 faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
-    }
-
-    private Solids solids() {
-        if (solids == null) {
-            solids = new Solids(bounds(), faces.fronts());
-        }
-        return solids;
-    }
-
-    /** Tree of the triangles that cast shadows, made at the first call: a master without elements needs none. */
-    public synchronized RadiosityBounds bounds() {
-        if (bounds == null) {
-            bounds = new RadiosityBounds(faces.occluders());
-        }
-        return bounds;
     }
 
     /** The lamps whose light arrives nowhere, found by rays. */
     public List<Lamp> unseenLamps() {
-        return new UnseenLamps(faces, bounds()).list();
+        return new UnseenLamps(faces, bounds).list();
     }
 
     private int patches() {
@@ -203,14 +189,14 @@ public final class InitialMesh {
 
     /** Flux that arrives from sources without geometry but sun and sky, one per channel, W; the same for every mesh. */
     public double[] lightFlux() {
-        return new LightSources(faces, bounds()).flux();
+        return new LightSources(faces, bounds).flux();
     }
 
     /** The same of all sources without geometry, the sun and skies among them; found at the first call. */
     public synchronized double[] allLightFlux() {
         if (allLightFlux == null) {
             double[] inside = lightFlux();
-            double[] outside = new EnteringLight(faces, bounds()).flux();
+            double[] outside = new EnteringLight(faces, bounds).flux();
             allLightFlux = new double[inside.length];
             Arrays.setAll(allLightFlux, c -> inside[c] + outside[c]);
         }
@@ -234,7 +220,7 @@ public final class InitialMesh {
 
     private synchronized EscapingLight escaping() {
         if (escaping == null) {
-            escaping = new EscapingLight(faces, bounds());
+            escaping = new EscapingLight(faces, bounds);
         }
         return escaping;
     }

@@ -75,7 +75,7 @@ class NearbyPointsTest {
         };
         AuditPlaces places = new AuditPlaces(mesh, nodes, new double[] {1}, new double[] {1}, parallel);
         List<AuditPoint> points = places.pick(200, .5, 0);
-        List<NearbyPoints.Near> near = new NearbyPoints(faces, mesh.bounds(), places).around(points);
+        List<NearbyPoints.Near> near = new NearbyPoints(faces, mesh.bounds, places).around(points);
         AuditGather gather = new AuditGather();
         points.forEach(point -> point.gather(gather, 0));
         near.forEach(it -> it.point().gather(gather, 0, it.time()));
