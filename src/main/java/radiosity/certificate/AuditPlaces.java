@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import radiosity.mesh.InteriorTest;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.VertexBulge;
 import radiosity.mesh.face.Faces;
@@ -45,7 +44,6 @@ final class AuditPlaces {
     private final double[] reflected;
     private final double[] leaving;
     private final ParallelFor parallel;
-    private final InteriorTest burial;
     private final VertexBulge bulges;
     private final Weighed[] weighed;
 
@@ -65,7 +63,6 @@ final class AuditPlaces {
         faces = mesh.faces;
         this.reflected = ofAllLayers(reflected);
         this.leaving = ofAllLayers(leaving);
-        burial = new InteriorTest(faces, mesh.bounds, mesh.coincident, mesh.rooms::isHidden);
         weighed = new Weighed[mesh.blocks.size()];
         bulges = new VertexBulge(faces.channels(), faces.colours());
         for (int first = 0; first < weighed.length; first += BLOCKS_AT_A_TIME) {
@@ -216,7 +213,8 @@ final class AuditPlaces {
         boolean fold = u + v > 1;
         double b = fold ? 1 - u : u;
         double c = fold ? 1 - v : v;
-        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, isDetailed, burial, bulges);
+        return new AuditPoint(of, node, area, new double[] {1 - b - c, b, c}, number, isDetailed, mesh.interior,
+                bulges);
     }
 
     /**
@@ -245,8 +243,8 @@ final class AuditPlaces {
         for (int i : some) {
             int node = its.element(at.get(i).face(), at.get(i).path());
             if (node >= 0) {
-                found[i] = new AuditPoint(its, node, 0, at.get(i).weights(its.path(node)), number[i], false, burial,
-                        bulges);
+                found[i] = new AuditPoint(its, node, 0, at.get(i).weights(its.path(node)), number[i], false,
+                        mesh.interior, bulges);
             }
         }
     }

@@ -2,7 +2,6 @@ package radiosity.mesh;
 
 import java.util.function.IntPredicate;
 import radiosity.mesh.face.Faces;
-import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
 /**
@@ -18,14 +17,11 @@ public final class InteriorTest {
     private final Solids solids;
     private final CoincidentFaces coincident;
 
-    /**
-     * @param bounds the original triangles
-     * @param hidden whether a face is known to lie inside a solid
-     */
-    public InteriorTest(Faces faces, RadiosityBounds bounds, CoincidentFaces coincident, IntPredicate hidden) {
+    /** @param hidden whether a face is known to lie inside a solid */
+    public InteriorTest(Faces faces, Solids solids, CoincidentFaces coincident, IntPredicate hidden) {
         this.faces = faces;
         this.hidden = hidden;
-        solids = new Solids(bounds, faces.fronts());
+        this.solids = solids;
         this.coincident = coincident;
     }
 

@@ -7,7 +7,6 @@ import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.BrightVertices;
-import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
@@ -27,23 +26,21 @@ public final class Gatherer {
     private final InitialMesh mesh;
     private final Faces faces;
     private final ParallelFor parallel;
-    private final InteriorTest burial;
 
     public Gatherer(InitialMesh mesh, ParallelFor parallel) {
         this.mesh = mesh;
         this.parallel = parallel;
         faces = mesh.faces;
-        burial = new InteriorTest(faces, mesh.bounds, mesh.coincident, mesh.rooms::isHidden);
     }
 
     /** Marks the vertices from {@code first} on that lie inside a solid as buried. */
     void bury(RadiosityNodes nodes, int first) {
-        parallel.run(nodes.vertices() - first, RUN, (from, to) -> burial.look(nodes, first + from, first + to));
+        parallel.run(nodes.vertices() - first, RUN, (from, to) -> mesh.interior.look(nodes, first + from, first + to));
     }
 
     /** Marks those of the given vertices that lie inside a solid as buried; the array is not modified. */
     public void bury(RadiosityNodes nodes, int[] vertices) {
-        parallel.run(vertices.length, i -> burial.look(nodes, vertices[i], vertices[i] + 1));
+        parallel.run(vertices.length, i -> mesh.interior.look(nodes, vertices[i], vertices[i] + 1));
     }
 
     UniformRadiosity ambient(Order order) {

@@ -8,6 +8,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
 
 /**
  * Estimates which share of each small face lies outside of solids and is not covered by another face in the same place.
@@ -29,10 +30,10 @@ final class CoveredFaces implements Patcher.PointRule {
     private final RadiosityBounds bounds;
     private final InteriorTest interior;
 
-    CoveredFaces(Faces faces, RadiosityBounds bounds, CoincidentFaces coincident) {
+    CoveredFaces(Faces faces, RadiosityBounds bounds, Solids solids, CoincidentFaces coincident) {
         this.faces = faces;
         this.bounds = bounds;
-        interior = new InteriorTest(faces, bounds, coincident, f -> false);
+        interior = new InteriorTest(faces, solids, coincident, f -> false);
     }
 
     /** The share of a face that lies outside of solids, above 0 and at most 1; NaN for large faces and for pieces. */

@@ -12,6 +12,7 @@ import radiosity.formfactor.LightSources;
 import radiosity.formfactor.UnseenLamps;
 import radiosity.mesh.Block;
 import radiosity.mesh.CoincidentFaces;
+import radiosity.mesh.InteriorTest;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RepresentativeFaces;
 import radiosity.mesh.cut.DiscontinuityMesher;
@@ -81,6 +82,7 @@ public final class InitialMesh {
     public final RadiosityBounds bounds;
     public final CoincidentFaces coincident;
     public final ClosedRooms rooms;
+    public final InteriorTest interior;
     public final Patcher patcher;
     public final Clusters clusters;
     /** The blocks that are dealt to owners. */
@@ -113,9 +115,10 @@ public final class InitialMesh {
         coincident = new CoincidentFaces(faces, bounds);
         Solids solids = new Solids(bounds, faces.fronts());
         rooms = new ClosedRooms(faces, face -> isBuried(solids, face), coincident.covered());
+        interior = new InteriorTest(faces, solids, coincident, rooms::isHidden);
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();
-        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds, coincident) : null;
+        CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds, solids, coincident) : null;
         if (mayBeCovered) {
             faces.cover(covered::visibleShare);
         }
