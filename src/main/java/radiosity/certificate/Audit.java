@@ -16,7 +16,6 @@ import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
 import radiosity.mesh.face.Faces;
-import radiosity.mesh.face.NodePath;
 import radiosity.protocol.BlockState;
 import radiosity.protocol.Order;
 import radiosity.protocol.Partitions;
@@ -336,6 +335,6 @@ public final class Audit {
             factors().gather(x[0], x[1], x[2], faces.normal(from.face, 0), faces.normal(from.face, 1),
                     faces.normal(from.face, 2), k, shooter, sum);
         }
-        return sum.value[0] / 3 * faces.area(from.face) / (1L << 2 * NodePath.level(from.top));
+        return sum.value[0] / 3 * faces.area(from.face, from.top);
     }
 }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.Faces;
-import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
 import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
@@ -89,7 +88,7 @@ public final class EscapingLight {
         double[] sum = new double[2 * faces.channels()];
         for (PatchTree tree : trees) {
             float[] at = faces.corners(tree.face(), tree.path());
-            double area = faces.exposedArea(tree.face()) / (1L << 2 * NodePath.level(tree.path()));
+            double area = faces.exposedArea(tree.face(), tree.path());
             add(tree, 0, at, area, Hash.mix(tree.face(), tree.path()), perRay, sum);
         }
         return sum;

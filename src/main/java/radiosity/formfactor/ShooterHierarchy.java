@@ -143,7 +143,7 @@ public final class ShooterHierarchy {
         setRadiosity(tree, top, before);
         nodes = before + count;
         System.arraycopy(faces.corners(tree.face(), tree.path()), 0, corner, 9 * top, 9);
-        area[top] = (float) (faces.area(tree.face()) / (1L << 2 * NodePath.level(tree.path())));
+        area[top] = (float) faces.area(tree.face(), tree.path());
         survey(top);
         cones.set(top, normal, 3 * top);
     }

@@ -192,7 +192,7 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
      * scene size.
      */
     public void addFlux(Faces faces, double[] sum) {
-        add(0, faces.exposedArea(face) / (1L << 2 * NodePath.level(path)), sum);
+        add(0, faces.exposedArea(face, path), sum);
     }
 
     private void add(int node, double area, double[] sum) {

@@ -271,7 +271,7 @@ public final class MeshRefinement {
     private boolean isBlack(int node) {
         double brightest = 0;
         int face = nodes.face(node);
-        double wholeArea = faces.area(face) / (1L << 2 * NodePath.level(nodes.path(node)));
+        double wholeArea = faces.area(face, nodes.path(node));
         boolean isVisible = faces.mostHiddenArea(face) < wholeArea;
         for (int k = 0; k < 3; k++) {
             isVisible |= !nodes.points().isBuried(nodes.corner(node, k));

@@ -4,8 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleBiFunction;
 import radiosity.mesh.PatchTree;
-import radiosity.mesh.face.Faces;
-import radiosity.mesh.face.NodePath;
 import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
 
@@ -58,7 +56,7 @@ public final class AmbientLevel {
             return new double[0];
         }
         double shooting = shots.stream().flatMap(shot -> shot.trees().stream())
-                .mapToDouble(tree -> area(mesh.faces, tree)).sum();
+                .mapToDouble(tree -> mesh.faces.area(tree.face(), tree.path())).sum();
         if (shooting < mesh.faces.area() * (1 - 1e-6)) {
             return new double[0];
         }
@@ -81,7 +79,7 @@ public final class AmbientLevel {
         }
         double[] sum = new double[channels];
         tree.addFlux(mesh.faces, sum);
-        double its = area(mesh.faces, tree);
+        double its = mesh.faces.area(tree.face(), tree.path());
         for (int c = 0; c < channels; c++) {
             int i = channels * room + c + (mesh.faces.exitance(tree.face(), c) > 0 ? flux.length / 2 : 0);
             flux[i] += sum[c];
@@ -89,9 +87,5 @@ public final class AmbientLevel {
             lowest[i] = Math.min(lowest[i], sum[c] / its);
             least[channels * room + c] = Math.min(least[channels * room + c], tree.least(c));
         }
-    }
-
-    private static double area(Faces faces, PatchTree tree) {
-        return faces.area(tree.face()) / (1L << 2 * NodePath.level(tree.path()));
     }
 }

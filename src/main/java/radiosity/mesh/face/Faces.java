@@ -235,6 +235,16 @@ public final class Faces {
         }
     }
 
+    /** Area of a node at a path below a face, in squared scene sizes. */
+    public double area(int face, long path) {
+        return area[face] / (1L << 2 * NodePath.level(path));
+    }
+
+    /** The {@linkplain #exposedArea(int) exposed area} of a face times the share of the face that a node has. */
+    public double exposedArea(int face, long path) {
+        return exposed[face] / (1L << 2 * NodePath.level(path));
+    }
+
     /** Area of all faces, in squared scene sizes. */
     public double area() {
         return list.wholeArea;
