@@ -61,8 +61,8 @@ final class AuditPlaces {
         this.nodes = nodes;
         this.parallel = parallel;
         faces = mesh.faces;
-        this.reflected = ofAllLayers(reflected);
-        this.leaving = ofAllLayers(leaving);
+        this.reflected = faces.perColour(reflected);
+        this.leaving = faces.perColour(leaving);
         weighed = new Weighed[mesh.blocks.size()];
         bulges = new VertexBulge(faces.channels(), faces.colours());
         for (int first = 0; first < weighed.length; first += BLOCKS_AT_A_TIME) {
@@ -80,14 +80,6 @@ final class AuditPlaces {
         for (RadiosityNodes of : its) {
             bulges.add(of, 0);
         }
-    }
-
-    private double[] ofAllLayers(double[] channels) {
-        double[] sum = new double[faces.colours()];
-        for (int c = 0; c < channels.length; c++) {
-            sum[c % sum.length] += channels[c];
-        }
-        return sum;
     }
 
     private Weighed weigh(RadiosityNodes of) {

@@ -9,6 +9,11 @@ public record Rgb(double r, double g, double b) {
         return new Rgb(v, v, v);
     }
 
+    /** @param channels 3 values, or a single one for a grey; not modified */
+    public static Rgb of(double[] channels) {
+        return channels.length == 1 ? grey(channels[0]) : new Rgb(channels[0], channels[1], channels[2]);
+    }
+
     public Rgb times(double s) {
         return new Rgb(r * s, g * s, b * s);
     }

@@ -263,19 +263,9 @@ final class Flux {
             all.received()[c] *= share[c];
             all.absorbed()[c] *= share[c];
         }
-        return new EnergyLedger(ofAllLayers(all.emitted()), ofAllLayers(all.shot()), ofAllLayers(all.received()),
-                ofAllLayers(all.absorbed()), ofAllLayers(all.unshot()), ofAllLayers(all.escaped()));
-    }
-
-    private double[] ofAllLayers(double[] flux) {
-        if (flux.length == 0) {
-            return flux;
-        }
-        double[] sum = new double[faces.colours()];
-        for (int c = 0; c < flux.length; c++) {
-            sum[c % sum.length] += flux[c];
-        }
-        return sum;
+        return new EnergyLedger(faces.perColour(all.emitted()), faces.perColour(all.shot()),
+                faces.perColour(all.received()), faces.perColour(all.absorbed()), faces.perColour(all.unshot()),
+                faces.perColour(all.escaped()));
     }
 
     private static double[] values(ExactSum[] sums) {

@@ -143,6 +143,19 @@ public final class Faces {
         return kinds.layers();
     }
 
+    /**
+     * The sums over layers of values per channel.
+     *
+     * @return one value per colour; empty where {@code channels} is
+     */
+    public double[] perColour(double[] channels) {
+        double[] sum = new double[Math.min(channels.length, kinds.colours)];
+        for (int c = 0; c < channels.length; c++) {
+            sum[c % sum.length] += channels[c];
+        }
+        return sum;
+    }
+
     /** The lamps that have a layer each; empty where the light of all lamps is kept together. */
     public List<Lamp> lamps() {
         return kinds.lamps;

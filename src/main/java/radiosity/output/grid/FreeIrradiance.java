@@ -62,7 +62,7 @@ final class FreeIrradiance {
         }
         double[] direct = new double[faces.channels()];
         lights.add(x, n, direct, 0);
-        Rgb sum = direct.length == 1 ? Rgb.grey(direct[0]) : new Rgb(direct[0], direct[1], direct[2]);
+        Rgb sum = Rgb.of(direct);
         for (int t = 0; t < scene.triangles(); t++) {
             if (scene.surface(t).emits()) {
                 sum = sum.plus(emitted(t, 0, x, n));

@@ -145,11 +145,7 @@ final class FinalGather {
         if (!lights.isEmpty()) {
             lights.addAllButSkies(faces.unit(point), n, h);
         }
-        return rgb(h);
-    }
-
-    private static Rgb rgb(double[] h) {
-        return h.length == 1 ? Rgb.grey(h[0]) : new Rgb(h[0], h[1], h[2]);
+        return Rgb.of(h);
     }
 
     /**
@@ -170,7 +166,7 @@ final class FinalGather {
             if (element >= 0 && !isBright[rays.solution().faceOf()[element]]) {
                 sum = sum.plus(rays.reflected(element, hit[1], hit[2]));
             } else if (element == ElementRays.NOTHING && hasSky) {
-                sum = sum.plus(rgb(lights.sky(d)));
+                sum = sum.plus(Rgb.of(lights.sky(d)));
             }
         }
         return sum.times(1.0 / count);
