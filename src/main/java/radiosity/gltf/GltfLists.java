@@ -41,9 +41,9 @@ public record GltfLists(ObjectNode root) {
             case "VEC2" -> 2 * bytes;
             case "VEC3" -> 3 * bytes;
             case "VEC4" -> 4 * bytes;
-            case "MAT2" -> 2 * (2 * bytes + 3 & ~3);
-            case "MAT3" -> 3 * (3 * bytes + 3 & ~3);
-            case "MAT4" -> 4 * (4 * bytes + 3 & ~3);
+            case "MAT2" -> 2 * Glb.padded(2 * bytes);
+            case "MAT3" -> 3 * Glb.padded(3 * bytes);
+            case "MAT4" -> 4 * Glb.padded(4 * bytes);
             default -> 0;
         };
     }

@@ -64,7 +64,7 @@ public final class GltfModel {
     public long append(byte[] bytes) {
         long offset = length;
         arrays.add(bytes);
-        length += bytes.length + 3L & ~3L;
+        length += Glb.padded(bytes.length);
         return offset;
     }
 

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
+import radiosity.gltf.Glb;
 import radiosity.gltf.GltfLists;
 import radiosity.gltf.Rotation;
 import radiosity.input.gltf.GltfReader;
@@ -26,10 +27,6 @@ import radiosity.settings.ReadOptions;
 final class GltfCopy {
 
     private static final String GLOSSY = "KHR_materials_pbrSpecularGlossiness";
-    private static final int MAGIC = 0x46546C67;
-    /** Bytes of the header of a binary, and of that of a chunk. */
-    private static final int HEAD = 12;
-    private static final int CHUNK_HEAD = 8;
 
     private final ObjectNode json;
 
@@ -152,16 +149,16 @@ final class GltfCopy {
     private byte[] bytes(byte[] source) throws IOException {
         ObjectMapper mapper = new ObjectMapper();
         ByteBuffer from = ByteBuffer.wrap(source).order(ByteOrder.LITTLE_ENDIAN);
-        if (source.length < HEAD + CHUNK_HEAD || from.getInt(0) != MAGIC) {
+        if (source.length < Glb.HEAD + Glb.CHUNK_HEAD || from.getInt(0) != Glb.MAGIC) {
             return mapper.writerWithDefaultPrettyPrinter().writeValueAsBytes(json);
         }
         byte[] text = mapper.writeValueAsBytes(json);
-        int padded = text.length + 3 & ~3;
-        int rest = HEAD + CHUNK_HEAD + from.getInt(HEAD);
-        int length = HEAD + CHUNK_HEAD + padded + from.getInt(8) - rest;
+        int padded = Glb.padded(text.length);
+        int rest = Glb.HEAD + Glb.CHUNK_HEAD + from.getInt(Glb.HEAD);
+        int length = Glb.HEAD + Glb.CHUNK_HEAD + padded + from.getInt(8) - rest;
         ByteBuffer copy = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
-        copy.put(source, 0, 8).putInt(length).putInt(padded).put(source, HEAD + 4, 4).put(text);
-        while (copy.position() < HEAD + CHUNK_HEAD + padded) {
+        copy.put(source, 0, 8).putInt(length).putInt(padded).put(source, Glb.HEAD + 4, 4).put(text);
+        while (copy.position() < Glb.HEAD + Glb.CHUNK_HEAD + padded) {
             copy.put((byte) ' ');
         }
         return copy.put(source, rest, from.getInt(8) - rest).array();

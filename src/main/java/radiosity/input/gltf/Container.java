@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
+import radiosity.gltf.Glb;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.MemoryAdvice;
@@ -23,10 +24,6 @@ import radiosity.scene.SceneFormatException;
  */
 record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
 
-    private static final int MAGIC = 0x46546C67;
-    private static final int JSON = 0x4E4F534A;
-    private static final int BIN = 0x004E4942;
-    private static final int HEAD = 12;
     /** Heap bytes required per token of JSON; on average a value that was read takes less than an eighth of these. */
     private static final int BYTES_PER_VALUE = 1024;
 
@@ -41,7 +38,7 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
      */
     static Container of(byte[] file, String name, Diagnostics notes) throws SceneFormatException {
         ByteBuffer all = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
-        boolean binary = file.length >= 4 && all.getInt(0) == MAGIC;
+        boolean binary = file.length >= 4 && all.getInt(0) == Glb.MAGIC;
         Container container = binary ? binary(all, name, notes)
                 : new Container(new JsonCursor(name, parse(file, 0, file.length, notes)), Optional.empty());
         container.checkVersion();
@@ -49,27 +46,27 @@ record Container(JsonCursor root, Optional<ByteBuffer> bytes) {
     }
 
     private static Container binary(ByteBuffer all, String name, Diagnostics notes) throws SceneFormatException {
-        if (all.capacity() < HEAD + 8) {
+        if (all.capacity() < Glb.HEAD + 8) {
             throw notes.error("", "a glTF binary", all.capacity() + " bytes");
         }
-        if (all.getInt(4) != 2) {
+        if (all.getInt(4) != Glb.VERSION) {
             throw notes.error("byte 4", "glTF version 2", Integer.toUnsignedString(all.getInt(4)));
         }
         long length = Integer.toUnsignedLong(all.getInt(8));
         if (length > all.capacity()) {
             throw notes.error("byte 8", length + " bytes as the header says", all.capacity() + " bytes");
         }
-        int json = chunk(all, HEAD, (int) length, notes);
-        if (all.getInt(HEAD + 4) != JSON) {
-            throw notes.error("byte " + HEAD, "a chunk JSON", "another one");
+        int json = chunk(all, Glb.HEAD, (int) length, notes);
+        if (all.getInt(Glb.HEAD + 4) != Glb.JSON) {
+            throw notes.error("byte " + Glb.HEAD, "a chunk JSON", "another one");
         }
-        JsonCursor root = new JsonCursor(name, parse(all.array(), HEAD + 8, json, notes));
-        int next = HEAD + 8 + json;
+        JsonCursor root = new JsonCursor(name, parse(all.array(), Glb.HEAD + 8, json, notes));
+        int next = Glb.HEAD + 8 + json;
         if (next + 8 > length) {
             return new Container(root, Optional.empty());
         }
         int bytes = chunk(all, next, (int) length, notes);
-        return new Container(root, all.getInt(next + 4) != BIN ? Optional.empty()
+        return new Container(root, all.getInt(next + 4) != Glb.BIN ? Optional.empty()
                 : Optional.of(all.slice(next + 8, bytes).order(ByteOrder.LITTLE_ENDIAN)));
     }
 

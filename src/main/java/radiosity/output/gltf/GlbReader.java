@@ -11,6 +11,7 @@ import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import radiosity.gltf.Glb;
 import radiosity.gltf.JsonCursor;
 import radiosity.input.file.FileSniffer;
 import radiosity.scene.SceneFormatException;
@@ -33,12 +34,12 @@ final class GlbReader implements Closeable {
         channel = FileChannel.open(file, StandardOpenOption.READ);
         try {
             ByteBuffer header = header();
-            int jsonLength = (int) chunk(header, 12, GlbWriter.JSON, "JSON");
+            int jsonLength = (int) chunk(header, 12, Glb.JSON, "JSON");
             json = parse(read(20, jsonLength));
             long next = 20L + jsonLength;
             boolean hasBin = next < channel.size();
             binStart = next + 8;
-            binLength = hasBin ? chunk(read(next, 8), next, GlbWriter.BIN, "BIN") : 0;
+            binLength = hasBin ? chunk(read(next, 8), next, Glb.BIN, "BIN") : 0;
         } catch (IOException | RuntimeException e) {
             channel.close();
             throw e;
@@ -51,10 +52,10 @@ final class GlbReader implements Closeable {
             throw wrong("", "a scene file", size + " bytes");
         }
         ByteBuffer header = read(0, 20);
-        if (header.getInt(0) != GlbWriter.MAGIC) {
+        if (header.getInt(0) != Glb.MAGIC) {
             throw wrong("", "a scene file that RadiosityRenderer wrote", FileSniffer.describe(start(), name));
         }
-        if (header.getInt(4) != GlbWriter.VERSION) {
+        if (header.getInt(4) != Glb.VERSION) {
             throw wrong("byte 4", "glTF version 2", Integer.toUnsignedString(header.getInt(4)));
         }
         long length = Integer.toUnsignedLong(header.getInt(8));
@@ -78,7 +79,7 @@ final class GlbReader implements Closeable {
     private long chunk(ByteBuffer head, long at, int type, String what) throws IOException {
         long length = Integer.toUnsignedLong(head.getInt(0));
         long rest = channel.size() - at - 8;
-        if (head.getInt(4) != type || length > rest || type == GlbWriter.JSON && length > Integer.MAX_VALUE) {
+        if (head.getInt(4) != type || length > rest || type == Glb.JSON && length > Integer.MAX_VALUE) {
             throw wrong("byte " + at, "a chunk " + what + " of at most " + rest + " bytes",
                     "type " + Integer.toHexString(head.getInt(4)) + " of " + length + " bytes");
         }

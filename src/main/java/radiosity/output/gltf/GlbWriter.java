@@ -7,15 +7,12 @@ import java.nio.ByteOrder;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.util.List;
+import radiosity.gltf.Glb;
 import radiosity.solution.SavedState;
 
 /** Writes the container of a glTF binary: a header, a chunk of JSON, a chunk of arrays (glTF 2.0, section 4). */
 public final class GlbWriter {
 
-    static final int MAGIC = 0x46546C67;
-    static final int VERSION = 2;
-    static final int JSON = 0x4E4F534A;
-    static final int BIN = 0x004E4942;
     /** Largest length of a file, bytes: the container's lengths are unsigned 32-bit numbers. */
     static final long MOST = 0xFFFF_FFFFL;
 
@@ -33,7 +30,7 @@ public final class GlbWriter {
      * @param bin  bytes of all arrays, each array padded to a multiple of 4
      */
     static long size(long json, long bin) {
-        return 12 + 8 + padded(json) + (bin > 0 ? 8 + bin : 0);
+        return Glb.HEAD + Glb.CHUNK_HEAD + Glb.padded(json) + (bin > 0 ? Glb.CHUNK_HEAD + bin : 0);
     }
 
     /** @throws IOException if a file is longer than the largest length, bytes */
@@ -53,23 +50,19 @@ public final class GlbWriter {
      * @throws IOException if the file would be longer than {@link #MOST} bytes, before anything is written
      */
     public static void write(FileChannel channel, byte[] json, List<Object> arrays) throws IOException {
-        long bin = arrays.stream().mapToLong(a -> padded(bytes(a))).sum();
+        long bin = arrays.stream().mapToLong(a -> Glb.padded(bytes(a))).sum();
         long total = size(json.length, bin);
         check(total, MOST);
         GlbWriter writer = new GlbWriter(channel);
-        writer.ints(MAGIC, VERSION, (int) total, (int) padded(json.length), JSON);
+        writer.ints(Glb.MAGIC, Glb.VERSION, (int) total, Glb.padded(json.length), Glb.JSON);
         writer.array(json, (byte) ' ');
         if (bin > 0) {
-            writer.ints((int) bin, BIN);
+            writer.ints((int) bin, Glb.BIN);
             for (Object array : arrays) {
                 writer.array(array, (byte) 0);
             }
         }
         writer.flush();
-    }
-
-    static long padded(long bytes) {
-        return bytes + 3 & ~3L;
     }
 
     /** Length of an array in the file without padding, bytes. */
@@ -108,7 +101,7 @@ public final class GlbWriter {
             OutputStream out = Channels.newOutputStream(channel);
             (array instanceof SavedState state ? state : SavedState.of(List.of((byte[]) array))).writeTo(out);
         }
-        for (long rest = padded(bytes(array)) - bytes(array); rest > 0; rest--) {
+        for (long rest = Glb.padded(bytes(array)) - bytes(array); rest > 0; rest--) {
             room(1).put(padding);
         }
     }

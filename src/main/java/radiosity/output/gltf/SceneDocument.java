@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import radiosity.gltf.Glb;
 import radiosity.gltf.GltfLists;
 import radiosity.output.image.PictureFormat;
 import radiosity.output.image.ToneMapping;
@@ -231,7 +232,7 @@ final class SceneDocument {
         long bytes = GlbWriter.bytes(array);
         list("bufferViews").addObject().put("buffer", 0).put("byteOffset", binLength).put("byteLength", bytes);
         arrays.add(array);
-        binLength += GlbWriter.padded(bytes);
+        binLength += Glb.padded(bytes);
         return lists.last("bufferViews");
     }
 

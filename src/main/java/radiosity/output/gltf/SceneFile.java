@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import radiosity.gltf.Glb;
 import radiosity.gltf.JsonCursor;
 import radiosity.output.file.AtomicFile;
 import radiosity.output.image.ToneMapping;
@@ -133,7 +134,7 @@ public final class SceneFile implements Closeable {
         if (state.isEmpty()) {
             return "";
         }
-        if (GlbWriter.size(json, document.binLength() + GlbWriter.padded(state.length())) <= most) {
+        if (GlbWriter.size(json, document.binLength() + Glb.padded(state.length())) <= most) {
             content.put("state", Map.of("bufferView", document.view(state), "sha256", state.sha256()));
             return "";
         }

@@ -8,6 +8,7 @@ import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import java.util.HashMap;
 import java.util.Map;
+import radiosity.gltf.Glb;
 import radiosity.gltf.GltfLists;
 import radiosity.gltf.GltfModel;
 import radiosity.util.ArraySize;
@@ -42,7 +43,7 @@ final class VertexCopier {
         JsonNode accessor = list("accessors").get(number);
         int size = GltfLists.elementSize(accessor.get("type").asText(), accessor.get("componentType").asInt());
         byte[] all = elements(accessor, size);
-        int step = size + 3 & ~3;
+        int step = Glb.padded(size);
         byte[] copied = new byte[ArraySize.of("vertices of a model with a lightmap", step, rows.length)];
         for (int i = 0; i < rows.length; i++) {
             System.arraycopy(all, size * rows[i], copied, step * i, size);
@@ -103,7 +104,7 @@ final class VertexCopier {
     private ByteBuffer view(JsonNode view, long offset) {
         long at = view.path("byteOffset").asLong() + offset;
         for (byte[] array : model.arrays()) {
-            long padded = array.length + 3L & ~3L;
+            int padded = Glb.padded(array.length);
             if (at < padded) {
                 return ByteBuffer.wrap(array, (int) at, array.length - (int) at).slice().order(ByteOrder.LITTLE_ENDIAN);
             }
