@@ -25,8 +25,7 @@ final class NearbyPoints {
 
     /** Largest number of steps of a walk. */
     private static final int STEPS = 3;
-    /** Height above the surface at which a ray begins, relative to the scene size. */
-    private static final float LIFT = 1e-5f;
+    private static final float LIFT = (float) RadiosityBounds.LIFT;
 
     private final Faces faces;
     private final RadiosityBounds bounds;

@@ -19,9 +19,8 @@ public final class EnteringLight {
      * unreasonable effectiveness of quasirandom sequences, 2018); 1 over the root of x^5 = x + 1.
      */
     private static final double STEP = 1 / 1.1673039782614187;
-    /** Distance from the middle of the scene at which rays begin, and their length, in units of the scene's size. */
+    /** Distance from the middle of the scene at which rays begin, in units of the scene's size. */
     private static final double AWAY = 2;
-    private static final double FAR = 4;
     /**
      * Distance between a ray and the two rays that confirm it, in units of the scene's size: by rounding, a ray may
      * pass between two triangles that have an edge in common, and stand for more light than all lamps of a closed room.
@@ -100,7 +99,7 @@ public final class EnteringLight {
     }
 
     private boolean arrives(Vec3 from, Vec3 towards) {
-        int t = bounds.nearestFront(from, towards.times(-1), FAR, true, new float[3]);
+        int t = bounds.nearestFront(from, towards.times(-1), RadiosityBounds.ACROSS, true, new float[3]);
         return t >= 0
                 && front[3 * t] * towards.x() + front[3 * t + 1] * towards.y() + front[3 * t + 2] * towards.z() >= 0;
     }

@@ -18,9 +18,7 @@ import radiosity.visibility.Solids;
  */
 public final class EscapingLight {
 
-    /** Height above the surface at which a ray begins, and length of a ray, relative to the scene size. */
-    private static final float LIFT = 1e-5f;
-    private static final float FAR = 4;
+    private static final float LIFT = (float) RadiosityBounds.LIFT;
     /** Random points that are tried on a partly covered element. */
     private static final int MOST_TRIES = 20;
 
@@ -63,7 +61,7 @@ public final class EscapingLight {
      * @param hit modified: see {@link RadiosityBounds#nearestFront}
      */
     int arrival(float[] x, float[] d, float[] hit) {
-        int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], FAR, true, hit);
+        int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], RadiosityBounds.ACROSS, true, hit);
         boolean isLost = t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0
                 || isInsideSolid(t, x, d, hit[0]);
         return isLost ? -1 : t;

@@ -24,7 +24,7 @@ final class CoveredFaces implements Patcher.PointRule {
     /** Size of the triangle at a corner that stands for the corner, relative to the face. */
     private static final float NEAR = 0.05f;
     /** Height above a face at which a ray along the face looks for what stands on it, relative to the scene size. */
-    private static final float LIFT = 1e-5f;
+    private static final float LIFT = (float) RadiosityBounds.LIFT;
 
     private final Faces faces;
     private final RadiosityBounds bounds;

@@ -28,6 +28,13 @@ public final class RadiosityBounds {
     /** Parts of a segment left out at each end: in units of the scene's size, and of the segment's length. */
     static final float END_ABSOLUTE = 4e-6f;
     static final float END_RELATIVE = 1e-5f;
+    /**
+     * Height above a surface at which rays begin, in units of the scene's size. As far apart are the surfaces of which
+     * one covers the other ({@code Faces.COVERING}) and the sides of a sheet ({@link #THIN}).
+     */
+    public static final double LIFT = 1e-5;
+    /** Length of a ray that crosses the whole scene from anywhere near it, in units of the scene's size. */
+    public static final float ACROSS = 4;
     /** Distance of a triangle from a ray's beginning, in units of the scene's size, from which on it always counts. */
     public static final double COUNTS = END_ABSOLUTE + 2 * END_RELATIVE;
     /** Distance beyond all triangles at which a ray out of the scene ends, in units of the scene's size. */
@@ -46,7 +53,7 @@ public final class RadiosityBounds {
      * Distance, in units of the scene's size, by which the front of a sheet may lie behind its back: where both are
      * made of the same corners, these are rounded, and the diagonals may be others.
      */
-    static final double THIN = 1e-5;
+    static final double THIN = LIFT;
 
     /**
      * A triangle that stood in the way of a ray: rays from one point are often stopped by the same one (E. Haines,

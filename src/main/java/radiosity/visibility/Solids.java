@@ -26,9 +26,7 @@ public final class Solids {
         0.809, -0.588, 0.002,
         0.809, 0.588, 0.002,
         -0.309, 0.951, 0.002};
-    /** Height above the surface at which rays begin, and length of the rays, in units of the scene's size. */
-    private static final float LIFT = 1e-5f;
-    private static final float FAR = 4;
+    private static final float LIFT = (float) RadiosityBounds.LIFT;
 
     private final RadiosityBounds bounds;
     private final float[] front;
@@ -66,7 +64,7 @@ public final class Solids {
                 d[a] = (float) (DIRECTIONS[i] * frame[a] + DIRECTIONS[i + 1] * frame[3 + a]
                         + DIRECTIONS[i + 2] * normal[a]);
             }
-            int t = bounds.nearest(x, y, z, d[0], d[1], d[2], FAR, hit);
+            int t = bounds.nearest(x, y, z, d[0], d[1], d[2], RadiosityBounds.ACROSS, hit);
             if (t < 0 || !leaves(t, d) && !leavesAt(x, y, z, d, hit[0])) {
                 return false;
             }

@@ -25,7 +25,7 @@ public final class Faces {
     public static final double NEAR = 1e-6;
     /**
      * Height up to which a face covers another face below that looks the same way, in scene sizes: there is no light
-     * between them, as rays end about as high above faces.
+     * between them, as rays begin and end about as high above faces ({@code RadiosityBounds.LIFT}).
      */
     public static final double COVERING = 1e-5;
     /** Importance of irradiance on a black face. */

@@ -12,7 +12,7 @@ final class SolidAngle {
     /** Number of points of a face for {@link #before}. */
     static final int PLACES = 4;
     /** Distance of such a point from the face, in scene sizes. */
-    private static final double BEFORE = 1e-5;
+    private static final double BEFORE = Faces.COVERING;
 
     private SolidAngle() { }
 

@@ -30,9 +30,6 @@ final class FreeIrradiance {
     private static final int LAMP_RAYS = 1024;
     /** Number of times that a triangle is divided whose exitance an image varies: into 256 parts. */
     private static final int IMAGE_LEVELS = 4;
-    /** How far before a lamp a ray ends, and how far rays reach, of the scene's size. */
-    private static final double LIFT = 1e-5;
-    private static final float FAR = 4;
 
     private final Scene scene;
     private final Points points;
@@ -95,7 +92,7 @@ final class FreeIrradiance {
      */
     private Rgb look(Vec3 x, Vec3 d, boolean valued) {
         float[] hit = new float[3];
-        int t = bounds.nearestFront(x, d, FAR, true, hit);
+        int t = bounds.nearestFront(x, d, RadiosityBounds.ACROSS, true, hit);
         if (t < 0 || fronts[3 * t] * d.x() + fronts[3 * t + 1] * d.y() + fronts[3 * t + 2] * d.z() > 0) {
             return null;
         }
@@ -154,7 +151,7 @@ final class FreeIrradiance {
             Vec3 y = c[0].times(1 - r).plus(c[1].times(r * (1 - s))).plus(c[2].times(r * s));
             Vec3 d = y.minus(x);
             double kernel = Math.max(0, d.dot(n)) * Math.max(0, -d.dot(normal)) / (d.dot(d) * d.dot(d));
-            Vec3 end = y.minus(d.times(LIFT / d.length()));
+            Vec3 end = y.minus(d.times(RadiosityBounds.LIFT / d.length()));
             all += kernel;
             free += kernel > 0 && !bounds.blocked(x, end) ? kernel : 0;
         }

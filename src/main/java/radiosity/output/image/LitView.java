@@ -215,7 +215,7 @@ final class LitView {
         Vec3 eye = from.minus(centre).times(scale);
         double skipped = Math.max(beyond * scale, eye.length() - 1);
         Vec3 p = eye.plus(direction.times(skipped));
-        int t = bounds.nearest(p, direction, 4, weights);
+        int t = bounds.nearest(p, direction, RadiosityBounds.ACROSS, weights);
         if (t < 0) {
             return false;
         }

@@ -232,7 +232,7 @@ public final class Snapshot {
         Vec3 from = eye.minus(centre).times(scale);
         double skipped = Math.max(0, from.length() - SIZE);
         Vec3 o = from.plus(direction.times(skipped));
-        int found = bounds.nearest(o, direction, 4 * SIZE, hit);
+        int found = bounds.nearest(o, direction, RadiosityBounds.ACROSS * SIZE, hit);
         return found < 0 ? -1 : facing[found];
     }
 

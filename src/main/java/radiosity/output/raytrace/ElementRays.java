@@ -16,8 +16,6 @@ final class ElementRays {
     static final int NOTHING = -1;
     static final int BACK = -2;
 
-    /** Length of rays in the bounding volume hierarchy, where the scene has a diagonal of 1. */
-    private static final double FAR = 4;
     /** Distance of a ray's origin from its surface in the hierarchy: more than its coordinates are rounded by. */
     private static final double OFF = 1e-6;
 
@@ -71,7 +69,7 @@ final class ElementRays {
     Hit first(Vec3 from, Vec3 side, Vec3 direction) {
         float[] hit = new float[3];
         Vec3 begin = from.minus(centre).times(scale).plus(side.times(OFF));
-        int found = bounds.nearestFront(begin, direction, FAR, false, hit);
+        int found = bounds.nearestFront(begin, direction, RadiosityBounds.ACROSS, false, hit);
         return found < 0 ? null : exact(elements[found], found >= within, from, direction);
     }
 
@@ -97,7 +95,7 @@ final class ElementRays {
      * @param hit  receives the distance, of the scene's diagonal, and the weights of corners 1 and 2
      */
     int element(Vec3 from, Vec3 direction, float[] hit) {
-        int found = bounds.nearestFront(from.minus(centre).times(scale), direction, FAR, true, hit);
+        int found = bounds.nearestFront(from.minus(centre).times(scale), direction, RadiosityBounds.ACROSS, true, hit);
         return found < 0 ? NOTHING
                 : found >= within || Elements.cross(solution, found).dot(direction) >= 0 ? BACK : found;
     }

@@ -32,8 +32,6 @@ final class FinalGather {
      */
     private static final double BRIGHT = 3;
     private static final int MOST_BRIGHT = 2048;
-    /** Distance from its surface at which a ray begins or ends, of the scene's size. */
-    private static final double LIFT = 1e-5;
     /** Least cosine at the point in the influence of a piece, which may be in view in part if its middle is not. */
     private static final double LEAST = 1e-3;
 
@@ -135,7 +133,7 @@ final class FinalGather {
      * @param count number of rays in all directions, and again of rays to pieces, at least 1
      */
     Rgb irradiance(Vec3 point, Vec3 n, long first, int count) {
-        Vec3 above = point.plus(n.times(LIFT * faces.size()));
+        Vec3 above = point.plus(n.times(RadiosityBounds.LIFT * faces.size()));
         return fromLights(point, n).plus(fromBright(point, above, n, first, count))
                 .plus(fromAround(above, n, first, count));
     }
@@ -232,7 +230,7 @@ final class FinalGather {
             return element < 0 || rays.solution().faceOf()[element] != piece.face ? Rgb.BLACK
                     : rays.reflected(element, hit[1], hit[2]).times(factor);
         }
-        Vec3 end = y.minus(d.times(LIFT * faces.size() / Math.sqrt(square)));
+        Vec3 end = y.minus(d.times(RadiosityBounds.LIFT * faces.size() / Math.sqrt(square)));
         int triangle = piece.face >> 1;
         return bounds.blocked(faces.unit(point), faces.unit(end)) ? Rgb.BLACK
                 : (scene.isMapped(triangle) ? scene.look(triangle, y).exitance() : piece.radiosity).times(factor);
