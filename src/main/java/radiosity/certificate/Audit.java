@@ -112,9 +112,7 @@ public final class Audit {
     }
 
     private RadiosityNodes nodes(int block) {
-        RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(block)));
-        BlockState.restore(nodes, nodes.tops(), states.get(block));
-        return nodes;
+        return BlockState.nodes(mesh.patcher, mesh.blocks.get(block), states.get(block));
     }
 
     /** Returns the mean reflected radiosity, one per channel, W/m²; a black scene has a small positive one. */

@@ -7,6 +7,8 @@ import java.io.UncheckedIOException;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.BitSet;
+import java.util.List;
+import radiosity.mesh.Block;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.ReceivingPoints;
@@ -25,6 +27,13 @@ public final class BlockState {
     private static final int BRIGHT = 4;
 
     private BlockState() { }
+
+    /** The nodes of a block with the light of its state, see {@link #restore}. */
+    public static RadiosityNodes nodes(Patcher mesh, Block block, byte[] state) {
+        RadiosityNodes nodes = new RadiosityNodes(mesh, List.of(block));
+        restore(nodes, nodes.tops(), state);
+        return nodes;
+    }
 
     /** @param tops top nodes of the block's subtrees, in the block's order */
     public static byte[] write(RadiosityNodes nodes, int[] tops) {

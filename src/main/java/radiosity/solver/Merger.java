@@ -48,8 +48,7 @@ final class Merger {
         irradiance = new double[channels * 1024];
         bulge = new VertexBulge(channels, mesh.faces.colours());
         for (int b = 0; b < states.size(); b++) {
-            RadiosityNodes nodes = new RadiosityNodes(mesh.patcher, List.of(mesh.blocks.get(b)));
-            BlockState.restore(nodes, nodes.tops(), states.get(b));
+            RadiosityNodes nodes = BlockState.nodes(mesh.patcher, mesh.blocks.get(b), states.get(b));
             add(nodes);
             bulge.add(nodes, dark);
         }
