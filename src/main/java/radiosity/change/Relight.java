@@ -8,12 +8,12 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
+import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.LightSources;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.formfactor.VisibilityChange;
 import radiosity.mesh.PatchTree;
-import radiosity.mesh.Patcher;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.Weights;
 import radiosity.partition.EdgeInterpolation;
@@ -155,13 +155,10 @@ public final class Relight {
         ShooterHierarchy[] vanished = shooters(old, rules, tree -> gone[tree.face()]);
         VisibilityChange visibility = new VisibilityChange(before.bounds, now.bounds,
                 new RadiosityBounds(change.goneCorners()), new RadiosityBounds(change.comeCorners()), change.boxes());
-        FormFactorCalculator[] differences = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
-        FormFactorCalculator[] whole = new FormFactorCalculator[differences.length];
-        for (int slack = 0; slack < differences.length; slack++) {
-            double tolerance = rules.tolerance() * (1 << slack);
-            differences[slack] = new RayCaster(visibility, now.rays(), COMPARED * tolerance);
-            whole[slack] = new RayCaster(before.bounds, now.rays(), tolerance);
-        }
+        FormFactorCalculator[] differences = FormFactorCalculators.perSlack(rules.tolerance(),
+                tolerance -> new RayCaster(visibility, now.rays(), COMPARED * tolerance));
+        FormFactorCalculator[] whole = FormFactorCalculators.perSlack(rules.tolerance(),
+                tolerance -> new RayCaster(before.bounds, now.rays(), tolerance));
         EdgeInterpolation interpolation = new EdgeInterpolation(now, lit.gatherer, nodes, parallel);
         Order.Rules later = new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]);
         interpolation.add(kept, differences, later, 1, vertices, 0, (run, nanoseconds) -> checkWanted());

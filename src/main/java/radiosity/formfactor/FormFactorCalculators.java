@@ -1,5 +1,8 @@
 package radiosity.formfactor;
 
+import java.util.Arrays;
+import java.util.function.DoubleFunction;
+import radiosity.mesh.Patcher;
 import radiosity.settings.FormFactors;
 import radiosity.visibility.RadiosityBounds;
 
@@ -22,6 +25,18 @@ public final class FormFactorCalculators {
             case HEMICUBE -> new Hemicube(bounds, rays);
             case NUSSELT -> new Nusselt(bounds, rays);
         };
+    }
+
+    /**
+     * One calculator per value of {@link Patcher#slack}: each further one lets a ray carry twice as much.
+     *
+     * @param tolerance of the first calculator
+     * @param maker     makes a calculator with a given tolerance
+     */
+    public static FormFactorCalculator[] perSlack(double tolerance, DoubleFunction<FormFactorCalculator> maker) {
+        FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
+        Arrays.setAll(made, slack -> maker.apply(tolerance * (1 << slack)));
+        return made;
     }
 
     /** Number of rays, or of cells of a projection, where the user gives none. */

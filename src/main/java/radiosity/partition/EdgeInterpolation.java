@@ -65,8 +65,7 @@ public final class EdgeInterpolation {
         double[] irradiance = nodes.light().irradiance();
         double[] received = new double[channels * nodes.vertices()];
         int[][] waves = interpolates ? middles.waves(vertices) : new int[][] {vertices};
-        double[] alike = new double[calculators.length];
-        Arrays.setAll(alike, slack -> ALIKE * rules.tolerance() * (1 << slack));
+        double alike = ALIKE * rules.tolerance();
         Weights weights = new Weights(mesh.rooms, channels, rules.weight());
         for (ShooterHierarchy shooter : shooters) {
             for (int[] wave : waves) {
@@ -86,10 +85,10 @@ public final class EdgeInterpolation {
     }
 
     /**
-     * @param alike    largest difference of weighted light between ends that receive alike, one per slack
+     * @param alike    largest difference of weighted light between ends that receive alike, where the slack is 0
      * @param received modified: channels per vertex, what vertices receive of this shooter, W/m²
      */
-    private void receive(ShooterHierarchy shooter, FormFactorCalculator[] calculators, double[] alike, Weights weights,
+    private void receive(ShooterHierarchy shooter, FormFactorCalculator[] calculators, double alike, Weights weights,
             int[] run, int turn, double[] received) {
         GatherSink.Irradiance sum = new GatherSink.Irradiance(channels);
         for (int v : run) {
@@ -98,7 +97,7 @@ public final class EdgeInterpolation {
             }
             int face = nodes.points().face(v);
             int slack = gatherer.slack(nodes, v);
-            if (interpolates && areEndsAlike(v, weights, face, alike[slack], received)) {
+            if (interpolates && areEndsAlike(v, weights, face, alike * (1 << slack), received)) {
                 for (int c = 0; c < channels; c++) {
                     received[channels * v + c] = (received[channels * middles.end(v, 0) + c]
                             + received[channels * middles.end(v, 1) + c]) / 2;

@@ -59,11 +59,11 @@ public final class Gatherer {
         return made;
     }
 
-    /** One calculator per value of {@link Patcher#slack}: each further one lets a ray carry twice as much. */
+    /** One calculator per value of {@link Patcher#slack}. */
     FormFactorCalculator[] calculators(Order order) {
-        FormFactorCalculator[] made = new FormFactorCalculator[Patcher.MOST_SLACK + 1];
-        Arrays.setAll(made, slack -> calculator(order.rules(), order.rules().tolerance() * (1 << slack)));
-        return made;
+        return FormFactorCalculators.perSlack(order.rules().tolerance(), tolerance -> order.rules().sparing()
+                ? RayCaster.sparing(mesh.bounds, mesh.rays(), tolerance)
+                : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds, mesh.rays(), tolerance));
     }
 
     /**
@@ -98,11 +98,6 @@ public final class Gatherer {
             }
             costs.add(run, BlockCosts.now() - begin);
         });
-    }
-
-    private FormFactorCalculator calculator(Order.Rules rules, double tolerance) {
-        return rules.sparing() ? RayCaster.sparing(mesh.bounds, mesh.rays(), tolerance)
-                : FormFactorCalculators.make(mesh.settings.factors(), mesh.bounds, mesh.rays(), tolerance);
     }
 
     /**

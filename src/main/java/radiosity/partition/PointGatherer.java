@@ -1,15 +1,14 @@
 package radiosity.partition;
 
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
 import radiosity.formfactor.GatherSink;
 import radiosity.formfactor.RayCaster;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.Block;
-import radiosity.mesh.Patcher;
 import radiosity.mesh.face.Faces;
 import radiosity.protocol.GatherPoints;
 import radiosity.protocol.Order;
@@ -85,12 +84,9 @@ final class PointGatherer {
 
     /** One array per kind of rays, and in it one calculator per {@link GatherPoints#slack}. */
     private FormFactorCalculator[][] calculators() {
-        GatherPoints.Rays[] kinds = GatherPoints.Rays.values();
-        FormFactorCalculator[][] made = new FormFactorCalculator[kinds.length][Patcher.MOST_SLACK + 1];
-        for (GatherPoints.Rays rays : kinds) {
-            Arrays.setAll(made[rays.ordinal()], slack -> calculator(rays, (1 << slack) * order.rules().tolerance()));
-        }
-        return made;
+        return Stream.of(GatherPoints.Rays.values()).map(rays -> FormFactorCalculators.perSlack(
+                order.rules().tolerance(), tolerance -> calculator(rays, tolerance)))
+                .toArray(FormFactorCalculator[][]::new);
     }
 
     private FormFactorCalculator calculator(GatherPoints.Rays rays, double tolerance) {
