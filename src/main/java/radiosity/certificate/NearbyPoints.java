@@ -72,7 +72,7 @@ final class NearbyPoints {
         this.faces = faces;
         this.bounds = bounds;
         this.places = places;
-        first = new int[faces.fronts().length / 3];
+        first = new int[faces.scene().triangles()];
         next = new int[faces.count()];
         Arrays.fill(first, -1);
         for (int f = 0; f < next.length; f++) {

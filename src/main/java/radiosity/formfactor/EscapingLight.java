@@ -62,9 +62,7 @@ public final class EscapingLight {
      */
     int arrival(float[] x, float[] d, float[] hit) {
         int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], RadiosityBounds.ACROSS, true, hit);
-        boolean isLost = t < 0 || front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0
-                || isInsideSolid(t, x, d, hit[0]);
-        return isLost ? -1 : t;
+        return t < 0 || solids.leaves(t, d) || isInsideSolid(t, x, d, hit[0]) ? -1 : t;
     }
 
     /** Whether a ray from x in direction d meets a triangle inside a solid; one that shows both sides never is. */

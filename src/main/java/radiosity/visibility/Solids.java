@@ -103,8 +103,13 @@ public final class Solids {
     }
 
     /** Whether a ray that meets a triangle meets the triangle from its invisible side. */
-    private boolean leaves(int t, float[] d) {
+    public boolean leaves(int t, float[] d) {
         return front[3 * t] * d[0] + front[3 * t + 1] * d[1] + front[3 * t + 2] * d[2] > 0;
+    }
+
+    /** Whether a ray in a direction that is not rounded meets a triangle from the triangle's invisible side. */
+    public boolean leaves(int t, Vec3 d) {
+        return front[3 * t] * d.x() + front[3 * t + 1] * d.y() + front[3 * t + 2] * d.z() > 0;
     }
 
     /** Returns two unit vectors, x, y, z each, at right angles to each other and to a normal of length 1. */

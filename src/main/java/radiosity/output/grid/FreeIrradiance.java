@@ -35,7 +35,6 @@ final class FreeIrradiance {
     private final Points points;
     private final Faces faces;
     private final RadiosityBounds bounds;
-    private final float[] fronts;
     private final Solids solids;
     private final LightSources lights;
 
@@ -44,8 +43,7 @@ final class FreeIrradiance {
         this.points = points;
         faces = new Faces(scene);
         bounds = new RadiosityBounds(faces.occluders());
-        fronts = faces.fronts();
-        solids = new Solids(bounds, fronts);
+        solids = new Solids(bounds, faces.fronts());
         lights = new LightSources(faces, bounds);
     }
 
@@ -93,7 +91,7 @@ final class FreeIrradiance {
     private Rgb look(Vec3 x, Vec3 d, boolean valued) {
         float[] hit = new float[3];
         int t = bounds.nearestFront(x, d, RadiosityBounds.ACROSS, true, hit);
-        if (t < 0 || fronts[3 * t] * d.x() + fronts[3 * t + 1] * d.y() + fronts[3 * t + 2] * d.z() > 0) {
+        if (t < 0 || solids.leaves(t, d)) {
             return null;
         }
         if (!valued || scene.look(t, scene.corner(t, 0)).reflectance().max() == 0 && !scene.isMapped(t)) {
