@@ -2,6 +2,7 @@ package radiosity.mesh;
 
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
+import radiosity.util.EdgeKey;
 import radiosity.util.Hash;
 
 /** Keys of vertices by place: a corner of faces, a place on an edge that faces may share, or one inside a face. */
@@ -22,7 +23,7 @@ final class VertexKey {
                 int q = faces.point[3 * f + (k + 2) % 3];
                 int toQ = w[at + (k + 2) % 3];
                 long of = faces.isBorder(f, k) ? ~f : faces.part[f];
-                long ends = (long) Math.min(p, q) << 32 | Math.max(p, q);
+                long ends = EdgeKey.of(p, q);
                 return Hash.mix(Hash.mix(Hash.mix(2, of), ends), p < q ? toQ : NodePath.ONE - toQ);
             }
         }

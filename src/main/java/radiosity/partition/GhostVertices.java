@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.protocol.Wire;
 import radiosity.util.ArraySize;
+import radiosity.util.EdgeKey;
 import radiosity.util.Hash;
 
 /**
@@ -53,7 +54,9 @@ public final class GhostVertices {
         agreement = 0;
         given.clear();
         taken.clear();
-        named = ends(edges());
+        long[] edges = edges();
+        Arrays.sort(edges);
+        named = EdgeKey.ends(EdgeKey.occurring(edges, elements -> elements == 1));
         ByteBuffer keys = ByteBuffer.allocate(ArraySize.of("bytes of the keys of ghost vertices", Long.BYTES,
                 named.length));
         IntStream.of(named).forEach(v -> keys.putLong(keyWithLight(nodes, v)));
@@ -83,35 +86,16 @@ public final class GhostVertices {
         return key;
     }
 
-    /** The edges of all elements: two vertices each, the lower number in the upper half. */
+    /** The edges of all elements, one key of two vertices each. */
     private long[] edges() {
         long[] edges = new long[ArraySize.of("edges of elements", 3, nodes.elements())];
         int count = 0;
         for (int node = 0; node < nodes.nodes(); node++) {
             for (int k = 0; k < 3 && nodes.isElement(node); k++) {
-                long p = nodes.corner(node, k);
-                long q = nodes.corner(node, (k + 1) % 3);
-                edges[count++] = Math.min(p, q) << Integer.SIZE | Math.max(p, q);
+                edges[count++] = EdgeKey.of(nodes.corner(node, k), nodes.corner(node, (k + 1) % 3));
             }
         }
         return edges;
-    }
-
-    /** The ends of the edges that belong to one element only; sorts the edges. */
-    private static int[] ends(long[] edges) {
-        Arrays.sort(edges);
-        BitSet ends = new BitSet();
-        for (int i = 0, next; i < edges.length; i = next) {
-            next = i + 1;
-            while (next < edges.length && edges[next] == edges[i]) {
-                next++;
-            }
-            if (next == i + 1) {
-                ends.set((int) (edges[i] >> Integer.SIZE));
-                ends.set((int) edges[i]);
-            }
-        }
-        return ends.stream().toArray();
     }
 
     /** @param roles number of the agreement, then one byte per named vertex: ordinal of this host's {@link Role} */

@@ -37,7 +37,7 @@ public final class CommonEdges {
             if (at[i] == at[k]) {
                 continue;
             }
-            long key = (long) Math.min(at[i], at[k]) << 32 | Math.max(at[i], at[k]);
+            long key = EdgeKey.of(at[i], at[k]);
             earlier[i] = latest.find(key);
             latest.put(key, i);
             for (int j = earlier[i], n = 0; j >= 0 && n < MOST; j = earlier[j], n++) {

@@ -10,10 +10,10 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import radiosity.mesh.face.CutPoints;
-import radiosity.mesh.face.EdgePieces;
 import radiosity.mesh.face.FacePieces;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Vec3;
+import radiosity.util.EdgeKey;
 import radiosity.util.LongIndex;
 
 /**
@@ -48,7 +48,7 @@ public final class DiscontinuityMesher {
     private final CutPoints points;
     /** Per face that is cut: 3 points per piece. */
     private final Map<Integer, List<int[]>> pieces = new HashMap<>();
-    /** Edges of pieces along contacts, see {@link EdgePieces#key}. */
+    /** Edges of pieces along contacts, see {@link EdgeKey}. */
     final LongIndex edges = new LongIndex(0);
     private int count;
 
@@ -183,7 +183,7 @@ public final class DiscontinuityMesher {
             Vec3 a = points.at(p);
             Vec3 b = points.at(q);
             if (beside.stream().anyMatch(contact -> contact.holds(a, 2 * near) && contact.holds(b, 2 * near))) {
-                edges.findOrAdd(EdgePieces.key(p, q), edges.size());
+                edges.findOrAdd(EdgeKey.of(p, q), edges.size());
             }
         }
     }

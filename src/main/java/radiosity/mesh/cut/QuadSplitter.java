@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.EdgeKey;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 import radiosity.util.PointNumbers;
@@ -97,7 +98,7 @@ public final class QuadSplitter {
                 int p = number[corner(t, k)];
                 int q = number[corner(t, k + 1)];
                 if (edge(t, k) > patchSide) {
-                    long key = Hash.mix((long) Math.min(p, q) << 32 | Math.max(p, q), scene.surfaceOf()[t]);
+                    long key = Hash.mix(EdgeKey.of(p, q), scene.surfaceOf()[t]);
                     int u = edges.findOrAdd(Hash.mix(key, scene.hierarchy().of(t)), t);
                     int m = u == t || partner[u] >= 0 ? -1 : opposite(u, p, q);
                     if (m >= 0 && isFlat(t, k, u, m)) {

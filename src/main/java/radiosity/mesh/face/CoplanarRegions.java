@@ -2,6 +2,7 @@ package radiosity.mesh.face;
 
 import java.util.Arrays;
 import radiosity.util.DisjointSets;
+import radiosity.util.EdgeKey;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
@@ -23,7 +24,7 @@ final class CoplanarRegions {
     /**
      * Joins faces to regions. An edge is inside a region where exactly two faces share it, else it is a border.
      *
-     * @param cut edges that are borders in any case, see {@link EdgePieces#key}; not modified
+     * @param cut edges that are borders in any case, see {@link EdgeKey}; not modified
      */
     void join(LongIndex cut) {
         int n = faces.count();
@@ -42,7 +43,7 @@ final class CoplanarRegions {
         for (int i = 0; i < edges.size(); i++) {
             int e = first[i];
             int g = next[e];
-            if (g >= 0 && next[g] < 0 && matches(e, g) && cut.find(EdgePieces.key(corner(e, 1), corner(e, 2))) < 0) {
+            if (g >= 0 && next[g] < 0 && matches(e, g) && cut.find(EdgeKey.of(corner(e, 1), corner(e, 2))) < 0) {
                 faces.across[e] = g / 3;
                 faces.across[g] = e / 3;
                 parts.join(e / 3, g / 3);
@@ -57,11 +58,8 @@ final class CoplanarRegions {
     /** Key of edge e, which lies opposite corner e % 3 of face e / 3; equal for faces of one surface and side. */
     private long key(int e) {
         int f = e / 3;
-        int from = corner(e, 1);
-        int to = corner(e, 2);
-        long ends = (long) Math.min(from, to) << 32 | Math.max(from, to);
         int surface = faces.scene().surfaceOf()[faces.triangle(f)];
-        return Hash.mix(ends, 2L * surface + (faces.side(f) & 1));
+        return Hash.mix(EdgeKey.of(corner(e, 1), corner(e, 2)), 2L * surface + (faces.side(f) & 1));
     }
 
     /** Whether two edges run in opposite directions between the same points, and their faces lie in one plane. */

@@ -32,10 +32,6 @@ public final class EdgePieces {
                 .flatMapToDouble(at -> DoubleStream.of(at.x(), at.y(), at.z())).toArray());
     }
 
-    public static long key(int p, int q) {
-        return (long) Math.min(p, q) << 32 | Math.max(p, q);
-    }
-
     /** The points of an edge in order: its first end, the points that stand on it, and its second end. */
     public int[] stops(int p, int q) {
         IntStream.Builder found = IntStream.builder();

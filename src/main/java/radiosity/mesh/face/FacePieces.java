@@ -2,6 +2,7 @@ package radiosity.mesh.face;
 
 import java.util.List;
 import java.util.Map;
+import radiosity.util.EdgeKey;
 import radiosity.util.LongIndex;
 
 /**
@@ -9,7 +10,7 @@ import radiosity.util.LongIndex;
  *
  * @param points the corners of the pieces
  * @param byFace for each face that is cut, the three points of each of its pieces
- * @param edges  edges of pieces that stay borders of coplanar regions, see {@link EdgePieces#key}
+ * @param edges  edges of pieces that stay borders of coplanar regions, see {@link EdgeKey}
  */
 public record FacePieces(CutPoints points, Map<Integer, List<int[]>> byFace, LongIndex edges) {
 

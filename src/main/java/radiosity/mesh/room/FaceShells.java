@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import radiosity.mesh.face.EdgePieces;
 import radiosity.mesh.face.Faces;
 import radiosity.util.DisjointSets;
+import radiosity.util.EdgeKey;
 import radiosity.util.LongIndex;
 
 /**
@@ -93,7 +94,7 @@ final class FaceShells {
     /** Adds an edge of a face, or a piece of one, in the direction in which the face runs along it. */
     private void put(int p, int q, int face) {
         int known = edges.size();
-        int edge = edges.findOrAdd(EdgePieces.key(p, q), known);
+        int edge = edges.findOrAdd(EdgeKey.of(p, q), known);
         if (sides == side.length) {
             side = Arrays.copyOf(side, 2 * sides);
             next = Arrays.copyOf(next, 2 * sides);

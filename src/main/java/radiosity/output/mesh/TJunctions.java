@@ -73,7 +73,7 @@ public final class TJunctions {
         parts = new DisjointSets(solution.vertices(), solution.corners());
         tolerance = TOLERANCE * Aabb.of(positions).diagonal();
         same = new int[solution.vertices()];
-        int[] atEdges = open.ends(solution.vertices());
+        int[] atEdges = open.ends();
         vertexAt = new LongIndex(atEdges.length);
         weld(atEdges);
         ends = IntStream.of(atEdges).filter(v -> same[v] == v).toArray();
