@@ -72,9 +72,7 @@ final class LitMesh {
                 int v = vertices[i];
                 Arrays.fill(sum, 0);
                 int plane = nodes.points().plane(v); // of mesh: the scene of the sources may number faces otherwise
-                Vec3 normal = new Vec3(mesh.faces.normal(plane, 0), mesh.faces.normal(plane, 1),
-                        mesh.faces.normal(plane, 2));
-                sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), normal, sum, 0);
+                sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), mesh.faces.unitNormal(plane), sum, 0);
                 for (int c = 0; c < channels; c++) {
                     irradiance[channels * v + c] += factor * sum[c];
                 }

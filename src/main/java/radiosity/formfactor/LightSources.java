@@ -60,8 +60,7 @@ public final class LightSources {
      * @param to    modified: irradiance, one per channel from {@code first}, W/m²
      */
     public void add(float[] place, int at, int face, double[] to, int first) {
-        add(new Vec3(place[at], place[at + 1], place[at + 2]),
-                new Vec3(faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2)), to, first);
+        add(new Vec3(place[at], place[at + 1], place[at + 2]), faces.unitNormal(face), to, first);
     }
 
     /**
@@ -120,10 +119,10 @@ public final class LightSources {
         }
         double[] sum = new double[faces.channels()];
         for (int f = 0; f < faces.count(); f++) {
-            Vec3 a = corner(f, 0);
-            Vec3 ab = corner(f, 1).minus(a);
-            Vec3 ac = corner(f, 2).minus(a);
-            Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
+            Vec3 a = faces.unitCorner(f, 0);
+            Vec3 ab = faces.unitCorner(f, 1).minus(a);
+            Vec3 ac = faces.unitCorner(f, 2).minus(a);
+            Vec3 n = faces.unitNormal(f);
             int points = (int) Math.max(1, Math.ceil(FLUX_POINTS * faces.area(f) / faces.area()));
             for (int i = 1; i <= points; i++) {
                 double r = Math.sqrt(R2.u(i));
@@ -136,10 +135,6 @@ public final class LightSources {
             }
         }
         return flux;
-    }
-
-    private Vec3 corner(int face, int k) {
-        return new Vec3(faces.corner(face, k, 0), faces.corner(face, k, 1), faces.corner(face, k, 2));
     }
 
     /** Irradiance at x with normal n, relative to the light's power. */

@@ -89,7 +89,7 @@ public final class UnseenLamps {
         double due = 0;
         int ray = 0;
         for (int f = 0; f < faces.count(); f++) {
-            Vec3 n = new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
+            Vec3 n = faces.unitNormal(f);
             for (due += RAYS_OUT * faces.area(f) / faces.area(); due >= 1; due--) {
                 float[] place = point(f, ++ray);
                 if (isSeenOutside(light, new Vec3(place[0], place[1], place[2]), n, ray)) {

@@ -310,6 +310,16 @@ public final class Faces {
         return list.points.at(number);
     }
 
+    /** Corner k of a face, from 0 to 2, in the scene brought to size 1. */
+    public Vec3 unitCorner(int face, int k) {
+        return new Vec3(corner(face, k, 0), corner(face, k, 1), corner(face, k, 2));
+    }
+
+    /** A face's normal, of length 1 but for the rounding of its components to floats. */
+    public Vec3 unitNormal(int face) {
+        return new Vec3(normal(face, 0), normal(face, 1), normal(face, 2));
+    }
+
     /** A face's unit normal in double precision, from its corners. */
     public Vec3 exactNormal(int face) {
         Vec3 a = sceneCorner(face, 0);

@@ -56,27 +56,20 @@ final class Footprint {
 
     private boolean covers(int f, Vec3 p) {
         for (int k = 0; k < 3; k++) {
-            Vec3 along = corner(f, (k + 1) % 3).minus(corner(f, k));
-            if (normal(f).dot(along.cross(p.minus(corner(f, k)))) < -Faces.NEAR * along.length()) {
+            Vec3 from = faces.unitCorner(f, k);
+            Vec3 along = faces.unitCorner(f, (k + 1) % 3).minus(from);
+            if (faces.unitNormal(f).dot(along.cross(p.minus(from))) < -Faces.NEAR * along.length()) {
                 return false;
             }
         }
-        return Math.abs(normal(f).dot(p.minus(corner(f, 0)))) <= Faces.NEAR;
-    }
-
-    private Vec3 corner(int f, int k) {
-        return new Vec3(faces.corner(f, k, 0), faces.corner(f, k, 1), faces.corner(f, k, 2));
-    }
-
-    private Vec3 normal(int f) {
-        return new Vec3(faces.normal(f, 0), faces.normal(f, 1), faces.normal(f, 2));
+        return Math.abs(faces.unitNormal(f).dot(p.minus(faces.unitCorner(f, 0)))) <= Faces.NEAR;
     }
 
     /** Volume of the shell closed by a lid in a plane through an apex, in cubed scene sizes. */
     private double volumeFrom(Vec3 apex) {
         double sum = 0;
         for (int f : own) {
-            sum -= faces.area(f) / 3 * normal(f).dot(apex.minus(corner(f, 0)));
+            sum -= faces.area(f) / 3 * faces.unitNormal(f).dot(apex.minus(faces.unitCorner(f, 0)));
         }
         return sum;
     }
