@@ -235,11 +235,10 @@ public final class Audit {
             at.point().gather(light, at.point().bright(weights), at.time());
         }
         int corners = 3 * faces.channels();
-        gather(light, new Order.Rules(Accuracy.tolerance(asked), weights.value(), 0, ambient.level(), new double[0]),
+        gather(light, new Order.Rules(Accuracy.tolerance(asked), weights.value(), 0, ambient.level()),
                 nodes -> nodes.light()::leaving);
-        gather(factors, new Order.Rules(FACTOR_TOLERANCE, ones(faces.channels()), 0, new double[0], new double[0]),
-                nodes -> (element, values, at) ->
-                        Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0));
+        gather(factors, new Order.Rules(FACTOR_TOLERANCE, ones(faces.channels()), 0), nodes -> (element, values, at) ->
+                Arrays.fill(values, at, at + corners, isVisible(nodes, element) ? 1 : 0));
     }
 
     /** Has partitions gather at some places what all elements send, in orders of some clusters each. */

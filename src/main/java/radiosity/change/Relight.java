@@ -160,7 +160,7 @@ public final class Relight {
         FormFactorCalculator[] whole = FormFactorCalculators.perSlack(rules.tolerance(),
                 tolerance -> new RayCaster(before.bounds, now.rays(), tolerance));
         EdgeInterpolation interpolation = new EdgeInterpolation(now, lit.gatherer, nodes, parallel);
-        Order.Rules later = new Order.Rules(rules.tolerance(), weight, rules.meshError(), new double[0], new double[0]);
+        Order.Rules later = new Order.Rules(rules.tolerance(), weight, rules.meshError());
         interpolation.add(kept, differences, later, 1, vertices, 0, (run, nanoseconds) -> checkWanted());
         interpolation.add(vanished, whole, later, -1, vertices, 0, (run, nanoseconds) -> checkWanted());
     }
@@ -187,7 +187,7 @@ public final class Relight {
         }
         List<Shot> totals = lit.totals();
         Order order = new Order(Order.Kind.GATHER, totals, new Order.Rules(rules.tolerance(), weight,
-                rules.meshError(), AmbientLevel.of(now, totals), new double[0]), Order.Question.NOTHING);
+                rules.meshError(), AmbientLevel.of(now, totals)), Order.Question.NOTHING);
         double[] irradiance = nodes.light().irradiance();
         for (int turn = 0; turn < 2; turn++) {
             checkWanted();

@@ -2,7 +2,6 @@ package radiosity.prediction;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.ToDoubleBiFunction;
 import radiosity.mesh.PatchTree;
 import radiosity.protocol.Shot;
 import radiosity.setup.InitialMesh;
@@ -40,7 +39,7 @@ public final class AmbientLevel {
 
     /** @return channels per closed room, W/m²; empty without closed rooms, or where not all of the scene shoots */
     public static double[] of(InitialMesh mesh, List<Shot> shots) {
-        return of(mesh, shots, AmbientLevel::level);
+        return of(mesh, shots, false);
     }
 
     /**
@@ -48,10 +47,10 @@ public final class AmbientLevel {
      * darker than this level, so no vertex receives less than the level, however rays sample the difference.
      */
     public static double[] lowest(InitialMesh mesh, List<Shot> shots) {
-        return of(mesh, shots, (light, i) -> Math.max(0, light.least[i % light.least.length]));
+        return of(mesh, shots, true);
     }
 
-    private static double[] of(InitialMesh mesh, List<Shot> shots, ToDoubleBiFunction<AmbientLevel, Integer> levels) {
+    private static double[] of(InitialMesh mesh, List<Shot> shots, boolean isLowest) {
         if (mesh.rooms.count() == 0) {
             return new double[0];
         }
@@ -63,7 +62,8 @@ public final class AmbientLevel {
         AmbientLevel light = new AmbientLevel(mesh);
         shots.forEach(shot -> shot.trees().forEach(light::add));
         double[] level = new double[light.flux.length / 2];
-        Arrays.setAll(level, i -> levels.applyAsDouble(light, light.area[i] > 0 ? i : level.length + i));
+        Arrays.setAll(level, i -> isLowest ? Math.max(0, light.least[i])
+                : light.level(light.area[i] > 0 ? i : level.length + i));
         return level;
     }
 

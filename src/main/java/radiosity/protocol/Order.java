@@ -45,17 +45,22 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
                         boolean sparing, double anew, List<Mark> marks) {
 
         /** Rules under which every vertex casts a ray to every shooter. */
-        public Rules(double tolerance, double[] weight, double meshError, double[] ambient, double[] givenBack) {
-            this(tolerance, weight, meshError, ambient, givenBack, false, 1, List.of());
+        public Rules(double tolerance, double[] weight, double meshError, double[] ambient) {
+            this(tolerance, weight, meshError, ambient, NONE, false, 1, List.of());
         }
 
-        private static final Rules UNUSED = new Rules(0, NONE, 0, NONE, NONE);
+        /** Rules under which every vertex casts a ray to every shooter, without ambient light. */
+        public Rules(double tolerance, double[] weight, double meshError) {
+            this(tolerance, weight, meshError, NONE);
+        }
+
+        private static final Rules UNUSED = new Rules(0, NONE, 0);
 
         /** Rules of the paper's schedule: each shooter by its own form factors, all channels with the same weight. */
         public static Rules exact(int channels) {
             double[] weight = new double[channels];
             Arrays.fill(weight, 1);
-            return new Rules(Double.POSITIVE_INFINITY, weight, 0, NONE, NONE);
+            return new Rules(Double.POSITIVE_INFINITY, weight, 0);
         }
 
         /** These rules with other {@link #marks}. */

@@ -133,8 +133,8 @@ final class Prediction implements Planner {
     private Order rows() {
         double[] equal = new double[world.channels()];
         Arrays.fill(equal, 1);
-        return new Order(Order.Kind.ROWS, coarse.importance(),
-                new Order.Rules(ROW_TOLERANCE, equal, 0, new double[0], new double[0]), Order.Question.candidates(0));
+        return new Order(Order.Kind.ROWS, coarse.importance(), new Order.Rules(ROW_TOLERANCE, equal, 0),
+                Order.Question.candidates(0));
     }
 
     @Override
@@ -577,8 +577,8 @@ final class Prediction implements Planner {
         balanced = true;
         isLargeChange = false;
         changes = Math.min(MOST_CHANGES, before + 1);
-        return !isDone ? Optional.empty() : Optional.of(new EarlierEnd(new Order.Rules(loop.tolerance(), old,
-                loop.meshError(), new double[0], new double[0]), before == 0));
+        return !isDone ? Optional.empty() : Optional.of(new EarlierEnd(
+                new Order.Rules(loop.tolerance(), old, loop.meshError()), before == 0));
     }
 
     /** The weights in use, not copied; see {@link Weights}. */

@@ -146,8 +146,8 @@ class EdgeMiddlesTest {
         Arrays.fill(nodes.light().irradiance(), 0);
         List<Shot> shots = MESH.blocks.stream().map(block -> Shot.of(nodes, nodes.tops(block), 0,
                 (element, values, at) -> Arrays.fill(values, at, at + 3, nodes.exitance(element, 0)))).toList();
-        Order order = new Order(Order.Kind.SHOOT, shots, new Order.Rules(tolerance, new double[] {1}, 0,
-                new double[0], new double[0]), Order.Question.NOTHING);
+        Order order = new Order(Order.Kind.SHOOT, shots, new Order.Rules(tolerance, new double[] {1}, 0),
+                Order.Question.NOTHING);
         Gatherer gatherer = new Gatherer(MESH, new ParallelFor(2));
         int[] all = IntStream.range(0, nodes.vertices()).toArray();
         if (interpolates) {

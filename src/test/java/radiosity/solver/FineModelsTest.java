@@ -164,7 +164,7 @@ class FineModelsTest {
         CoarseSystem system = new CoarseSystem(world.mesh, world.parallel);
         List<Shot> importance = system.importance();
         system.take(importance.size(), world.round(new Order(Order.Kind.ROWS, importance, new Order.Rules(0.02,
-                new double[] {1, 1, 1}, 0, new double[0], new double[0]), Order.Question.candidates(0))));
+                new double[] {1, 1, 1}, 0), Order.Question.candidates(0))));
         return system;
     }
 
