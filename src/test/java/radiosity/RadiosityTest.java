@@ -184,9 +184,9 @@ class RadiosityTest {
         assertFalse(scene.hasImages(1));
         assertTrue(scene.hasImages(2) && scene.hasImages(3));
         assertFalse(scene.hasImages(4));
-        assertEquals(.2, scene.look(2, new Vec3(.25, 0, .5)).reflectance().r(), 1e-6);
-        assertEquals(.8, scene.look(3, new Vec3(.75, 0, .5)).reflectance().r(), 1e-6);
-        assertEquals(.5, scene.look(4, new Vec3(.8, 0, .5)).reflectance().r(), 1e-6);
+        assertEquals(.2, scene.material(2, new Vec3(.25, 0, .5)).reflectance().r(), 1e-6);
+        assertEquals(.8, scene.material(3, new Vec3(.75, 0, .5)).reflectance().r(), 1e-6);
+        assertEquals(.5, scene.material(4, new Vec3(.8, 0, .5)).reflectance().r(), 1e-6);
         assertEquals(0, room().scene("room").textureCoordinates().length);
         assertThrows(IllegalArgumentException.class,
                 () -> new SceneBuilder().polygon(wood, square, u, new double[] {0, 1, 1, Double.NaN}));

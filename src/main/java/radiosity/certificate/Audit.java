@@ -141,10 +141,10 @@ public final class Audit {
     public Certificate certificate(double unshotFlux) throws IOException {
         List<AuditPoint> first = places.pick(wanted, start(0), used);
         UniformRadiosity ambient = ambient(first);
-        look(first, ambient);
+        gatherBatch(first, ambient);
         result = result();
         while (!isBegun && batches < START.length && !isClear()) {
-            look(places.pick(wanted, start(batches), used + points.size()), ambient);
+            gatherBatch(places.pick(wanted, start(batches), used + points.size()), ambient);
             result = result();
         }
         return result.certificate(unshotFlux, reciprocity());
@@ -178,7 +178,7 @@ public final class Audit {
         return new AuditResult(mesh, points, batches, ledger);
     }
 
-    private void look(List<AuditPoint> batch, UniformRadiosity ambient) throws IOException {
+    private void gatherBatch(List<AuditPoint> batch, UniformRadiosity ambient) throws IOException {
         LightSources lights = new LightSources(faces, mesh.bounds);
         List<NearbyPoints.Near> near = nearby.around(batch);
         parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient));

@@ -66,12 +66,12 @@ final class AuditPlaces {
         weighed = new Weighed[mesh.blocks.size()];
         bulges = new VertexBulge(faces.channels(), faces.colours());
         for (int first = 0; first < weighed.length; first += BLOCKS_AT_A_TIME) {
-            look(first, Math.min(BLOCKS_AT_A_TIME, weighed.length - first));
+            weigh(first, Math.min(BLOCKS_AT_A_TIME, weighed.length - first));
         }
     }
 
     /** Weighs the elements of some blocks, and adds their curved light to that of all, in the order of blocks. */
-    private void look(int first, int count) {
+    private void weigh(int first, int count) {
         RadiosityNodes[] its = new RadiosityNodes[count];
         parallel.run(count, i -> {
             its[i] = nodes.apply(first + i);

@@ -66,7 +66,7 @@ abstract class PatchByPatch implements FormFactorCalculator {
     abstract double patch(Receiver to, int node);
 
     /** Adds to the sink the point of a patch with corner weights a, b, c, if the receiver sees it. */
-    final void look(Receiver to, int node, float a, float b, float c, double weight) {
+    final void addSample(Receiver to, int node, float a, float b, float c, double weight) {
         ShooterHierarchy s = to.shooter;
         float[] corner = s.corner;
         float[] normal = s.normal;

@@ -54,7 +54,7 @@ final class PlainRays extends PatchByPatch {
             d2 += d * d;
         }
         double factor = up * to.before(node) / (Math.PI * d2 * d2) * s.area[node] / rays;
-        look(to, node, a, b, c, factor);
+        addSample(to, node, a, b, c, factor);
         return factor;
     }
 }

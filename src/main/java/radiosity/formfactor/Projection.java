@@ -60,7 +60,7 @@ abstract class Projection extends PatchByPatch {
             if (a >= 0 && b >= 0 && c >= 0 && sum > 0) {
                 float fb = (float) (b / sum);
                 float fc = (float) (c / sum);
-                look(to, node, Math.max(0, 1 - fb - fc), fb, fc, weight);
+                addSample(to, node, Math.max(0, 1 - fb - fc), fb, fc, weight);
             }
         }
     }

@@ -26,7 +26,7 @@ public final class InteriorTest {
     }
 
     /** Marks the vertices from {@code first} to {@code last - 1} that no light can reach as buried. */
-    public void look(RadiosityNodes nodes, int first, int last) {
+    public void markBuried(RadiosityNodes nodes, int first, int last) {
         for (int v = first; v < last; v++) {
             if (isBuried(nodes, v)) {
                 nodes.points().bury(v);

@@ -45,7 +45,7 @@ final class EdgeMiddles {
      * @param vertices not modified
      */
     int[][] waves(int[] vertices) {
-        look();
+        findEdges();
         BitSet needed = new BitSet(wave.length);
         for (int v : vertices) {
             needed.set(v);
@@ -68,7 +68,7 @@ final class EdgeMiddles {
     }
 
     /** Finds the edges, where the mesh has been divided since the last time. */
-    private void look() {
+    private void findEdges() {
         if (known == nodes.nodes()) {
             return;
         }
@@ -77,7 +77,7 @@ final class EdgeMiddles {
         Arrays.fill(ends, -1);
         for (int top : nodes.tops()) {
             int level = NodePath.level(nodes.path(top));
-            look(top, level - patcher.level(nodes.face(top)), sides(top));
+            findEdges(top, level - patcher.level(nodes.face(top)), sides(top));
         }
         wave = new int[nodes.vertices()];
         waves = 1;
@@ -106,7 +106,7 @@ final class EdgeMiddles {
      * @param depth levels from the face's patches down to the node; below 0 above the patches
      * @param sides see {@link #sides(int)}
      */
-    private void look(int node, int depth, int sides) {
+    private void findEdges(int node, int depth, int sides) {
         if (nodes.isElement(node)) {
             return;
         }
@@ -120,8 +120,8 @@ final class EdgeMiddles {
                 ends[2 * middle] = nodes.corner(node, (k + 1) % 3);
                 ends[2 * middle + 1] = nodes.corner(node, (k + 2) % 3);
             }
-            look(first + k, depth + 1, sides & ~(1 << k));
+            findEdges(first + k, depth + 1, sides & ~(1 << k));
         }
-        look(first + 3, depth + 1, 0);
+        findEdges(first + 3, depth + 1, 0);
     }
 }

@@ -35,12 +35,13 @@ public final class Gatherer {
 
     /** Marks the vertices from {@code first} on that lie inside a solid as buried. */
     void bury(RadiosityNodes nodes, int first) {
-        parallel.run(nodes.vertices() - first, RUN, (from, to) -> mesh.interior.look(nodes, first + from, first + to));
+        parallel.run(nodes.vertices() - first, RUN,
+                (from, to) -> mesh.interior.markBuried(nodes, first + from, first + to));
     }
 
     /** Marks those of the given vertices that lie inside a solid as buried; the array is not modified. */
     public void bury(RadiosityNodes nodes, int[] vertices) {
-        parallel.run(vertices.length, i -> mesh.interior.look(nodes, vertices[i], vertices[i] + 1));
+        parallel.run(vertices.length, i -> mesh.interior.markBuried(nodes, vertices[i], vertices[i] + 1));
     }
 
     UniformRadiosity ambient(Order order) {

@@ -148,23 +148,23 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
     }
 
     /** Exitance and reflectance at a point of a triangle. */
-    public MaterialSample look(int triangle, Vec3 point) {
+    public MaterialSample material(int triangle, Vec3 point) {
         if (!isMapped(triangle)) {
             return everywhere(triangle);
         }
         double[] weights = weights(triangle, point);
-        return look(triangle, weights, map ->
+        return material(triangle, weights, map ->
                 map.at(textureCoordinate(triangle, 0, weights), textureCoordinate(triangle, 1, weights)));
     }
 
     /** Mean exitance and reflectance over the part a, b, c of a triangle. */
-    public MaterialSample meanLook(int triangle, Vec3 a, Vec3 b, Vec3 c) {
+    public MaterialSample meanMaterial(int triangle, Vec3 a, Vec3 b, Vec3 c) {
         if (!isMapped(triangle)) {
             return everywhere(triangle);
         }
         double[][] at = {weights(triangle, a), weights(triangle, b), weights(triangle, c)};
         double[] middle = {(at[0][0] + at[1][0] + at[2][0]) / 3, (at[0][1] + at[1][1] + at[2][1]) / 3};
-        return look(triangle, middle, map ->
+        return material(triangle, middle, map ->
                 map.mean(textureCoordinates(triangle, 0, at), textureCoordinates(triangle, 1, at)));
     }
 
@@ -172,8 +172,8 @@ public record Scene(String name, double[] points, int[] corners, int[] surfaceOf
         return new MaterialSample(surface(triangle).exitance(), surface(triangle).reflectance());
     }
 
-    private MaterialSample look(int triangle, double[] weights, Function<Raster, Rgb> value) {
-        MaterialSample of = hasImages(triangle) ? surface(triangle).look(value) : everywhere(triangle);
+    private MaterialSample material(int triangle, double[] weights, Function<Raster, Rgb> value) {
+        MaterialSample of = hasImages(triangle) ? surface(triangle).material(value) : everywhere(triangle);
         if (!isColoured(triangle)) {
             return of;
         }

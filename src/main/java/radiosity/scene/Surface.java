@@ -113,7 +113,7 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
     }
 
     /** Each quantity by the function of its map, or the surface's own value where there is no map. */
-    MaterialSample look(Function<Raster, Rgb> value) {
+    MaterialSample material(Function<Raster, Rgb> value) {
         return new MaterialSample(maps.exitance().map(value).orElse(exitance),
                 maps.reflectance().map(value).orElse(reflectance));
     }

@@ -106,14 +106,14 @@ public record Solution(Scene scene, int channels, List<Lamp> lamps, double[] pos
      */
     public Rgb radiosityAt(int element, int k) {
         Objects.checkIndex(k, 3);
-        return look(element).radiosity(irradianceAt(corners[3 * element + k]));
+        return material(element).radiosity(irradianceAt(corners[3 * element + k]));
     }
 
     /** Mean exitance and reflectance over an element. */
-    public MaterialSample look(int element) {
+    public MaterialSample material(int element) {
         int triangle = faceOf[element] >> 1;
         return scene.isMapped(triangle)
-                ? scene.meanLook(triangle, corner(element, 0), corner(element, 1), corner(element, 2))
+                ? scene.meanMaterial(triangle, corner(element, 0), corner(element, 1), corner(element, 2))
                 : new MaterialSample(surface(element).exitance(), surface(element).reflectance());
     }
 

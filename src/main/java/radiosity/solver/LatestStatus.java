@@ -89,13 +89,13 @@ final class LatestStatus {
 
     /** Asks a question between rounds, where no answer is pending, and waits for the answer. */
     void ask(Order question) throws IOException {
-        look(question);
+        query(question);
         afterRound = newest;
     }
 
     /** Asks the first question, before any order. */
     void askFirst(Order question) throws IOException {
-        look(question);
+        query(question);
         afterRound = afterRound == null ? newest : afterRound;
     }
 
@@ -103,11 +103,11 @@ final class LatestStatus {
     void know() throws IOException {
         catchUp();
         if (!isLastAnswered) {
-            look(Order.asking(Order.Kind.ASK, 0));
+            query(Order.asking(Order.Kind.ASK, 0));
         }
     }
 
-    private void look(Order question) throws IOException {
+    private void query(Order question) throws IOException {
         newest = world.answer(question);
         isLastAnswered = true;
         known = world.now();

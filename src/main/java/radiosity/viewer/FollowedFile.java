@@ -25,7 +25,7 @@ final class FollowedFile {
     private final Callable<LitScene> reader;
     private final Consumer<LitScene> replaced;
     private final Consumer<String> failed;
-    private final Timer timer = new Timer(MILLISECONDS, e -> look());
+    private final Timer timer = new Timer(MILLISECONDS, e -> poll());
     private List<Object> seen;
     private boolean reading;
 
@@ -50,7 +50,7 @@ final class FollowedFile {
         timer.stop();
     }
 
-    private void look() {
+    private void poll() {
         List<Object> now = state();
         if (!reading && !now.isEmpty() && !now.equals(seen)) {
             seen = now;

@@ -77,8 +77,8 @@ class VertexColoursTest {
                 for (int k = 0; k < 3; k++) {
                     x += solution.positions()[3 * solution.corners()[3 * e + k]] / 3;
                 }
-                assertEquals(.8 * x / 4, solution.look(e).reflectance().r(), 1e-6);
-                assertEquals(.8, solution.look(e).reflectance().g(), 1e-6);
+                assertEquals(.8 * x / 4, solution.material(e).reflectance().r(), 1e-6);
+                assertEquals(.8, solution.material(e).reflectance().g(), 1e-6);
             }
         }
     }

@@ -86,15 +86,15 @@ class SampleModelsTest {
         Vec3 u = scene.corner(t, 1).minus(a).times(1.0 / PARTS);
         Vec3 v = scene.corner(t, 2).minus(a).times(1.0 / PARTS);
         if (scene.surface(t).maps().isEmpty()) {
-            return scene.meanLook(t, a, scene.corner(t, 1), scene.corner(t, 2));
+            return scene.meanMaterial(t, a, scene.corner(t, 1), scene.corner(t, 2));
         }
         MaterialSample sum = null;
         for (int i = 0; i < PARTS; i++) {
             for (int j = 0; j < PARTS - i; j++) {
                 Vec3 p = a.plus(u.times(i)).plus(v.times(j));
-                sum = plus(sum, scene.meanLook(t, p, p.plus(u), p.plus(v)));
+                sum = plus(sum, scene.meanMaterial(t, p, p.plus(u), p.plus(v)));
                 if (i + j < PARTS - 1) {
-                    sum = plus(sum, scene.meanLook(t, p.plus(u), p.plus(u).plus(v), p.plus(v)));
+                    sum = plus(sum, scene.meanMaterial(t, p.plus(u), p.plus(u).plus(v), p.plus(v)));
                 }
             }
         }

@@ -94,14 +94,14 @@ final class FreeIrradiance {
         if (t < 0 || solids.leaves(t, d)) {
             return null;
         }
-        if (!valued || scene.look(t, scene.corner(t, 0)).reflectance().max() == 0 && !scene.isMapped(t)) {
+        if (!valued || scene.material(t, scene.corner(t, 0)).reflectance().max() == 0 && !scene.isMapped(t)) {
             return Rgb.BLACK;
         }
         Vec3 at = scene.corner(t, 0).times(1 - (double) hit[1] - hit[2]).plus(scene.corner(t, 1).times(hit[1]))
                 .plus(scene.corner(t, 2).times(hit[2]));
         Vec3 normal = scene.cross(t).unit();
         Rgb irradiance = points.at(at, normal.dot(d) <= 0 ? normal : normal.times(-1)).irradiance();
-        return Double.isNaN(irradiance.r()) ? Rgb.BLACK : irradiance.times(scene.look(t, at).reflectance());
+        return Double.isNaN(irradiance.r()) ? Rgb.BLACK : irradiance.times(scene.material(t, at).reflectance());
     }
 
     /** Irradiance from the emitted light of one side of a triangle, 0 for the front or 1 for the back, W/m². */
@@ -118,7 +118,7 @@ final class FreeIrradiance {
     private Rgb emitted(int t, Vec3[] corners, int levels, Vec3 x, Vec3 n) {
         if (levels == 0) {
             double factor = factor(corners, x, n);
-            return factor > 0 ? scene.meanLook(t, corners[0], corners[1], corners[2]).exitance().times(factor)
+            return factor > 0 ? scene.meanMaterial(t, corners[0], corners[1], corners[2]).exitance().times(factor)
                     : Rgb.BLACK;
         }
         Vec3[] middles = new Vec3[3];

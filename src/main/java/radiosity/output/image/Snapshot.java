@@ -270,13 +270,13 @@ public final class Snapshot {
         }
         Rgb irradiance = rays.irradiance(element[ray], sum.times(1.0 / same.length), first + ray, same.length);
         for (int s : same) {
-            seen[s] = solution.scene().look(face >> 1, Elements.point(solution, element[s], hit[s][1], hit[s][2]))
+            seen[s] = solution.scene().material(face >> 1, Elements.point(solution, element[s], hit[s][1], hit[s][2]))
                     .radiosity(irradiance);
         }
     }
 
     private Rgb radiosity(int element, double v, double w) {
-        return solution.scene().look(solution.faceOf()[element] >> 1, Elements.point(solution, element, v, w))
+        return solution.scene().material(solution.faceOf()[element] >> 1, Elements.point(solution, element, v, w))
                 .radiosity(Elements.irradiance(solution, element, v, w));
     }
 }

@@ -142,7 +142,7 @@ public final class TextureBake {
         int triangle = solution.faceOf()[element] >> 1;
         Rgb[] h = new Rgb[3];
         Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * element + k]));
-        Texels.Light light = (v, w) -> solution.scene().look(triangle, Elements.point(solution, element, v, w))
+        Texels.Light light = (v, w) -> solution.scene().material(triangle, Elements.point(solution, element, v, w))
                 .radiosity(Texels.within(h, h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
         if (beyond) {
             texels.drawBeyond(at[0], at[1], light);

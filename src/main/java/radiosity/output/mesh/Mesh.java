@@ -255,7 +255,7 @@ public record Mesh(Surface surface, int node, boolean back, float[] positions, f
         int[] count = new int[looks.length];
         for (int i = 0; i < corners.length; i++) {
             MaterialSample sum = looks[corners[i]];
-            MaterialSample element = solution.look(elements[i / 3]);
+            MaterialSample element = solution.material(elements[i / 3]);
             looks[corners[i]] = new MaterialSample(sum.exitance().plus(element.exitance()), sum.reflectance()
                     .plus(element.reflectance()));
             count[corners[i]]++;

@@ -69,7 +69,7 @@ public final class Points {
             h = h.plus(solution.irradianceAt(solution.corners()[3 * element + k]).times(weight[k]));
         }
         Vec3 on = Elements.point(solution, element, weight[1], weight[2]);
-        return new Light(h, solution.scene().look(solution.faceOf()[element] >> 1, on).radiosity(h));
+        return new Light(h, solution.scene().material(solution.faceOf()[element] >> 1, on).radiosity(h));
     }
 
     /** Irradiance as {@link #at} gives it, W/m², but NaN inside a solid. */

@@ -108,7 +108,7 @@ final class ElementRays {
     private Rgb reflectance(int element, double v, double w) {
         int triangle = solution.faceOf()[element] >> 1;
         return solution.scene().isMapped(triangle)
-                ? solution.scene().look(triangle, Elements.point(solution, element, v, w)).reflectance()
+                ? solution.scene().material(triangle, Elements.point(solution, element, v, w)).reflectance()
                 : solution.surface(element).reflectance();
     }
 

@@ -127,7 +127,7 @@ public final class EyeRays {
      * @param share of the diffusely reflected light that is seen
      */
     private Rgb diffuse(Hit hit, Vec3 normal, double share, Way way) {
-        MaterialSample look = solution.scene().look(solution.faceOf()[hit.element()] >> 1, hit.point());
+        MaterialSample look = solution.scene().material(solution.faceOf()[hit.element()] >> 1, hit.point());
         if (look.reflectance().max() * share <= 0) {
             return look.exitance();
         }

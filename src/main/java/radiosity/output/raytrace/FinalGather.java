@@ -57,7 +57,7 @@ final class FinalGather {
         for (int face = 0; face < isBright.length; face++) {
             int t = face >> 1;
             if (scene.surface(t).emits() && ((face & 1) == 0 || scene.surface(t).twoSided())) {
-                whole.add(piece(face, false, scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1),
+                whole.add(piece(face, false, scene.meanMaterial(t, scene.corner(t, 0), scene.corner(t, 1),
                         scene.corner(t, 2)).exitance()));
             }
         }
@@ -233,6 +233,6 @@ final class FinalGather {
         Vec3 end = y.minus(d.times(RadiosityBounds.LIFT * faces.size() / Math.sqrt(square)));
         int triangle = piece.face >> 1;
         return bounds.blocked(faces.unit(point), faces.unit(end)) ? Rgb.BLACK
-                : (scene.isMapped(triangle) ? scene.look(triangle, y).exitance() : piece.radiosity).times(factor);
+                : (scene.isMapped(triangle) ? scene.material(triangle, y).exitance() : piece.radiosity).times(factor);
     }
 }

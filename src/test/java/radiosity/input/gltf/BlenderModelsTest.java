@@ -44,7 +44,7 @@ class BlenderModelsTest {
         double[] found = new double[7];
         for (int t = 0; t < scene.triangles(); t++) {
             double area = scene.area(t);
-            MaterialSample mean = scene.meanLook(t, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2));
+            MaterialSample mean = scene.meanMaterial(t, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2));
             found[0] += area;
             for (int c = 0; c < 3; c++) {
                 found[1 + c] += area * mean.reflectance().channel(c);

@@ -202,10 +202,10 @@ class GltfReaderTest {
         Scene scene = read(model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'COLOR_0':" + colours,
                 ",'indices':" + model.indices(0, 1, 2, 0, 2, 3) + ",'material':0", "",
                 "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.5,0.25,1]}}"));
-        assertEquals(0, scene.look(0, new Vec3(0, 0, 0)).reflectance().max(), 1e-9);
-        assertEquals(.5, scene.look(0, new Vec3(1, 0, 0)).reflectance().r(), 1e-9);
-        assertEquals(.25, scene.look(0, new Vec3(.5, .25, 0)).reflectance().g(), 1e-9);
-        Rgb mean = scene.meanLook(1, scene.corner(1, 0), scene.corner(1, 1), scene.corner(1, 2)).reflectance();
+        assertEquals(0, scene.material(0, new Vec3(0, 0, 0)).reflectance().max(), 1e-9);
+        assertEquals(.5, scene.material(0, new Vec3(1, 0, 0)).reflectance().r(), 1e-9);
+        assertEquals(.25, scene.material(0, new Vec3(.5, .25, 0)).reflectance().g(), 1e-9);
+        Rgb mean = scene.meanMaterial(1, scene.corner(1, 0), scene.corner(1, 1), scene.corner(1, 2)).reflectance();
         assertEquals(.5 * (0 + 1 + .2) / 3, mean.r(), 1e-7);
         assertEquals(.25 * (0 + 1 + 1) / 3, mean.b(), 1e-7);
     }

@@ -69,7 +69,7 @@ class SurfaceMapsTest {
     }
 
     private static MaterialSample look(Scene scene, Vec3 p) {
-        return scene.look(triangle(p), p);
+        return scene.material(triangle(p), p);
     }
 
     private static void assertRgb(double r, double g, double b, Rgb got) {
@@ -152,7 +152,7 @@ class SurfaceMapsTest {
     @Test
     void meanUnderAnElement_isOfItsPixels() throws IOException {
         Scene scene = square(map(image("png", BufferedImage.TYPE_INT_RGB), Target.REFLECTANCE, .8, 1));
-        MaterialSample lower = scene.meanLook(0, Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(1, 1, 0));
+        MaterialSample lower = scene.meanMaterial(0, Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(1, 1, 0));
         assertEquals(.8 / 4, lower.reflectance().r(), .02, "a quarter of the lower triangle lies to the left");
         assertEquals(.8 * 3 / 4, lower.reflectance().b(), .02);
     }
