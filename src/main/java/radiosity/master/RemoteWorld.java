@@ -88,14 +88,14 @@ public final class RemoteWorld extends World {
 
     @Override
     public List<byte[]> round(Order order) throws IOException {
-        finish(NOBODY);
+        finish(IGNORE_TIMES);
         admit();
         return ask(order.isAnswered() ? order : order.asking(Order.Question.candidates(0)));
     }
 
     /** Carries out an order and waits for the answers of all hosts. */
     private List<byte[]> ask(Order order) throws IOException {
-        List<byte[]> answers = answers(steps.begin(order, prepare(order), NOBODY), NOBODY);
+        List<byte[]> answers = answers(steps.begin(order, prepare(order), IGNORE_TIMES), IGNORE_TIMES);
         assignment.settle(hosts.present());
         return answers;
     }
@@ -109,7 +109,7 @@ public final class RemoteWorld extends World {
 
     @Override
     public void ask(Iterator<Order> orders, Answers to, BooleanSupplier goOn) throws IOException {
-        finish(NOBODY);
+        finish(IGNORE_TIMES);
         admit();
         Deque<Step> asked = new ArrayDeque<>();
         while (orders.hasNext() || !asked.isEmpty()) {
@@ -118,10 +118,10 @@ public final class RemoteWorld extends World {
             }
             if (orders.hasNext() && asked.size() < InFlightSteps.AHEAD) {
                 Order order = orders.next();
-                asked.add(steps.begin(order, prepare(order), NOBODY));
+                asked.add(steps.begin(order, prepare(order), IGNORE_TIMES));
             } else {
                 Step first = asked.remove();
-                to.take(first.order(), answers(first, NOBODY));
+                to.take(first.order(), answers(first, IGNORE_TIMES));
             }
         }
     }
@@ -211,7 +211,7 @@ public final class RemoteWorld extends World {
 
     /** Exchanges the ghost values that are not delivered yet, in steps of their own; no step is in flight then. */
     private void exchange() throws IOException {
-        finish(NOBODY);
+        finish(IGNORE_TIMES);
         if (halo.isUndelivered()) {
             halo.deliver(steps.carryOut(Order.plain(Order.Kind.ASK, Order.Question.GHOST_VALUES)));
             steps.carryOut(Order.plain(Order.Kind.ASK, Order.Question.NOTHING));
@@ -280,7 +280,7 @@ public final class RemoteWorld extends World {
     /** Where hosts are lost, waits for all steps in flight, and has other hosts rebuild the blocks of the lost ones. */
     private void recover() throws IOException {
         if (calls.isAnyLost()) {
-            steps.awaitAll(NOBODY);
+            steps.awaitAll(IGNORE_TIMES);
             hosts.recover();
             halo.forget();
             steps.allAnswered();
@@ -291,7 +291,7 @@ public final class RemoteWorld extends World {
     private void admit() throws IOException {
         boolean due = assignment.isDue(hosts.present());
         if (calls.isAnyLost() || hosts.isAnyOutside() || due) {
-            finish(NOBODY);
+            finish(IGNORE_TIMES);
         }
         boolean come = hosts.admit(host -> assignment.speed(hosts.present(), host));
         if (come && hosts.isAlone()) {

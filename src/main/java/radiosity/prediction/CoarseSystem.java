@@ -142,7 +142,7 @@ public final class CoarseSystem {
             return;
         }
         completeRows();
-        double[] shot = unshot(totals);
+        double[] shot = restrict(totals);
         double[] h = rows.direct(shot);
         parallel.run(nodes.patches(), p -> rebalance(nodes.patch(p), shot, unshot, h));
     }
@@ -290,29 +290,29 @@ public final class CoarseSystem {
      *
      * @param shots no two of the same patch; not modified
      */
-    public double[] unshot(List<Shot> shots) {
-        double[] unshot = new double[channels * nodes.nodes()];
-        parallel.run(shots.size(), i -> restrict(shots.get(i), unshot));
-        return unshot;
+    public double[] restrict(List<Shot> shots) {
+        double[] radiosity = new double[channels * nodes.nodes()];
+        parallel.run(shots.size(), i -> restrict(shots.get(i), radiosity));
+        return radiosity;
     }
 
-    private void restrict(Shot shot, double[] unshot) {
+    private void restrict(Shot shot, double[] radiosity) {
         for (PatchTree tree : shot.trees()) {
-            restrict(tree, 0, nodes.find(tree.face(), tree.path()), unshot);
+            restrict(tree, 0, nodes.find(tree.face(), tree.path()), radiosity);
         }
     }
 
-    private void restrict(PatchTree tree, int node, int coarse, double[] unshot) {
+    private void restrict(PatchTree tree, int node, int coarse, double[] radiosity) {
         if (!nodes.isElement(coarse)) {
             for (int k = 0; k < 4; k++) {
-                restrict(tree, tree.child()[node] + k, nodes.child(coarse) + k, unshot);
+                restrict(tree, tree.child()[node] + k, nodes.child(coarse) + k, radiosity);
             }
             return;
         }
         double[] mean = new double[channels];
         tree.addMean(node, 1, mean);
         for (int c = 0; c < channels; c++) {
-            unshot[channels * coarse + c] += mean[c];
+            radiosity[channels * coarse + c] += mean[c];
         }
     }
 }

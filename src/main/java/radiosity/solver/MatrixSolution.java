@@ -32,7 +32,7 @@ final class MatrixSolution implements Planner {
         if (!system.isMade()) {
             return order(Order.Kind.ROWS, system.importance());
         }
-        double[] h = system.irradiance(system.unshot(last.candidates), goOn);
+        double[] h = system.irradiance(system.restrict(last.candidates), goOn);
         return h == null ? null
                 : order(Order.Kind.SHOOT, system.with(last.candidates, h, false));
     }

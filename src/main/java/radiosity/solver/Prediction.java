@@ -242,7 +242,7 @@ final class Prediction implements Planner {
 
     /** Irradiance that all unshot flux is predicted to cause; null where {@code goOn} ends the calculation. */
     private double[] predict(BooleanSupplier goOn) throws IOException {
-        double[] unshot = coarse.unshot(world.joined(world.answer(MEANS).candidates));
+        double[] unshot = coarse.restrict(world.joined(world.answer(MEANS).candidates));
         if (stage != Stage.NOTHING) {
             coarse.rebalance(world.totals(), unshot);
         }

@@ -77,7 +77,7 @@ final class UnshotLimit {
      * @param totals radiosity that every patch has shot so far
      */
     boolean changesLittle(double[] h, List<Shot> totals) {
-        double[] radiosity = coarse.unshot(totals);
+        double[] radiosity = coarse.restrict(totals);
         Weights weights = new Weights(mesh.rooms, mesh.faces.channels(), weight);
         for (int c = 0; c < mesh.faces.channels(); c++) {
             CoarseSystem.Change change = coarse.change(h, radiosity, weights, c);

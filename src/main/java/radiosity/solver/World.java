@@ -93,7 +93,7 @@ public abstract class World implements Partitions, AutoCloseable {
     }
 
     /** Ignores the durations of steps. */
-    public static final StepTimes NOBODY = (shots, seconds) -> { };
+    public static final StepTimes IGNORE_TIMES = (shots, seconds) -> { };
 
     /** The pending answers of all partitions to an order; read by the caller who began the order alone. */
     public interface Begun {

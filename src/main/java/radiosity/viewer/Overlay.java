@@ -108,14 +108,14 @@ final class Overlay {
         Graphics2D g = graphics(image);
         int height = SCALE_HEIGHT - 5 * EDGE;
         for (int y = 0; y < height; y++) {
-            g.setColor(new Color(FalseColour.turbo(1 - y / (height - 1.0))));
+            g.setColor(new Color(TurboColourMap.turbo(1 - y / (height - 1.0))));
             g.drawLine(EDGE, 4 * EDGE + y, EDGE + BAR, 4 * EDGE + y);
         }
         g.setColor(INK);
         g.drawString(Units.raised(units.luminanceScale()), EDGE, 2 * EDGE + 2);
-        for (int decade = 0; decade <= FalseColour.DECADES; decade++) {
-            double value = FalseColour.top(toneMapping, units) * Math.pow(10, -decade);
-            int y = 4 * EDGE + (int) Math.round(decade * (height - 1.0) / FalseColour.DECADES);
+        for (int decade = 0; decade <= TurboColourMap.DECADES; decade++) {
+            double value = TurboColourMap.top(toneMapping, units) * Math.pow(10, -decade);
+            int y = 4 * EDGE + (int) Math.round(decade * (height - 1.0) / TurboColourMap.DECADES);
             g.drawString(String.format(Locale.ROOT, "%.3g", value), 2 * EDGE + BAR, y + 4);
         }
         g.dispose();

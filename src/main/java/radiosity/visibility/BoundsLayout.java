@@ -96,7 +96,7 @@ final class BoundsLayout {
                 density[i] = (density[i + 1] * area[i + 1] + density[tree.second[i]] * area[tree.second[i]]) / area[i];
             } else {
                 for (int k = tree.first[i]; k < tree.first[i] + tree.count[i]; k++) {
-                    density[i] += PackedTriangle.area(corners, 9 * tree.order[k]) / area[i];
+                    density[i] += PackedTriangle.doubleArea(corners, 9 * tree.order[k]) / area[i];
                 }
             }
         }

@@ -28,7 +28,7 @@ final class PackedTriangle {
     }
 
     /** Twice the area of a triangle, |a x b| of its edges a and b; its 9 coordinates begin at k. */
-    static float area(float[] corners, int k) {
+    static float doubleArea(float[] corners, int k) {
         double[] n = cross(edge(corners, k, 3), edge(corners, k, 6));
         return (float) length(n);
     }
@@ -134,7 +134,7 @@ final class PackedTriangle {
      * ray's end lies on the wall but for rounding; and a long triangle would hide what is seen from it at a small
      * angle.
      */
-    static boolean parts(float[] corners, int k, double[] origin, double[] direction) {
+    static boolean separates(float[] corners, int k, double[] origin, double[] direction) {
         double[] n = cross(edge(corners, k, 3), edge(corners, k, 6));
         double[] s = {origin[0] - corners[k], origin[1] - corners[k + 1], origin[2] - corners[k + 2]};
         double from = dot(n, s);

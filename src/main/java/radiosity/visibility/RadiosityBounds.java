@@ -199,7 +199,7 @@ public final class RadiosityBounds {
         double[] hit = new double[3];
         int k = 9 * PackedTriangle.number(data, at);
         if (!PackedTriangle.cuts(corners, k, origin, direction, hit)
-                || !PackedTriangle.parts(corners, k, origin, direction)) {
+                || !PackedTriangle.separates(corners, k, origin, direction)) {
             return false;
         }
         double length = Math.sqrt(PackedTriangle.dot(direction, direction));

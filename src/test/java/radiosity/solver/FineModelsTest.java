@@ -129,15 +129,15 @@ class FineModelsTest {
         List<Shot> importance = system.importance();
         Faces faces = world.mesh.faces;
         List<Shot> emitted = each(importance, (tree, i) -> faces.exitance(tree.face(), i % faces.channels()));
-        List<Shot> first = system.with(emitted, system.irradiance(system.unshot(emitted), () -> true), true);
+        List<Shot> first = system.with(emitted, system.irradiance(system.restrict(emitted), () -> true), true);
         List<Shot> other = each(first, (tree, i) -> {
             double e = faces.exitance(tree.face(), i % faces.channels());
             return e + (tree.radiosity()[i] - e) * (0.6 + 0.2 * (tree.face() % 5));
         });
-        system.rebalance(other, new double[system.unshot(emitted).length]);
-        double[] wanted = system.unshot(other);
-        double[] found = system.unshot(system.with(emitted, system.irradiance(system.unshot(emitted), () -> true), true));
-        double[] before = system.unshot(first);
+        system.rebalance(other, new double[system.restrict(emitted).length]);
+        double[] wanted = system.restrict(other);
+        double[] found = system.restrict(system.with(emitted, system.irradiance(system.restrict(emitted), () -> true), true));
+        double[] before = system.restrict(first);
         int changed = 0;
         for (int i = 0; i < wanted.length; i++) {
             assertEquals(wanted[i], found[i], 0.1 * wanted[i], "rows know means, equations corners");
@@ -150,7 +150,7 @@ class FineModelsTest {
     void changeByEvenLight_isAboveItsMean_whereSomeSurfacesReflectNone() throws IOException {
         LocalWorld world = new LocalWorld(ball(LAMP, DULL), settings(), 2);
         CoarseSystem system = withRows(world);
-        double[] dark = new double[system.unshot(List.of()).length];
+        double[] dark = new double[system.restrict(List.of()).length];
         double[] even = system.irradiance(dark, () -> true).clone();
         Arrays.fill(even, 1);
         Weights weights = new Weights(world.mesh.rooms, 3, new double[] {1, 1, 1});

@@ -40,7 +40,7 @@ class ProbeTest {
     @Test
     void scale_endsAtTheLuminanceThatIsRed() {
         ToneMapping tones = new ToneMapping(ToneMapping.Operator.REINHARD, .01);
-        assertEquals(400, FalseColour.top(tones, Units.UNKNOWN), 1e-9);
-        assertEquals(400 / Math.PI, FalseColour.top(tones, new Units(1, true)), 1e-9);
+        assertEquals(400, TurboColourMap.top(tones, Units.UNKNOWN), 1e-9);
+        assertEquals(400 / Math.PI, TurboColourMap.top(tones, new Units(1, true)), 1e-9);
     }
 }

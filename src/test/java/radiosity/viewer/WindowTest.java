@@ -218,11 +218,11 @@ class WindowTest {
         double[] b = window.probe(MIDDLE, SIZE * 2 / 5, "radiosity");
         window.tap("SPACE");
         double luminance = 0.2126 * b[0] + 0.7152 * b[1] + 0.0722 * b[2];
-        double x = 1 + Math.log10(luminance * Double.parseDouble(window.say("exposure")) / 4) / FalseColour.DECADES;
-        Color expected = new Color(FalseColour.turbo(x));
+        double x = 1 + Math.log10(luminance * Double.parseDouble(window.say("exposure")) / 4) / TurboColourMap.DECADES;
+        Color expected = new Color(TurboColourMap.turbo(x));
         BufferedImage image = window.shot("false");
         Color got = colour(image, MIDDLE, SIZE * 2 / 5);
-        Color blue = new Color(FalseColour.turbo(0));
+        Color blue = new Color(TurboColourMap.turbo(0));
         Color least = colour(image, SIZE - 100, 12 + 230);
         assertTrue(Math.abs(blue.getRed() - least.getRed()) + Math.abs(blue.getBlue() - least.getBlue()) < 40,
                 "the lower end of the scale: " + least);

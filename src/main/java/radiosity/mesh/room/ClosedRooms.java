@@ -75,7 +75,7 @@ public final class ClosedRooms {
         int[] insideOf = new int[n];
         for (int f = 0; f < n; f++) {
             if (shell[f] == f && isWall(f) && isClosed(f)) {
-                furnish(f, insideOf);
+                assignRoom(f, insideOf);
             }
             hidden[f] = shells.seesBacks[f] && IntStream.of(members.of(f))
                     .allMatch(g -> faces.isPiece(g) && buried.test(g));
@@ -181,7 +181,7 @@ public final class ClosedRooms {
      *
      * @param inside scratch, 1 per face: 0 before and after the call
      */
-    private void furnish(int wall, int[] inside) {
+    private void assignRoom(int wall, int[] inside) {
         int[] walls = members.of(wall);
         IntStream.Builder near = IntStream.builder();
         all.any(wall, -TOUCH, s -> {

@@ -4,7 +4,7 @@ import radiosity.output.image.ToneMapping;
 import radiosity.scene.Units;
 
 /** Logarithmic colour scale of luminance: the colour map of light.frag in Java, for the scale beside the picture. */
-final class FalseColour {
+final class TurboColourMap {
 
     /** Decades of luminance from blue to red. */
     static final int DECADES = 3;
@@ -14,7 +14,7 @@ final class FalseColour {
         {0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604},
         {0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973}};
 
-    private FalseColour() { }
+    private TurboColourMap() { }
 
     /** Luminance shown as red, W/m² or cd/m²; inversely proportional to the exposure. */
     static double top(ToneMapping toneMapping, Units units) {
