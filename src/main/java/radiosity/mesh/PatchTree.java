@@ -65,6 +65,23 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         return size;
     }
 
+    /**
+     * This tree cut off at a level below its face; every element gets its mean radiosity at all corners.
+     *
+     * @param level levels below the face; a tree with a deeper top keeps its top only
+     */
+    public PatchTree mean(int level) {
+        int[] levels = levels();
+        int channels = channels();
+        return of(face, path, 0, i -> levels[i] < level ? child[i] : -1, 3 * channels, (i, values, at) -> {
+            double[] mean = new double[channels];
+            addMean(i, 1, mean);
+            for (int k = 0; k < 3; k++) {
+                System.arraycopy(mean, 0, values, at + channels * k, channels);
+            }
+        });
+    }
+
     /** 1 per node: levels below the face. */
     int[] levels() {
         int[] levels = new int[child.length];

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import radiosity.formfactor.ShooterHierarchy;
-import radiosity.mesh.MeanTree;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.Patcher;
 import radiosity.mesh.PrunedTree;
@@ -52,7 +51,7 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
 
     /** The mean radiosities over the patches of {@code mesh}, or over elements that are larger than these. */
     public Shot mean(Patcher mesh) {
-        return new Shot(trees.stream().map(tree -> MeanTree.of(tree, mesh.level(tree.face()))).toList(), flux);
+        return new Shot(trees.stream().map(tree -> tree.mean(mesh.level(tree.face()))).toList(), flux);
     }
 
     int channels() {

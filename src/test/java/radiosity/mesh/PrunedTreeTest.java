@@ -59,7 +59,7 @@ class PrunedTreeTest {
         for (int[] child : new int[][] {full(), DEEP, FLAT}) {
             PatchTree tree = new PatchTree(0, NodePath.FACE, child, values(child.length, 3));
             for (int level = 0; level <= LEVELS + 1; level++) {
-                PatchTree means = MeanTree.of(tree, level);
+                PatchTree means = tree.mean(level);
                 assertArrayEquals(mean(tree), mean(means), 1e-9, "level " + level);
                 assertTrue(means.child().length <= (Math.pow(4, level + 1) - 1) / 3, "level " + level);
                 assertArrayEquals(level > LEVELS ? child : means.child(), means.child());
