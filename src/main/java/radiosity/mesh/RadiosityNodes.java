@@ -175,7 +175,7 @@ public final class RadiosityNodes {
     }
 
     /** Levels between a node and the patch of which it is a part. */
-    int depthBelowPatch(int node) {
+    public int depthBelowPatch(int node) {
         return tree.level(node) - patcher.level(face(node));
     }
 

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.formfactor.LightSources;
-import radiosity.mesh.AdaptiveMeshing;
 import radiosity.mesh.Block;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.RadiosityNodes;

@@ -6,7 +6,6 @@ import java.util.List;
 import radiosity.mesh.face.CutPoints;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.SceneBox;
-import radiosity.mesh.face.TriangleBoxes;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.PointNumbers;

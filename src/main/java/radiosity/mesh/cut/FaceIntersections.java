@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.stream.IntStream;
 import radiosity.mesh.face.CutPoints;
 import radiosity.mesh.face.Faces;
-import radiosity.mesh.face.TriangleBoxes;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.PointNumbers;

@@ -1,4 +1,4 @@
-package radiosity.mesh.face;
+package radiosity.mesh.cut;
 
 import java.util.stream.IntStream;
 import radiosity.scene.Scene;
@@ -6,7 +6,7 @@ import radiosity.scene.Vec3;
 import radiosity.util.BoxTree;
 
 /** Boxes around a scene's triangles along three axes: finds triangles that reach into a box and through a plane. */
-public final class TriangleBoxes {
+final class TriangleBoxes {
 
     private static final Vec3 X = new Vec3(1, 0, 0);
     private static final Vec3 Y = new Vec3(0, 1, 0);
@@ -40,7 +40,7 @@ public final class TriangleBoxes {
     }
 
     /** Boxes of all triangles, along the axes of the scene. */
-    public static TriangleBoxes upright(Scene scene) {
+    static TriangleBoxes upright(Scene scene) {
         return new TriangleBoxes(scene, IntStream.range(0, scene.triangles()).toArray(), Vec3.ZERO, X, Y, Z);
     }
 
@@ -49,13 +49,13 @@ public final class TriangleBoxes {
      *
      * @param triangles ascending; not modified, kept
      */
-    public static TriangleBoxes along(Scene scene, int[] triangles, Vec3 direction) {
+    static TriangleBoxes along(Scene scene, int[] triangles, Vec3 direction) {
         Vec3 least = Math.abs(direction.x()) < 0.5 ? X : Math.abs(direction.y()) < 0.5 ? Y : Z;
         Vec3 across = direction.cross(least).unit();
         return new TriangleBoxes(scene, triangles, scene.corner(0, 0), across, direction.cross(across), direction);
     }
 
-    public long looks() {
+    long looks() {
         return looks;
     }
 
@@ -66,7 +66,7 @@ public final class TriangleBoxes {
      * @param near distance from the box that still counts as inside, scene units
      * @return numbers of the triangles, ascending
      */
-    public int[] reaching(double[] box, int at, double near) {
+    int[] reaching(double[] box, int at, double near) {
         return found(around(box, at, near));
     }
 
@@ -76,7 +76,7 @@ public final class TriangleBoxes {
      * @param on    a point of the plane, scene units
      * @param above unit normal of the plane
      */
-    public int[] reaching(double[] box, int at, double near, Vec3 on, Vec3 above) {
+    int[] reaching(double[] box, int at, double near, Vec3 on, Vec3 above) {
         BoxTree.Region around = around(box, at, near);
         double[] slope = {above.dot(axes[0]), above.dot(axes[1]), above.dot(axes[2])};
         double level = on.minus(origin).dot(above);

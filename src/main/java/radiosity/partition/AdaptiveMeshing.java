@@ -1,27 +1,29 @@
-package radiosity.mesh;
+package radiosity.partition;
+
+import radiosity.mesh.RadiosityNodes;
 
 /**
  * Decides that an element is subdivided (section 2.5 of the paper) where the radiosities at its vertices differ by more
  * than a threshold.
  */
-public final class AdaptiveMeshing {
+final class AdaptiveMeshing {
 
     /** Most levels of an element below its patch: at a sharp shadow the difference never falls below the threshold. */
-    static final int DEEPEST = 4;
+    private static final int DEEPEST = 4;
 
     private final double threshold;
 
     /** @param threshold largest radiosity difference between vertices of an element, W/m²; infinite: no subdivision */
-    public AdaptiveMeshing(double threshold) {
+    AdaptiveMeshing(double threshold) {
         this.threshold = threshold;
     }
 
-    public boolean isOn() {
+    boolean isOn() {
         return threshold < Double.POSITIVE_INFINITY;
     }
 
     /** Whether a node is an element that is to be divided. Reads the light of this element only. */
-    public boolean wants(RadiosityNodes nodes, int node) {
+    boolean wants(RadiosityNodes nodes, int node) {
         return nodes.isElement(node) && nodes.depthBelowPatch(node) < DEEPEST && difference(nodes, node) > threshold;
     }
 
