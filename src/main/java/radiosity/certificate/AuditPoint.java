@@ -20,7 +20,10 @@ import radiosity.util.Hash;
 /** A point at which a solution is audited: the solution's light there, and the light gathered anew. */
 final class AuditPoint {
 
-    /** Number of times that light is gathered anew: the differences estimate the noise of the rays. */
+    /**
+     * Light is gathered anew a pair of times: half the sum of both is the light, half the difference estimates the
+     * noise of the rays. With any other number, means and noise would need other formulas.
+     */
     static final int TIMES = 2;
 
     final int face;
@@ -202,9 +205,7 @@ final class AuditPoint {
         for (int c = 0; c < first.length; c++) {
             first[c] += ambient.at(face, c);
         }
-        for (int i = 1; i < TIMES; i++) {
-            System.arraycopy(first, 0, to[i], 0, first.length);
-        }
+        System.arraycopy(first, 0, to[1], 0, first.length);
     }
 
     private void compare(LightSources lights) {
@@ -223,12 +224,12 @@ final class AuditPoint {
 
     /** Error of the solution's radiosity, W/m²; positive: too bright. */
     double error(int colour) {
-        return sum(colour, c -> reflectance[c] * (shown[c] - (corrected(0, c) + corrected(1, c)) / TIMES));
+        return sum(colour, c -> reflectance[c] * (shown[c] - (corrected(0, c) + corrected(1, c)) / 2));
     }
 
     /** Noise that the rays of the audit leave in {@link #error}, W/m²; the square of it estimates the variance. */
     double noise(int colour) {
-        return sum(colour, c -> reflectance[c] * (corrected(0, c) - corrected(1, c)) / TIMES);
+        return sum(colour, c -> reflectance[c] * (corrected(0, c) - corrected(1, c)) / 2);
     }
 
     /** Irradiance gathered anew, minus the part that is due to errors of surfaces near by, W/m². */
@@ -299,11 +300,11 @@ final class AuditPoint {
     }
 
     private static double mean(double[][] anew, int channel) {
-        return (anew[0][channel] + anew[1][channel]) / TIMES;
+        return (anew[0][channel] + anew[1][channel]) / 2;
     }
 
     private static double noise(double[][] anew, int channel) {
-        return (anew[0][channel] - anew[1][channel]) / TIMES;
+        return (anew[0][channel] - anew[1][channel]) / 2;
     }
 
     private double sum(int colour, IntToDoubleFunction value) {
