@@ -47,10 +47,6 @@ public final class ClosedRooms {
     private int count;
     private final boolean plain;
 
-    public ClosedRooms(Faces faces) {
-        this(faces, f -> false, new BitSet());
-    }
-
     /**
      * @param buried  whether every surface that is seen from a face shows its back
      * @param covered faces that other faces in the same place cover, which are in no room; not modified, kept

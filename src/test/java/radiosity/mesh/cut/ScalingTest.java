@@ -3,6 +3,7 @@ package radiosity.mesh.cut;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.BitSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -154,11 +155,15 @@ class ScalingTest {
         }
     }
 
+    private static ClosedRooms rooms(Scene scene) {
+        return new ClosedRooms(new Faces(scene), f -> false, new BitSet());
+    }
+
     @ParameterizedTest
     @EnumSource
     void roomsOfClosedBoxes(Boxes boxes) {
-        ClosedRooms few = new ClosedRooms(new Faces(boxes.scene(12)));
-        ClosedRooms many = new ClosedRooms(new Faces(boxes.scene(24)));
+        ClosedRooms few = rooms(boxes.scene(12));
+        ClosedRooms many = rooms(boxes.scene(24));
         assertEquals(boxes == Boxes.BESIDE_EACH_OTHER ? 1 : boxes.inward && boxes.apart > 0 ? 144 : 0, few.count());
         assertEquals(few.count() == 144 ? 576 : few.count(), many.count());
         assertScales(few.looks, many.looks);

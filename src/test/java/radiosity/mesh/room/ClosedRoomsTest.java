@@ -45,7 +45,11 @@ class ClosedRoomsTest {
     }
 
     private static ClosedRooms rooms(Scene scene) {
-        return new ClosedRooms(new Faces(scene));
+        return rooms(new Faces(scene));
+    }
+
+    private static ClosedRooms rooms(Faces faces) {
+        return new ClosedRooms(faces, f -> false, new BitSet());
     }
 
     @Test
@@ -101,7 +105,7 @@ class ClosedRoomsTest {
     @Test
     void thinWall_makesTwoRoomsOfOne() {
         Faces cut = DiscontinuityMesher.cut(new Faces(withWall(0.5, 0.504)));
-        ClosedRooms found = new ClosedRooms(cut);
+        ClosedRooms found = rooms(cut);
         assertEquals(2, found.count());
         for (int f = 0; f < cut.count(); f++) {
             double middle = cut.sceneCorner(f, 0).plus(cut.sceneCorner(f, 1)).plus(cut.sceneCorner(f, 2)).times(1 / 3.)
@@ -114,7 +118,7 @@ class ClosedRoomsTest {
 
     @Test
     void wallOfNoThickness_makesTwoRoomsOfOne() {
-        assertEquals(2, new ClosedRooms(DiscontinuityMesher.cut(new Faces(withWall(0.5, 0.5)))).count());
+        assertEquals(2, rooms(DiscontinuityMesher.cut(new Faces(withWall(0.5, 0.5)))).count());
     }
 
     private static int firstAt(Faces faces, double z) {
