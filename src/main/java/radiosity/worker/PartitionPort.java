@@ -33,6 +33,7 @@ public final class PartitionPort implements AutoCloseable {
 
     /** Name of the partition in the registry. */
     public static final String NAME = "Partition";
+    private static final String HERE = "localhost";
     private static final int LOOK_SECONDS = 2;
 
     /** Referred to from here, as the object would else be collected as garbage. */
@@ -97,16 +98,19 @@ public final class PartitionPort implements AutoCloseable {
     private static PartitionPort behind(Options options, RmiSockets sockets, ServedPartition served,
                                         ExportException taken, Consumer<String> log) throws IOException {
         SerialFilters.ofMaster();
-        Registry other = LocateRegistry.getRegistry("localhost", options.registryPort());
+        Registry other = LocateRegistry.getRegistry(HERE, options.registryPort());
         try {
             if (isServed(other)) {
                 throw taken;
             }
+            sockets.listen(options.partitionPort(), options.bind(), options.key());
+            return export(served, other, false, options.partitionPort(), log);
         } catch (RemoteException e) {
+            if (e instanceof ExportException) {
+                throw e;
+            }
             throw taken;
         }
-        sockets.listen(options.partitionPort(), options.bind(), options.key());
-        return export(served, other, false, options.partitionPort(), log);
     }
 
     /**
@@ -126,7 +130,17 @@ public final class PartitionPort implements AutoCloseable {
         return false;
     }
 
+    /** Asks at this machine first: the name in the stub is for others, and need not lead back from here. */
     private static boolean answers(RemoteObjectInvocationHandler handler) {
+        try {
+            HostStub.partition(HostStub.of(handler).at(HERE).handler()).greet();
+            return true;
+        } catch (IOException e) {
+            return answersThere(handler);
+        }
+    }
+
+    private static boolean answersThere(RemoteObjectInvocationHandler handler) {
         try {
             HostStub.partition(handler).greet();
             return true;

@@ -135,6 +135,33 @@ class LoopbackTest {
         }
     }
 
+    /** A name for others, behind a router that translates addresses, need not lead back to the machine itself. */
+    @Test
+    void takenPort_isRefused_whereTheNameOfItsServerLeadsElsewhere() throws IOException {
+        String property = "java.rmi.server.hostname";
+        String before = System.getProperty(property);
+        System.setProperty(property, "no-such-host.invalid");
+        int port = Small.freePort();
+        Registry registry = LocateRegistry.createRegistry(port);
+        try (PartitionPort own = Small.serve(null, 1); PartitionPort behind = behind(port)) {
+            assertNotEquals(port, behind.port());
+            for (int taken : List.of(own.port(), port)) {
+                assertThrows(ExportException.class, () -> behind(taken).close());
+            }
+        } finally {
+            UnicastRemoteObject.unexportObject(registry, true);
+            if (before == null) {
+                System.clearProperty(property);
+            } else {
+                System.setProperty(property, before);
+            }
+        }
+    }
+
+    private static PartitionPort behind(int registry) throws IOException {
+        return PartitionPort.open(new PartitionPort.Options(registry, 0, null, null, 1), line -> { });
+    }
+
     @Test
     void addresses_areReadAsTyped() {
         assertEquals(new HostAddress("igge", 1099), HostAddress.parse("igge"));
