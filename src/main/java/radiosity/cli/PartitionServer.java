@@ -56,10 +56,12 @@ public final class PartitionServer {
     private static PartitionPort open(PartitionPort.Options options) throws IOException {
         try {
             return PartitionPort.open(options, PartitionServer::print);
+        } catch (PartitionPort.KeyBehindRegistryException e) {
+            throw Failure.failed("-key", "expected a port without an rmiregistry, got " + options.registryPort()
+                    + ", where one runs");
         } catch (ExportException e) {
             throw Failure.failed("-port", "expected a port that is free or an rmiregistry's, got "
-                    + options.registryPort()
-                    + ", which is taken");
+                    + options.registryPort() + ", which is taken");
         }
     }
 

@@ -36,6 +36,15 @@ public final class PartitionPort implements AutoCloseable {
     private static final String HERE = "localhost";
     private static final int LOOK_SECONDS = 2;
 
+    /** The port with a key belongs to an {@code rmiregistry}: it has no key, so that masters with one cannot ask it. */
+    public static final class KeyBehindRegistryException extends ExportException {
+        private static final long serialVersionUID = 1;
+
+        KeyBehindRegistryException() {
+            super("a registry without a key has the port");
+        }
+    }
+
     /** Referred to from here, as the object would else be collected as garbage. */
     private final ServedPartition served;
     private final Registry registry;
@@ -79,6 +88,7 @@ public final class PartitionPort implements AutoCloseable {
      * Begins to serve masters.
      *
      * @param log receives one line for each master that comes or goes
+     * @throws KeyBehindRegistryException where there is a key, and the port belongs to a registry without one
      * @throws RemoteException where a port is in use by another program, or cannot be opened
      */
     public static PartitionPort open(Options options, Consumer<String> log) throws IOException {
@@ -102,6 +112,9 @@ public final class PartitionPort implements AutoCloseable {
         try {
             if (isServed(other)) {
                 throw taken;
+            }
+            if (options.key() != null) {
+                throw new KeyBehindRegistryException();
             }
             sockets.listen(options.partitionPort(), options.bind(), options.key());
             return export(served, other, false, options.partitionPort(), log);

@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.rmi.registry.LocateRegistry;
+import java.rmi.registry.Registry;
+import java.rmi.server.UnicastRemoteObject;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.BeforeAll;
@@ -92,5 +95,21 @@ class KeyTest {
         Path file = Files.writeString(directory.resolve("precious"), "mine");
         assertEquals(3, new ProcessBuilder("scripts/make-key", file.toString()).start().waitFor());
         assertEquals("mine", Files.readString(file));
+    }
+
+    /** A master with the key could not ask the registry, and one without it could not use the server. */
+    @Test
+    void serverWithAKey_isNotStartedBehindAnRmiregistry() throws Exception {
+        int port = Small.freePort();
+        Registry registry = LocateRegistry.createRegistry(port);
+        try {
+            Process server = Server.start("radiosity.cli.PartitionServer", "-port", "" + port, "-key",
+                    directory.resolve("a.key").toString());
+            String said = server.inputReader().readLine();
+            server.destroyForcibly();
+            assertEquals("-key: expected a port without an rmiregistry, got " + port + ", where one runs", said);
+        } finally {
+            UnicastRemoteObject.unexportObject(registry, true);
+        }
     }
 }
