@@ -3,10 +3,12 @@ package radiosity.cli;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
+import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.rmi.server.ExportException;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
+import java.util.Comparator;
 import java.util.concurrent.CountDownLatch;
 import radiosity.cli.options.CommandRun;
 import radiosity.cli.options.Failure;
@@ -75,10 +77,26 @@ public final class PartitionServer {
                 + (key == null ? "" : " -key " + options.key) + " foobar.lws foobar.scene";
     }
 
-    private static String name(InetAddress bind) {
+    /** The name or address by which others reach this machine, where the user gives no name. */
+    static String name(InetAddress bind) {
+        if (bind != null && !bind.isAnyLocalAddress()) {
+            return bind.getHostAddress();
+        }
         try {
-            return bind != null ? bind.getHostAddress() : InetAddress.getLocalHost().getHostName();
+            return InetAddress.getLocalHost().getHostName();
         } catch (UnknownHostException e) {
+            return address();
+        }
+    }
+
+    /** An address of this machine in a network, the first of those of version 4 if there are any; or localhost. */
+    static String address() {
+        try {
+            return NetworkInterface.networkInterfaces().flatMap(NetworkInterface::inetAddresses)
+                    .filter(address -> !address.isLoopbackAddress() && !address.isLinkLocalAddress())
+                    .min(Comparator.comparing(address -> address.getAddress().length))
+                    .map(InetAddress::getHostAddress).orElse("localhost");
+        } catch (SocketException e) {
             return "localhost";
         }
     }

@@ -33,8 +33,10 @@ public record HostAddress(String host, int port) {
         }
     }
 
+    /** The address as {@link #parse} reads it. */
     @Override
     public String toString() {
-        return port == DEFAULT_PORT ? host : host + ":" + port;
+        String bracketed = host.indexOf(':') < 0 ? host : "[" + host + "]";
+        return port == DEFAULT_PORT ? host : bracketed + ":" + port;
     }
 }

@@ -168,6 +168,9 @@ class LoopbackTest {
         assertEquals(new HostAddress("igge", 4000), HostAddress.parse("igge:4000"));
         assertEquals(new HostAddress("fe80::1", 1099), HostAddress.parse("fe80::1"));
         assertEquals(new HostAddress("fe80::1", 4000), HostAddress.parse("[fe80::1]:4000"));
+        for (String same : List.of("igge", "igge:4000", "fe80::1", "[fe80::1]:4000")) {
+            assertEquals(same, HostAddress.parse(same).toString());
+        }
         List<String> refused = new ArrayList<>();
         for (String wrong : List.of("", "igge:", "igge:0", "igge:70000", ":4000")) {
             refused.add(assertThrows(IllegalArgumentException.class, () -> HostAddress.parse(wrong)).getMessage());

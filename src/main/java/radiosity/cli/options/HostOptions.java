@@ -15,7 +15,8 @@ public final class HostOptions {
 
     @Option(names = {"-h", "--hosts"}, paramLabel = "<n> <h1> .. <hn>", arity = "1..*", hideParamSyntax = true,
             parameterConsumer = HostsConsumer.class,
-            description = "Hosts to use in distributed mode: their number, then host or host:port of each.")
+            description = "Hosts to use in distributed mode: their number, then host or host:port of each;"
+                    + " an IPv6 address with a port in brackets: [address]:port.")
     public List<HostAddress> hosts;
 
     @Option(names = {"-key", "--key"}, paramLabel = "<file>",
