@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.rmi.Remote;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.registry.Registry;
 import java.rmi.server.ExportException;
@@ -76,6 +77,26 @@ class LoopbackTest {
         }
         assertEquals(List.of("host localhost:" + nobody + ": no answer on port " + nobody
                 + " (is PartitionServer running there?); starting without it"), notices);
+    }
+
+    /** A firewall that knows of one port only closes the way behind an rmiregistry. */
+    @Test
+    void hostThatTheRegistryNamesInVain_isNamedWithBothPorts() throws Exception {
+        int port = Small.freePort();
+        Registry registry = LocateRegistry.createRegistry(port);
+        try {
+            PartitionPort gone = PartitionPort.open(
+                    new PartitionPort.Options(port, Small.freePort(), null, null, 1), line -> { });
+            Remote stub = registry.lookup(PartitionPort.NAME);
+            gone.close();
+            registry.rebind(PartitionPort.NAME, stub);
+            assertThrows(NoWorkerException.class, () -> new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
+                    List.of(new HostAddress("localhost", port)), null, 1, notices::add));
+            assertEquals(List.of("host localhost:" + port + ": no answer on port " + gone.port()
+                    + ", which the registry on port " + port + " names; starting without it"), notices);
+        } finally {
+            UnicastRemoteObject.unexportObject(registry, true);
+        }
     }
 
     @Test

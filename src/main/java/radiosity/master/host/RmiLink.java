@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.NotSerializableException;
 import java.net.UnknownHostException;
 import java.rmi.ConnectException;
+import java.rmi.ConnectIOException;
 import java.rmi.NotBoundException;
 import java.rmi.RemoteException;
 import java.rmi.registry.LocateRegistry;
@@ -13,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.net.ssl.SSLException;
 import radiosity.rmi.HostAddress;
+import radiosity.rmi.HostFailure;
 import radiosity.rmi.HostKey;
 import radiosity.rmi.HostStub;
 import radiosity.rmi.RemotePartition;
@@ -63,11 +65,27 @@ public final class RmiLink implements Link {
             HostStub stub = HostStub.of(handler).at(address.host());
             partition = new HostAddress(address.host(), stub.port());
             sockets.use(partition, key);
-            return HostStub.partition(stub.handler());
+            RemotePartition remote = HostStub.partition(stub.handler());
+            if (!partition.equals(address)) {
+                greet(remote);
+            }
+            return remote;
         } catch (NotBoundException | NotSerializableException e) {
             throw new IOException("no PartitionServer behind the registry on port " + address.port(), e);
         } catch (RemoteException e) {
             throw new IOException(why(e), e);
+        }
+    }
+
+    /** Tries whether a partition answers that has another port than the registry, which a firewall may close. */
+    private void greet(RemotePartition remote) throws IOException {
+        try {
+            remote.greet();
+        } catch (ConnectException | ConnectIOException e) {
+            throw new IOException("no answer on port " + partition.port() + ", which the registry on port "
+                    + address.port() + " names", e);
+        } catch (RemoteException e) {
+            throw new IOException(HostFailure.words(e), e);
         }
     }
 
