@@ -1,5 +1,6 @@
 package radiosity.bench;
 
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
@@ -9,6 +10,7 @@ import java.rmi.registry.LocateRegistry;
 import java.rmi.registry.Registry;
 import java.rmi.server.UnicastRemoteObject;
 import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 import radiosity.protocol.Answer;
 import radiosity.protocol.BlockWork;
@@ -19,6 +21,7 @@ import radiosity.protocol.Wire;
 import radiosity.rmi.RemotePartition;
 import radiosity.rmi.SerialFilters;
 import radiosity.setup.InitialMesh;
+import radiosity.util.Pieces;
 import radiosity.worker.PartitionPort;
 import radiosity.worker.ServedPartition;
 
@@ -48,7 +51,7 @@ final class IdealHost {
         Registry registry = LocateRegistry.createRegistry(port);
         InvocationHandler handler = (proxy, method, values) -> {
             if (method.getName().equals("round")) {
-                return host.round((long) values[0], (long) values[1], (byte[]) values[2]);
+                return host.round((long) values[0], (long) values[1], (byte[][]) values[2]);
             }
             if (method.getName().equals("send") && host.mesh == null) {
                 SceneBytes.Task task = SceneBytes.read(Wire.input((byte[]) values[1]));
@@ -69,16 +72,16 @@ final class IdealHost {
     }
 
     /** The first question is answered truly; candidates of that answer serve in turn for all rounds. */
-    private synchronized byte[] round(long session, long number, byte[] bytes)
+    private synchronized byte[] round(long session, long number, byte[][] pieces)
             throws IOException, InterruptedException {
         while (number > done + 1) {
             wait();
         }
         done = number;
         notifyAll();
-        Order order = Order.decode(bytes);
+        Order order = Order.decode(new DataInputStream(Pieces.open(List.of(pieces))));
         if (first == null) {
-            byte[] answer = real.round(session, number, bytes);
+            byte[] answer = real.round(session, number, pieces);
             first = Reply.decode(answer);
             return answer;
         }

@@ -16,6 +16,8 @@ public interface RemotePartition extends Remote {
 
     /** Largest number of rounds that a master has in flight; a host keeps as many replies, see {@link #round}. */
     int MOST_IN_FLIGHT = 4;
+    /** Largest number of bytes of an array: memory for an array is allocated before its bytes arrive. */
+    int MOST_PIECE_BYTES = 1 << 20;
 
     /** The host's {@code Greeting}, as bytes; also ends a session whose master has been silent for a while. */
     byte[] greet() throws RemoteException;
@@ -58,11 +60,11 @@ public interface RemotePartition extends Remote {
      * Carries out an order on the blocks that the host owns. A call that repeats a number gets the same reply again.
      *
      * @param number 1, 2, ... in a session; orders that change elements and orders that only ask are counted alike
-     * @param order  an order for {@code Partition.round}, then the ghost values for this host, if there are any, see
-     *               {@code GhostVertices}
+     * @param order  in pieces of at most {@link #MOST_PIECE_BYTES} bytes: an order for {@code Partition.round}, then
+     *               the ghost values for this host, if there are any, see {@code GhostVertices}
      * @return a {@code Reply}
      */
-    byte[] round(long session, long number, byte[] order) throws RemoteException;
+    byte[] round(long session, long number, byte[][] order) throws RemoteException;
 
     /**
      * The states of blocks.

@@ -12,8 +12,10 @@ public final class SerialFilters {
     /** Limits of a call to a host: depth and number of objects, and bytes besides the largest array. */
     private static final int DEPTH = 2;
     private static final int REFERENCES = 8;
+    /** Largest number of pieces of a message to a host: as many as an array of bytes can be cut into. */
+    private static final int MOST_PIECES = 1 + Integer.MAX_VALUE / RemotePartition.MOST_PIECE_BYTES;
     private static final int STREAM_BYTES = 4096;
-    /** Largest number of entries of an array: arrays of messages share the memory with the elements of the world. */
+    /** Largest number of bytes of a message: messages share the memory with the elements of the world. */
     private static final long MOST_BYTES = Math.max(16L << 20, Runtime.getRuntime().maxMemory() / 8);
 
     /** Classes that the JDK itself sends in a call. */
@@ -33,15 +35,22 @@ public final class SerialFilters {
 
     private SerialFilters() { }
 
-    /** The filter of a host's exported partition: arrays of bytes are allowed, and nothing else. */
+    /**
+     * The filter of a host's exported partition: arrays of bytes and lists of such arrays are allowed, and nothing
+     * else. The arrays are small, as anybody can announce one, whose memory is allocated, and send no more.
+     */
     public static ObjectInputFilter.Status ofHost(ObjectInputFilter.FilterInfo info) {
-        if (info.depth() > DEPTH || info.references() > REFERENCES || info.arrayLength() > MOST_BYTES
+        if (info.depth() > DEPTH || info.references() > REFERENCES + MOST_PIECES
                 || info.streamBytes() > MOST_BYTES + STREAM_BYTES) {
             return ObjectInputFilter.Status.REJECTED;
         }
         Class<?> type = info.serialClass();
-        return type == null ? ObjectInputFilter.Status.UNDECIDED
-                : type == byte[].class ? ObjectInputFilter.Status.ALLOWED : ObjectInputFilter.Status.REJECTED;
+        if (type == null) {
+            return ObjectInputFilter.Status.UNDECIDED;
+        }
+        boolean fits = type == byte[].class && info.arrayLength() <= RemotePartition.MOST_PIECE_BYTES
+                || type == byte[][].class && info.arrayLength() <= MOST_PIECES;
+        return fits ? ObjectInputFilter.Status.ALLOWED : ObjectInputFilter.Status.REJECTED;
     }
 
     /** Sets the master's filter for its whole process, unless there is a filter: hosts are not trusted either. */

@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.SequenceInputStream;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 
@@ -17,12 +18,25 @@ public final class Pieces {
         return pieces.stream().mapToLong(piece -> piece.length).sum();
     }
 
+    /** Cuts an array into pieces of at most {@code most} bytes; an array that is no longer is its own only piece. */
+    public static byte[][] cut(byte[] bytes, int most) {
+        byte[][] pieces = new byte[Math.max(1, (int) ((bytes.length + most - 1L) / most))][];
+        for (int i = 0; i < pieces.length; i++) {
+            pieces[i] = pieces.length == 1 ? bytes
+                    : Arrays.copyOfRange(bytes, i * most, (int) Math.min(bytes.length, (i + 1L) * most));
+        }
+        return pieces;
+    }
+
     /**
      * A stream over all bytes; {@code available} returns the number of bytes left, at most {@link Integer#MAX_VALUE}.
      *
      * @param pieces not copied; must not be modified while the stream is in use
      */
     public static InputStream open(List<byte[]> pieces) {
+        if (pieces.size() == 1) {
+            return new ByteArrayInputStream(pieces.get(0));
+        }
         return new SequenceInputStream(Collections.enumeration(
                 pieces.stream().<InputStream>map(ByteArrayInputStream::new).toList())) {
 

@@ -15,7 +15,6 @@ import radiosity.protocol.BlockTakeover;
 import radiosity.protocol.BlockWork;
 import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
-import radiosity.protocol.Wire;
 import radiosity.setup.InitialMesh;
 import radiosity.util.ParallelFor;
 
@@ -110,9 +109,8 @@ final class HostedBlocks {
         totals.set(shot);
     }
 
-    /** Carries out an order, which is followed in {@code bytes} by the ghost values for this host, if any. */
-    byte[] round(byte[] bytes) throws IOException {
-        DataInputStream in = Wire.input(bytes);
+    /** Carries out an order, which is followed in the stream by the ghost values for this host, if any. */
+    byte[] round(DataInputStream in) throws IOException {
         Order order = Order.decode(in);
         if (in.available() > 0 && partition.takeGhosts(in)) {
             withoutGhosts.clear();

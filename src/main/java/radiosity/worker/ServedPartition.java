@@ -207,7 +207,7 @@ public final class ServedPartition implements RemotePartition {
     }
 
     @Override
-    public byte[] round(long id, long number, byte[] order) throws SessionEndedException {
+    public byte[] round(long id, long number, byte[][] order) throws SessionEndedException {
         return inSession(id, session -> {
             awaitTurn(session, number);
             if (number > session.number) {
@@ -247,10 +247,10 @@ public final class ServedPartition implements RemotePartition {
                 ? system.getProcessCpuTime() * 1e-9 : 0;
     }
 
-    private byte[] round(HostedBlocks blocks, byte[] order) throws IOException {
+    private byte[] round(HostedBlocks blocks, byte[][] order) throws IOException {
         long begin = System.nanoTime();
         double cpu = processorSeconds();
-        byte[] answer = blocks.round(order);
+        byte[] answer = blocks.round(new DataInputStream(Pieces.open(List.of(order))));
         double spent = processorSeconds() - cpu;
         return new Reply(answer, spent, (System.nanoTime() - begin) * 1e-9, blocks.work(spent), blocks.given())
                 .encode();

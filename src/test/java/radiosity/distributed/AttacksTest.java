@@ -1,6 +1,7 @@
 package radiosity.distributed;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -27,6 +28,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,13 +36,17 @@ import radiosity.master.RemoteWorld;
 import radiosity.master.host.NoWorkerException;
 import radiosity.rmi.HostAddress;
 import radiosity.rmi.RemotePartition;
+import radiosity.rmi.SessionEndedException;
 import radiosity.settings.Schedule;
+import radiosity.util.Pieces;
 import radiosity.worker.PartitionPort;
 
 /**
  * What a stranger may send to a host, and a false host to its master: nothing is made of it, and honest calls go on.
  */
 class AttacksTest {
+
+    private static final int MOST_PIECE = 1 << 20;
 
     private static PartitionPort host;
     private static RawCall caller;
@@ -73,7 +79,7 @@ class AttacksTest {
         }
         Remote stub = LocateRegistry.getRegistry("localhost", host.port()).lookup("Partition");
         return Stream.of(new Gadget(), new ArrayList<>(List.of(new Gadget())), new HashMap<>(Map.of("k", new Gadget())),
-                deep, 4711, new int[] {1}, new byte[][] {{1}}, Thread.State.NEW, String.class,
+                deep, 4711, new int[] {1}, new byte[][][] {{{1}}}, Thread.State.NEW, String.class,
                 new Exception("no bytes"), stub,
                 Proxy.newProxyInstance(Gadget.class.getClassLoader(), new Class<?>[] {Comparable.class},
                         (InvocationHandler) stub));
@@ -104,10 +110,32 @@ class AttacksTest {
     @Test
     void wrongSession_isRefused() throws Exception {
         RemotePartition honest = caller.honest();
-        assertThrows(RemoteException.class, () -> honest.round(1, 1, new byte[0]));
+        assertThrows(RemoteException.class, () -> honest.round(1, 1, new byte[1][0]));
         assertThrows(RemoteException.class, () -> honest.send(1, new byte[1]));
         assertThrows(RemoteException.class, () -> honest.blocks(1, new byte[4]));
         assertServes();
+    }
+
+    /** Memory for an array is allocated before its bytes come, and a caller need not send them. */
+    @Test
+    void largeArray_isRefusedBeforeItsBytesCome() throws Exception {
+        byte[] large = new byte[MOST_PIECE + 1];
+        RemotePartition honest = caller.honest();
+        for (Executable call : List.<Executable>of(() -> honest.send(1, large),
+                () -> honest.round(1, 1, new byte[][] {{1}, large}))) {
+            RemoteException refused = assertThrows(RemoteException.class, call);
+            assertFalse(refused.getCause() instanceof SessionEndedException, refused::toString);
+        }
+        assertServes();
+    }
+
+    /** An order of many megabytes: what has come of it is all that a host has memory for. */
+    @Test
+    void largeOrderInPieces_isNotRefusedForItsSize() throws Exception {
+        RemotePartition honest = caller.honest();
+        RemoteException refused = assertThrows(RemoteException.class,
+                () -> honest.round(1, 1, Pieces.cut(new byte[9 * MOST_PIECE + 1], MOST_PIECE)));
+        assertTrue(refused.getCause() instanceof SessionEndedException, refused::toString);
     }
 
     /** Counts that promise more than comes: nothing is allocated for them. */
@@ -121,7 +149,7 @@ class AttacksTest {
             java.util.Arrays.fill(message, bytes, bytes + 4, (byte) 0x7F);
             honest.send(7, message);
             assertThrows(Exception.class, () -> honest.mesh(7));
-            assertThrows(Exception.class, () -> honest.round(7, 1, message));
+            assertThrows(Exception.class, () -> honest.round(7, 1, new byte[][] {message}));
         } finally {
             honest.close(7);
         }

@@ -47,7 +47,7 @@ class EstimateOnHostsTest {
             link.behind = (RemotePartition) Proxy.newProxyInstance(getClass().getClassLoader(),
                     new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
                         if (method.getName().equals("round")
-                                && ((byte[]) arguments[2])[0] == Order.Kind.GATHER_AT.ordinal()) {
+                                && ((byte[][]) arguments[2])[0][0] == Order.Kind.GATHER_AT.ordinal()) {
                             orders.incrementAndGet();
                         }
                         try {

@@ -129,7 +129,7 @@ class GhostVerticesTest {
         link.behind = (RemotePartition) Proxy.newProxyInstance(Link.class.getClassLoader(),
                 new Class<?>[] {RemotePartition.class}, (proxy, method, arguments) -> {
                     Object result = method.invoke(behind, arguments);
-                    return method.getName().equals("round") ? change.apply(Order.decode((byte[]) arguments[2]),
+                    return method.getName().equals("round") ? change.apply(Order.decode(((byte[][]) arguments[2])[0]),
                             Reply.decode((byte[]) result)).encode() : result;
                 });
         return link;

@@ -16,6 +16,7 @@ import radiosity.master.host.Link;
 import radiosity.partition.BlockCosts;
 import radiosity.protocol.Reply;
 import radiosity.rmi.RemotePartition;
+import radiosity.util.Pieces;
 
 /**
  * A clock of many hosts of which each is alone on its machine, and of a master on another one, for hosts in this
@@ -183,7 +184,8 @@ public final class LogicalClock {
     private static long size(Object[] values) {
         long size = 0;
         for (Object value : values == null ? new Object[0] : values) {
-            size += value instanceof byte[] array ? array.length : 0;
+            size += value instanceof byte[] array ? array.length
+                    : value instanceof byte[][] pieces ? Pieces.length(List.of(pieces)) : 0;
         }
         return size;
     }

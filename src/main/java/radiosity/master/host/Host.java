@@ -26,6 +26,7 @@ import radiosity.rmi.HostFailure;
 import radiosity.rmi.HostLostException;
 import radiosity.rmi.RemotePartition;
 import radiosity.rmi.RetryPolicy;
+import radiosity.util.Pieces;
 import radiosity.worker.ShotHistory;
 
 /**
@@ -40,7 +41,7 @@ public final class Host implements AutoCloseable {
     private static final long HEARTBEAT_MILLISECONDS = 1000;
     /** Time between two looks at a call's result and the host's silence. */
     private static final long LOOK_MILLISECONDS = 100;
-    private static final int PART_BYTES = 1 << 20;
+    private static final int PART_BYTES = RemotePartition.MOST_PIECE_BYTES;
     /** Daemon threads, so that a call that hangs does not keep the program from ending. */
     static final ExecutorService CALLS = Executors.newCachedThreadPool(work -> {
         Thread thread = new Thread(work, "host");
@@ -180,7 +181,8 @@ public final class Host implements AutoCloseable {
 
     /** Has the host carry out an order; repeats the call where the connection breaks. */
     public Reply round(long number, byte[] order) throws IOException {
-        byte[] bytes = RetryPolicy.repeat(() -> remote.round(session, number, order));
+        byte[][] pieces = Pieces.cut(order, PART_BYTES);
+        byte[] bytes = RetryPolicy.repeat(() -> remote.round(session, number, pieces));
         load.bytes.addAndGet((long) order.length + bytes.length);
         return Reply.decode(bytes);
     }
