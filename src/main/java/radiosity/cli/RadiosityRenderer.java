@@ -161,7 +161,7 @@ public final class RadiosityRenderer {
                 ending.begin(Optional.of(claim.journal()));
             }, RenderJob.Aims.of(options.calculation.aims(settings)), Optional.of(journal), () -> !stop.made());
             user.phase("writing " + options.output().getFileName());
-            saved = failures.tried(() -> files.saveScene(result.solution(), settings, result.certificate()));
+            saved = failures.tried(() -> save(result, settings, journal));
         }
         Summary summary = write(result, Optional.empty(), saved, failures);
         journal.delete();
@@ -170,6 +170,15 @@ public final class RadiosityRenderer {
                     + " goes on");
         }
         finish(result, summary);
+    }
+
+    /** Writes the scene file; where that fails, the journal, and the failure says whether the work is kept. */
+    private void save(RenderResult result, RadiositySettings settings, Journal journal) throws IOException {
+        try {
+            files.saveScene(result.solution(), settings, result.certificate());
+        } catch (Failure e) {
+            throw e.and(journal.keepResult(result.solution().state()));
+        }
     }
 
     /** A file as a shell takes it in one word. */

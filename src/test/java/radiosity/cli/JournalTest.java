@@ -107,6 +107,17 @@ class JournalTest {
         assertTrue(Files.exists(file()));
     }
 
+    @Test
+    void resultThatCannotBeWritten_isKeptInTheJournal_ifThatCanBeWritten() throws IOException {
+        Journal journal = new Journal(claim(), RadiositySettings.defaults().toString(), line -> { }, () -> 0);
+        SavedState state = SavedState.of(List.of(new byte[10]));
+        Path obstacle = Files.createDirectories(file().resolve("obstacle"));
+        assertEquals("nothing was kept", journal.keepResult(state));
+        Files.delete(obstacle);
+        Files.delete(file());
+        assertEquals("the same command goes on from " + file(), journal.keepResult(state));
+    }
+
     @AfterEach
     void endClaim() throws IOException {
         claim.close();

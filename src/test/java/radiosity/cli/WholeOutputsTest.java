@@ -244,9 +244,25 @@ class WholeOutputsTest {
         String printed = Files.readString(program.file("printed"));
         for (String name : Output.names()) {
             String named = name.equals(Output.LIGHTMAP.file) ? Output.MODEL.file : name;
-            assertTrue(printed.contains("full/" + named + ": expected to be written, got No space left on device\n"),
-                    printed);
+            String kept = name.equals(Output.SCENE.file) ? "; nothing was kept" : "";
+            assertTrue(printed.contains("full/" + named + ": expected to be written, got No space left on device"
+                    + kept + "\n"), printed);
         }
+    }
+
+    /** The scene file needs more space than the journal, so that there is enough for the journal only. */
+    @Test
+    void almostFullDisk_keepsTheJournal_fromWhichTheSameCommandGoesOn() throws Exception {
+        String script = mounted() + "rm full/*; cat /dev/zero >full/filler 2>/dev/null; truncate -s -%d full/filler;"
+                + " \"$@\" >printed 2>&1; code=$?; rm full/filler; \"$@\" >again 2>&1; exit $code";
+        String command = "-q -pa 20000 -it 5 foobar.lws ";
+        assertEquals(ExitCode.DONE, ended(command + "outputs/foobar.scene"));
+        long most = Files.size(outputs.resolve("foobar.scene")) / 4096 * 4096;
+        assertEquals(ExitCode.FILE, inNamespace(script.formatted(most), command + "full/foobar.scene"));
+        String printed = Files.readString(program.file("printed"));
+        assertTrue(printed.contains("; the same command goes on from full/foobar.scene.journal\n"), printed);
+        String again = Files.readString(program.file("again"));
+        assertTrue(again.contains("full/foobar.scene.journal: going on after 5 shots"), again);
     }
 
     /** A read-only one is mounted over it while the render is held up; saving may take as long as it likes. */

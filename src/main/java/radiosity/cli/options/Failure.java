@@ -64,6 +64,11 @@ public final class Failure extends RuntimeException {
         return new Failure(ErrorReport.exitCode(failures.get(0)), lines, failures.get(0));
     }
 
+    /** This failure with more at the end of its line. */
+    public Failure and(String more) {
+        return new Failure(exitCode, getMessage() + "; " + more, getCause());
+    }
+
     public int exitCode() {
         return exitCode;
     }

@@ -43,6 +43,8 @@ public final class Journal {
     private final LongSupplier clock;
     private long last;
     private boolean failed;
+    /** Whether the file is a journal of this render. */
+    private boolean kept;
 
     /**
      * @param claim    to the journal's file; must be held while the journal is in use
@@ -74,6 +76,7 @@ public final class Journal {
         }
         try {
             radiosity.resume(read());
+            kept = true;
             notices.accept(file + ": going on after " + radiosity.shots() + " shots of a render that was cut off");
             return true;
         } catch (SceneFormatException e) {
@@ -150,6 +153,7 @@ public final class Journal {
             SavedState state = source.state();
             try {
                 write(state);
+                kept = true;
             } catch (IOException e) {
                 warn(ErrorReport.reason(e));
             }
@@ -158,6 +162,12 @@ public final class Journal {
         }
         last = clock.getAsLong();
         cost = Math.max(LEAST_COST, last - begin);
+    }
+
+    /** Writes the final state, whose scene file could not be written; returns for the user what is kept of the work. */
+    public String keepResult(SavedState state) throws IOException {
+        keepNow(() -> state);
+        return kept ? "the same command goes on from " + file : "nothing was kept";
     }
 
     private void warn(String got) {
