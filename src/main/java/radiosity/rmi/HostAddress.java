@@ -33,6 +33,11 @@ public record HostAddress(String host, int port) {
         }
     }
 
+    /** Whether this is the same host name, in capitals or not, and port. */
+    public boolean isSame(HostAddress other) {
+        return host.equalsIgnoreCase(other.host) && port == other.port;
+    }
+
     /** The address as {@link #parse} reads it. */
     @Override
     public String toString() {

@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.security.SecureRandom;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
@@ -43,6 +44,7 @@ public final class ServedPartition implements RemotePartition {
     /** Time between two checks whether the session of a waiting call has ended. */
     private static final int LOOK_MILLISECONDS = 200;
 
+    private final long server = new SecureRandom().nextLong();
     private final int threads;
     private final Consumer<String> log;
     private final LongSupplier clock;
@@ -88,7 +90,7 @@ public final class ServedPartition implements RemotePartition {
     public synchronized byte[] greet() {
         expire(TAKEOVER_SECONDS);
         String busy = current == null ? "" : "busy for " + current.master + " since " + current.since;
-        return new Greeting(Build.version(), Build.id(), threads, busy).encode();
+        return new Greeting(Build.version(), Build.id(), threads, busy, server).encode();
     }
 
     @Override

@@ -113,6 +113,7 @@ class CommandLineTest {
             -h 2 a b c             | files: expected a scene to read and a scene file to write, got c; hosts are a, b
             -h 2 a -q b c          | -h: expected the names of 2 hosts, got 1 before -q
             -h 1 a -h 1 b c d      | -h: expected once, got twice
+            -h 2 igge IGGE a b     | -h: expected every host once, got IGGE twice
             -q -q a b              | -q: expected once, got twice
             -q=3 a b               | -q: expected no value, got 3
             --schedule x a b       | --schedule: expected predict, paper, shooting, gathering or matrix, got x

@@ -124,6 +124,20 @@ class LoopbackTest {
     }
 
     @Test
+    void hostWithTwoNames_isUsedOnce_andNamed() throws IOException {
+        try (PartitionPort a = Small.serve(null, 1);
+                RemoteWorld world = new RemoteWorld(Small.SCENE, Small.settings(Schedule.PAPER),
+                        List.of(new HostAddress("localhost", a.port()), new HostAddress("127.0.0.1", a.port())), null,
+                        1, notices::add)) {
+            ColouredRoom.assertSame(Small.local(Schedule.PAPER), Small.solve(world));
+        }
+        String name = "(localhost|127.0.0.1):\\d+";
+        assertEquals(1, notices.size(), notices::toString);
+        assertTrue(notices.get(0).matches("host " + name + " is " + name + ", which is used already"),
+                notices::toString);
+    }
+
+    @Test
     void hostServes_anyNumberOfRenders() throws IOException {
         Solution local = Small.local(Schedule.PREDICT);
         try (PartitionPort a = Small.serve(null, 1)) {

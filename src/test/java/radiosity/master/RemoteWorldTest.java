@@ -176,7 +176,7 @@ class RemoteWorldTest {
     @Test
     void otherVersion_isRefused_withOneLine() {
         TestLink other = new TestLink("igge", 1, r -> false);
-        byte[] greeting = new Greeting("0.9", "another", 1, "").encode();
+        byte[] greeting = new Greeting("0.9", "another", 1, "", 1).encode();
         RemotePartition real = other.behind;
         other.behind = (RemotePartition) java.lang.reflect.Proxy.newProxyInstance(Link.class.getClassLoader(),
                 new Class<?>[] {RemotePartition.class},

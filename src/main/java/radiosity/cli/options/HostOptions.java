@@ -46,7 +46,7 @@ public final class HostOptions {
         private static void add(List<HostAddress> hosts, String text, ArgSpec option) {
             try {
                 HostAddress host = HostAddress.parse(text);
-                if (hosts.contains(host)) {
+                if (hosts.stream().anyMatch(host::isSame)) {
                     throw Arguments.wrong(option, "expected every host once, got " + text + " twice");
                 }
                 hosts.add(host);

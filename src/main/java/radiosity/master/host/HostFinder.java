@@ -3,8 +3,10 @@ package radiosity.master.host;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -34,6 +36,8 @@ public final class HostFinder implements AutoCloseable {
     private final String master = System.getProperty("user.name", "somebody");
     private final Queue<Link> missing = new ConcurrentLinkedQueue<>();
     private final Queue<Host> arrived = new ConcurrentLinkedQueue<>();
+    /** The link by which each server was found first, by {@link Greeting#server}. */
+    private final Map<Long, Link> servers = new ConcurrentHashMap<>();
     private volatile boolean closed;
 
     /** @param task scene and settings, as {@link SceneBytes} writes them */
@@ -43,7 +47,7 @@ public final class HostFinder implements AutoCloseable {
         this.notices = notices;
     }
 
-    /** A host cannot be used at all, as it runs another version of the program. */
+    /** A host cannot be used at all, as it runs another version of the program or is used by another name. */
     private static final class RefusedException extends IOException {
         private static final long serialVersionUID = 1;
 
@@ -143,10 +147,14 @@ public final class HostFinder implements AutoCloseable {
         return null;
     }
 
-    /** The host's greeting; with {@code patient} waits for some seconds until the host is free. */
-    private static Greeting greeting(RemotePartition remote, boolean patient) throws IOException {
+    /**
+     * The host's greeting; with {@code patient} waits for some seconds until the host is free.
+     *
+     * @param first greeting of the host just now
+     */
+    private static Greeting whenFree(RemotePartition remote, Greeting first, boolean patient) throws IOException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(patient ? BUSY_SECONDS : 0);
-        Greeting greeting = Greeting.decode(remote.greet());
+        Greeting greeting = first;
         while (!greeting.busy().isEmpty() && System.nanoTime() < end) {
             try {
                 TimeUnit.MILLISECONDS.sleep(BUSY_LOOK_MILLISECONDS);
@@ -177,13 +185,17 @@ public final class HostFinder implements AutoCloseable {
 
     private Host session(Link link, boolean patient) throws IOException {
         RemotePartition remote = link.connect();
-        Greeting greeting = greeting(remote, patient);
+        Greeting greeting = Greeting.decode(remote.greet());
         if (!greeting.build().equals(Build.id())) {
             throw new RefusedException(greeting.version().equals(Build.version())
                     ? "runs another build of " + Build.version() + ": copy the jar there"
                     : "runs " + greeting.version() + ", this is " + Build.version() + ": copy the jar there");
         }
-        checkFree(greeting);
+        Link first = servers.putIfAbsent(greeting.server(), link);
+        if (first != null && first != link) {
+            throw new RefusedException("is " + first.name() + ", which is used already");
+        }
+        checkFree(whenFree(remote, greeting, patient));
         Host host = new Host(link, remote, greeting.processors(), notices);
         try {
             host.open(master);

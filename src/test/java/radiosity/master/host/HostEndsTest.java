@@ -58,7 +58,8 @@ class HostEndsTest {
         RemotePartition late = remote(method -> {
             switch (method) {
                 case "greet":
-                    return new Greeting(Build.version(), Build.id(), 1, cut.getCount() > 0 ? "" : "busy").encode();
+                    return new Greeting(Build.version(), Build.id(), 1, cut.getCount() > 0 ? "" : "busy", 1)
+                            .encode();
                 case "open":
                     while (cut.getCount() > 0) {
                         Thread.onSpinWait();
@@ -86,7 +87,7 @@ class HostEndsTest {
             free.await();
             switch (method) {
                 case "greet":
-                    return new Greeting(Build.version(), Build.id(), 1, "").encode();
+                    return new Greeting(Build.version(), Build.id(), 1, "", 1).encode();
                 case "mesh":
                     return new byte[0];
                 case "close":
