@@ -52,6 +52,7 @@ public final class PartitionServer {
         int second = options.secondPort == null ? 0 : options.secondPort;
         PartitionPort port = open(new PartitionPort.Options(options.port, second, bind, key, options.threads));
         print(listening(port.port(), bind, key));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> print("ended")));
         forEver();
     }
 

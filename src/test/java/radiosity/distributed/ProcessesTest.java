@@ -203,6 +203,15 @@ class ProcessesTest {
         }
     }
 
+    @Test
+    void server_thatIsEnded_saysSo() throws Exception {
+        try (Server server = new Server()) {
+            server.signal("TERM");
+            assertTrue(server.rest().endsWith(" ended"), "no line");
+            assertEquals(143, server.exitCode());
+        }
+    }
+
     /** The same command goes on from the journal, and the hosts have noticed that their master is gone. */
     @Test
     void killedMaster_isResumed(@TempDir Path directory) throws Exception {

@@ -11,6 +11,7 @@ final class Server implements AutoCloseable {
 
     private final int port;
     private final Process process;
+    private final BufferedReader out;
 
     Server() throws IOException {
         this(List.of(), Small.freePort());
@@ -20,7 +21,7 @@ final class Server implements AutoCloseable {
     Server(List<String> before, int port) throws IOException {
         this.port = port;
         process = start(before, "radiosity.cli.PartitionServer", "-port", "" + port, "-t", "1");
-        BufferedReader out = process.inputReader();
+        out = process.inputReader();
         String line = out.readLine();
         if (line == null || !line.contains("listening on port " + port)) {
             throw new IOException("expected a server that listens, got " + line);
@@ -57,6 +58,15 @@ final class Server implements AutoCloseable {
 
     void signal(String name) throws IOException, InterruptedException {
         new ProcessBuilder("kill", "-" + name, "" + process.pid()).start().waitFor();
+    }
+
+    /** What the server has printed since it listens, until its end. */
+    String rest() {
+        return String.join("\n", out.lines().toList());
+    }
+
+    int exitCode() throws InterruptedException {
+        return process.waitFor();
     }
 
     @Override

@@ -12,7 +12,8 @@ import radiosity.rmi.HostAddress;
         description = "%nComputes a part of a scene for RadiosityRenderer -h on another machine; "
                 + "one renderer at a time,"
                 + " until it is ended.%n",
-        footer = {"", "Exit codes: 1 failed, say a port in use; 2 wrong command line; 3 a file cannot be read."})
+        footer = {"", "Exit codes: 1 failed, say a port in use; 2 wrong command line; 3 a file cannot be read; "
+                + "130 ended by Ctrl-C; 143 ended by SIGTERM."})
 public final class ServerOptions {
 
     @Option(names = {"-port", "--port"}, paramLabel = "<n>", converter = Values.Port.class,
