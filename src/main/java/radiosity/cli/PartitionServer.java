@@ -6,7 +6,7 @@ import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.rmi.server.ExportException;
-import java.time.LocalTime;
+import java.time.LocalDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Comparator;
 import java.util.concurrent.CountDownLatch;
@@ -21,7 +21,7 @@ import radiosity.worker.PartitionPort;
 /** Program that computes a part of a scene for a RadiosityRenderer (section 4.5.6 and appendix C.3 of the paper). */
 public final class PartitionServer {
 
-    private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("HH:mm:ss");
+    private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss");
 
     private final ServerOptions options;
 
@@ -115,7 +115,7 @@ public final class PartitionServer {
     }
 
     private static void print(String line) {
-        System.out.println(LocalTime.now().format(SECONDS) + " " + line);
+        System.out.println(LocalDateTime.now().format(SECONDS) + " " + line);
     }
 
     private static void forEver() {

@@ -53,7 +53,7 @@ public final class ServedPartition implements RemotePartition {
     private Session current;
 
     /** One session of a master; its lock is held while the host computes. */
-    private static final class Session {
+    static final class Session {
         final long id;
         final String master;
         final String since = LocalTime.now().format(DateTimeFormatter.ofPattern("HH:mm"));
@@ -152,11 +152,11 @@ public final class ServedPartition implements RemotePartition {
     }
 
     /** A computation for a session. */
-    private interface Work<T> {
+    interface Work<T> {
         T on(Session session) throws IOException;
     }
 
-    private <T> T inSession(long id, Work<T> work) throws SessionEndedException {
+    <T> T inSession(long id, Work<T> work) throws SessionEndedException {
         Session session = session(id);
         synchronized (session) {
             try {
@@ -165,7 +165,18 @@ public final class ServedPartition implements RemotePartition {
                 throw e;
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
+            } catch (OutOfMemoryError e) {
+                logOutOfMemory();
+                throw e;
             }
+        }
+    }
+
+    private void logOutOfMemory() {
+        try {
+            log.accept("out of memory: give it JAVA_OPTS=-Xmx with more");
+        } catch (RuntimeException | OutOfMemoryError e) {
+            // the master is told in any case
         }
     }
 

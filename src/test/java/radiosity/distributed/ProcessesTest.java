@@ -207,7 +207,8 @@ class ProcessesTest {
     void server_thatIsEnded_saysSo() throws Exception {
         try (Server server = new Server()) {
             server.signal("TERM");
-            assertTrue(server.rest().endsWith(" ended"), "no line");
+            String rest = server.rest();
+            assertTrue(rest.matches("\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d ended"), rest);
             assertEquals(143, server.exitCode());
         }
     }

@@ -48,6 +48,18 @@ class PartitionPortTest {
     }
 
     @Test
+    void lackOfMemory_isLogged_andTold() {
+        List<String> lines = new ArrayList<>();
+        ServedPartition host = new ServedPartition(1, lines::add);
+        host.open(7, new byte[] {'a'});
+        OutOfMemoryError full = new OutOfMemoryError("Java heap space");
+        assertSame(full, assertThrows(OutOfMemoryError.class, () -> host.inSession(7, session -> {
+            throw full;
+        })));
+        assertEquals(List.of("working for a", "out of memory: give it JAVA_OPTS=-Xmx with more"), lines);
+    }
+
+    @Test
     void masterWhoseEndCannotBeLogged_isGoneNevertheless() throws Exception {
         long[] now = {0};
         boolean[] broken = {false};
