@@ -43,6 +43,7 @@ public final class DiscontinuityMesher {
     private final Faces faces;
     final FaceIntersections contacts;
     private final EdgeBands bands;
+    private final GapBands gaps;
     /** Length of the shortest contact or band that counts, scene units. */
     private final double leastLength;
     private final CutPoints points;
@@ -62,26 +63,29 @@ public final class DiscontinuityMesher {
     public static Faces cut(Faces faces) {
         double least = LEAST_LENGTH;
         EdgeBands bands = new EdgeBands(faces, least * Math.sqrt(faces.area()) * faces.size());
-        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least, bands);
+        GapBands gaps = new GapBands(faces, least * Math.sqrt(faces.area()) * faces.size());
+        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least, bands, gaps);
         while (mesher.isTooFine()) {
             least *= 2;
-            mesher = new DiscontinuityMesher(faces, least, bands);
+            mesher = new DiscontinuityMesher(faces, least, bands, gaps);
         }
         return mesher.pieces.isEmpty() ? faces
                 : faces.withPieces(new FacePieces(mesher.points, mesher.pieces, mesher.edges));
     }
 
     DiscontinuityMesher(Faces faces) {
-        this(faces, LEAST_LENGTH, new EdgeBands(faces, LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size()));
+        this(faces, LEAST_LENGTH, new EdgeBands(faces, LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size()),
+                new GapBands(faces, LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size()));
     }
 
     /**
      * @param least length of the shortest contact or band that counts, relative to the square root of the area of all
      *              faces
      */
-    private DiscontinuityMesher(Faces faces, double least, EdgeBands bands) {
+    private DiscontinuityMesher(Faces faces, double least, EdgeBands bands, GapBands gaps) {
         this.faces = faces;
         this.bands = bands;
+        this.gaps = gaps;
         points = new CutPoints(faces.scene(), SAME * faces.size());
         leastLength = least * Math.sqrt(faces.area()) * faces.size();
         contacts = new FaceIntersections(faces, points, leastLength);
@@ -126,6 +130,7 @@ public final class DiscontinuityMesher {
         on.forEach((f, some) -> worthACut(f, some).forEach(contact -> mesh.refine(f, contact)));
         on.forEach((f, some) -> worthACut(f, some).forEach(contact -> mesh.cut(f, contact)));
         part.forEach(f -> worthACut(f, bands.on(f, leastLength)).forEach(line -> mesh.cut(f, line)));
+        part.forEach(f -> worthACut(f, gaps.on(f)).forEach(line -> mesh.cut(f, line)));
         int divided = part.stream().mapToInt(f -> mesh.polygons(f).size()).filter(n -> n > 1).sum();
         if (count + divided > MOST) {
             count += divided;

@@ -32,7 +32,7 @@ final class EdgeBands {
     /** A line nearer to another than this is left out, in heights. */
     private static final double SAME = .25;
 
-    private static final Comparator<Vec3> PLACES = Comparator.comparingDouble(Vec3::x).thenComparingDouble(Vec3::y)
+    static final Comparator<Vec3> PLACES = Comparator.comparingDouble(Vec3::x).thenComparingDouble(Vec3::y)
             .thenComparingDouble(Vec3::z);
     /** The lowest edges first, as floats, as the heights of equal edges differ by rounding. */
     private static final Comparator<Foot> LOWEST = Comparator.<Foot>comparingDouble(foot -> (float) foot.height())
@@ -145,7 +145,8 @@ final class EdgeBands {
         return lines;
     }
 
-    private static double[] box(Vec3... points) {
+    /** The box around some points: low x, y, z, high x, y, z. */
+    static double[] box(Vec3... points) {
         double[] box = new double[6];
         for (int a = 0; a < 3; a++) {
             int axis = a;
@@ -184,7 +185,8 @@ final class EdgeBands {
         }
     }
 
-    private static boolean isAmong(List<Contact> lines, Contact line, double same) {
+    /** Whether a line lies along another, no farther from it than a distance. */
+    static boolean isAmong(List<Contact> lines, Contact line, double same) {
         return lines.stream().anyMatch(other -> other.holds(line.from(), same) && other.holds(line.to(), same));
     }
 }
