@@ -31,6 +31,8 @@ public final class DiscontinuityMesher {
     private static final double SAME = 1e-7;
     /** Most pieces of all faces: more pieces would replace the mesh instead of preparing it. */
     private static final int MOST = 20_000;
+    /** Most pieces where gaps are cut in bands, too. */
+    private static final int MOST_WITH_GAPS = 30_000;
     /** Least length of a contact that is worth an edge, relative to the square root of the area of all faces. */
     private static final double LEAST_LENGTH = 1e-3;
     /**
@@ -52,25 +54,32 @@ public final class DiscontinuityMesher {
     /** Edges of pieces along contacts, see {@link EdgeKey}. */
     final LongIndex edges = new LongIndex(0);
     private int count;
+    private final int most;
 
     /**
      * Cuts large faces along their contacts. Where the contacts would make too many pieces, the least length of a
      * contact is doubled until they do not: the edge of a window pane in its wall stays, the feet of chairs are left
-     * out.
+     * out. Gaps are cut in bands as far as there is room for more pieces, the longest first.
      *
      * @return the faces themselves where nothing stands on them or passes through
      */
     public static Faces cut(Faces faces) {
+        double unit = Math.sqrt(faces.area()) * faces.size();
         double least = LEAST_LENGTH;
-        EdgeBands bands = new EdgeBands(faces, least * Math.sqrt(faces.area()) * faces.size());
-        GapBands gaps = new GapBands(faces, least * Math.sqrt(faces.area()) * faces.size());
-        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least, bands, gaps);
+        EdgeBands bands = new EdgeBands(faces, least * unit);
+        GapBands gaps = new GapBands(faces, least * unit);
+        DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least, bands, gaps.longest(0));
         while (mesher.isTooFine()) {
             least *= 2;
-            mesher = new DiscontinuityMesher(faces, least, bands, gaps);
+            mesher = new DiscontinuityMesher(faces, least, bands, gaps.longest(0));
         }
-        return mesher.pieces.isEmpty() ? faces
-                : faces.withPieces(new FacePieces(mesher.points, mesher.pieces, mesher.edges));
+        DiscontinuityMesher best = mesher;
+        for (int mouths = gaps.mouths(); mouths > 0 && best == mesher; mouths /= 2) {
+            DiscontinuityMesher finer = new DiscontinuityMesher(faces, least, bands, gaps.longest(mouths));
+            best = finer.isTooFine() ? mesher : finer;
+        }
+        return best.pieces.isEmpty() ? faces
+                : faces.withPieces(new FacePieces(best.points, best.pieces, best.edges));
     }
 
     DiscontinuityMesher(Faces faces) {
@@ -86,6 +95,7 @@ public final class DiscontinuityMesher {
         this.faces = faces;
         this.bands = bands;
         this.gaps = gaps;
+        most = gaps.mouths() > 0 ? MOST_WITH_GAPS : MOST;
         points = new CutPoints(faces.scene(), SAME * faces.size());
         leastLength = least * Math.sqrt(faces.area()) * faces.size();
         contacts = new FaceIntersections(faces, points, leastLength);
@@ -98,7 +108,7 @@ public final class DiscontinuityMesher {
 
     /** Whether cutting was given up, as there would be too many pieces. */
     private boolean isTooFine() {
-        return count > MOST;
+        return count > most;
     }
 
     private Map<Integer, List<Integer>> parts() {
@@ -120,7 +130,7 @@ public final class DiscontinuityMesher {
 
     private void cut(List<Integer> part) {
         Map<Integer, List<Contact>> on = new TreeMap<>();
-        CutMesh mesh = new CutMesh(faces, points, MOST);
+        CutMesh mesh = new CutMesh(faces, points, most);
         contacts.begin(part);
         bands.begin(part);
         for (int f : part) {
@@ -132,7 +142,7 @@ public final class DiscontinuityMesher {
         part.forEach(f -> worthACut(f, bands.on(f, leastLength)).forEach(line -> mesh.cut(f, line)));
         part.forEach(f -> worthACut(f, gaps.on(f)).forEach(line -> mesh.cut(f, line)));
         int divided = part.stream().mapToInt(f -> mesh.polygons(f).size()).filter(n -> n > 1).sum();
-        if (count + divided > MOST) {
+        if (count + divided > most) {
             count += divided;
             return;
         }

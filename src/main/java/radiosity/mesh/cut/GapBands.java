@@ -64,7 +64,28 @@ final class GapBands {
         }
         all.sort(Comparator.<Mouth>comparingDouble(mouth -> -(float) mouth.length())
                 .thenComparing(Mouth::from, EdgeBands.PLACES).thenComparing(Mouth::to, EdgeBands.PLACES));
-        mouths = all.subList(0, Math.min(MOST, all.size()));
+        mouths = List.copyOf(all.subList(0, Math.min(MOST, all.size())));
+        near = boxes(mouths);
+    }
+
+    private GapBands(Faces faces, List<Mouth> mouths) {
+        this.faces = faces;
+        scene = faces.scene();
+        this.mouths = mouths;
+        near = boxes(mouths);
+    }
+
+    /** Number of mouths that count. */
+    int mouths() {
+        return mouths.size();
+    }
+
+    /** The bands behind the longest mouths only, a number of them. */
+    GapBands longest(int count) {
+        return new GapBands(faces, mouths.subList(0, count));
+    }
+
+    private static BoxTree boxes(List<Mouth> mouths) {
         double[] box = new double[6 * mouths.size()];
         for (int i = 0; i < mouths.size(); i++) {
             Mouth mouth = mouths.get(i);
@@ -74,7 +95,7 @@ final class GapBands {
                 box[6 * i + 3 + a] = around[3 + a] + 2 * mouth.reach() + mouth.width();
             }
         }
-        near = new BoxTree(box);
+        return new BoxTree(box);
     }
 
     private void addMouth(int f, int k, double least, TriangleBoxes boxes, List<Mouth> to) {
@@ -103,7 +124,9 @@ final class GapBands {
         if (opposite >= 0) {
             double rho = Math.sqrt(scene.surface(opposite).reflectance().max()
                     * scene.surface(faces.triangle(f)).reflectance().max());
-            to.add(new Mouth(f, isTurned ? q : p, isTurned ? p : q, inside, width, width * depth(rho)));
+            if (depth(rho) > 1) {
+                to.add(new Mouth(f, isTurned ? q : p, isTurned ? p : q, inside, width, width * depth(rho)));
+            }
         }
     }
 
@@ -113,7 +136,7 @@ final class GapBands {
      * from one reflection to the next, so B fades by e within w sqrt(rho / (2 (1 - rho))).
      */
     private static double depth(double rho) {
-        return Math.max(1, -Math.log(LEFT) * Math.sqrt(rho / (2 * (1 - rho))));
+        return -StrictMath.log(LEFT) * Math.sqrt(rho / (2 * (1 - rho)));
     }
 
     /** Distance from a point to a triangle that faces the point, in a direction; infinite where it is not met. */

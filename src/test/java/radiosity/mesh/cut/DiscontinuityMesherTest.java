@@ -20,6 +20,7 @@ import radiosity.scene.SceneBuilder;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.testkit.Prism;
+import radiosity.testkit.RoomScenes;
 
 /** Faces are cut where others stand on them, and nowhere else. */
 class DiscontinuityMesherTest {
@@ -113,7 +114,7 @@ class DiscontinuityMesherTest {
     /** A lamp with one visible side, .002 above the floor, from x = .1 to the given end and from z = .5 to .51. */
     private static SceneBuilder strip(double to, boolean down) {
         Vec3[] p = {new Vec3(.1, .002, .5), new Vec3(to, .002, .5), new Vec3(to, .002, .51), new Vec3(.1, .002, .51)};
-        Surface lamp = radiosity.testkit.RoomScenes.grey("lamp", 1, 0);
+        Surface lamp = RoomScenes.grey("lamp", 1, 0);
         return down ? floor().polygon(lamp, p) : floor().polygon(lamp, p[3], p[2], p[1], p[0]);
     }
 
@@ -149,7 +150,7 @@ class DiscontinuityMesherTest {
     /** A long lamp below a row of boards, each of which is short beside its height above the lamp. */
     @Test
     void facesThatAreShortBesideALamp_areLeftAsTheyAre() {
-        SceneBuilder boards = new SceneBuilder().polygon(radiosity.testkit.RoomScenes.grey("lamp", 1, 0),
+        SceneBuilder boards = new SceneBuilder().polygon(RoomScenes.grey("lamp", 1, 0),
                 new Vec3(.1, .002, .51), new Vec3(.9, .002, .51), new Vec3(.9, .002, .5), new Vec3(.1, .002, .5));
         for (int i = 0; i < 40; i++) {
             double x = .1 + i * .02;
@@ -179,15 +180,15 @@ class DiscontinuityMesherTest {
         assertSame(whole, DiscontinuityMesher.cut(whole));
     }
 
-    /** A thousand triangles through each other meet in more segments of one length than a mesh has elements. */
+    /** A thousand black triangles through each other meet in more segments of one length than a mesh has elements. */
     @Tag("slow")
     @Test
     void whatWouldBePiecesOnly_staysAsItIs() {
         Random random = new Random(1);
         SceneBuilder soup = new SceneBuilder();
         for (int t = 0; t < 1000; t++) {
-            soup.polygon(GREY, IntStream.range(0, 3).mapToObj(k -> new Vec3(random.nextDouble(), random.nextDouble(),
-                    random.nextDouble())).toArray(Vec3[]::new));
+            soup.polygon(RoomScenes.grey("black", 0, 0), IntStream.range(0, 3).mapToObj(k -> new Vec3(
+                    random.nextDouble(), random.nextDouble(), random.nextDouble())).toArray(Vec3[]::new));
         }
         Faces whole = new Faces(soup.scene("soup"));
         assertSame(whole, DiscontinuityMesher.cut(whole));
