@@ -8,9 +8,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import radiosity.input.SceneReader;
+import radiosity.scene.Scene;
+import radiosity.scene.Surface;
 import radiosity.settings.ReadOptions;
 
 /**
@@ -26,8 +30,8 @@ final class RandomCommand {
             "--info",
             "--change", "--report", "-sn", "--lightmap", "--lightmap-texels", "--false-colour", "--picture", "--size",
             "--exposure", "--tone-mapping", "--final-gather", "--frame", "--frames", "--content", "--map", "--emission",
-            "--lights", "--srgb", "--two-sided", "--up", "--unit", "--photometric", "--luminaire", "--sky", "--sun",
-            "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
+            "--lights", "--srgb", "--two-sided", "--up", "--unit", "--photometric", "--leave-out", "--luminaire",
+            "--sky", "--sun", "--strict", "-h", "-key", "-ut", "-q", "--statistics", "--debug", "--help",
             "--version");
     /** Those that decide the light; the others go without or are where a run needs them. */
     private static final Set<String> RUN = Set.of("-t", "-tf", "--change", "--frames", "--info", "-h", "-key",
@@ -118,6 +122,9 @@ final class RandomCommand {
         }
         if (is("--photometric", .1)) {
             light("--photometric");
+        }
+        if (wanted.equals("--leave-out")) {
+            spare().ifPresent(name -> light("--leave-out", name));
         }
         if (is("--luminaire", .05)) {
             light("--luminaire", "0," + 99 * scene.size() + ",0=" + upwards());
@@ -282,9 +289,22 @@ final class RandomCommand {
     }
 
     private String surface() throws IOException {
+        return read().surface(0).name();
+    }
+
+    /** The last surface with triangles that does not emit, where there is another one. */
+    private Optional<String> spare() throws IOException {
+        Scene read = read();
+        List<Surface> used = IntStream.range(0, read.triangles()).mapToObj(read::surface).distinct().toList();
+        return used.stream().filter(surface -> !surface.emits() && !surface.name().isEmpty()
+                        && used.stream().anyMatch(other -> !other.name().equals(surface.name())))
+                .map(Surface::name).reduce((first, second) -> second);
+    }
+
+    private Scene read() throws IOException {
         ReadOptions options = ReadOptions.defaults();
         return SceneReader.read(scene.file(), scene.library() == null ? options
-                : options.withContent(List.of(scene.library())), line -> { }).surface(0).name();
+                : options.withContent(List.of(scene.library())), line -> { });
     }
 
     /** What the run was made of, for the table. */
