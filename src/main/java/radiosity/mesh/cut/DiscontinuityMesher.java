@@ -64,10 +64,9 @@ public final class DiscontinuityMesher {
      * @return the faces themselves where nothing stands on them or passes through
      */
     public static Faces cut(Faces faces) {
-        double unit = Math.sqrt(faces.area()) * faces.size();
         double least = LEAST_LENGTH;
-        EdgeBands bands = new EdgeBands(faces, least * unit);
-        GapBands gaps = new GapBands(faces, least * unit);
+        EdgeBands bands = new EdgeBands(faces, least * unit(faces));
+        GapBands gaps = new GapBands(faces, least * unit(faces));
         DiscontinuityMesher mesher = new DiscontinuityMesher(faces, least, bands, gaps.longest(0));
         while (mesher.isTooFine()) {
             least *= 2;
@@ -83,8 +82,13 @@ public final class DiscontinuityMesher {
     }
 
     DiscontinuityMesher(Faces faces) {
-        this(faces, LEAST_LENGTH, new EdgeBands(faces, LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size()),
-                new GapBands(faces, LEAST_LENGTH * Math.sqrt(faces.area()) * faces.size()));
+        this(faces, LEAST_LENGTH, new EdgeBands(faces, LEAST_LENGTH * unit(faces)),
+                new GapBands(faces, LEAST_LENGTH * unit(faces)));
+    }
+
+    /** Square root of the area of all faces, scene units. */
+    private static double unit(Faces faces) {
+        return Math.sqrt(faces.area()) * faces.size();
     }
 
     /**
@@ -97,7 +101,7 @@ public final class DiscontinuityMesher {
         this.gaps = gaps;
         most = gaps.mouths() > 0 ? MOST_WITH_GAPS : MOST;
         points = new CutPoints(faces.scene(), SAME * faces.size());
-        leastLength = least * Math.sqrt(faces.area()) * faces.size();
+        leastLength = least * unit(faces);
         contacts = new FaceIntersections(faces, points, leastLength);
         for (List<Integer> part : parts().values()) {
             if (!isTooFine()) {
@@ -161,8 +165,9 @@ public final class DiscontinuityMesher {
         return contacts.stream().filter(contact -> isWorthACut(face, contact));
     }
 
+    /** Whether the part of a contact inside of a face is long enough, and far enough from borders of the region. */
     private boolean isWorthACut(int face, Contact contact) {
-        double trifle = TRIFLE * Math.sqrt(faces.area()) * faces.size();
+        double trifle = TRIFLE * unit(faces);
         Vec3[] corner = {faces.sceneCorner(face, 0), faces.sceneCorner(face, 1), faces.sceneCorner(face, 2)};
         Optional<Contact> inside = contact.within(corner[0], corner[1], corner[2]);
         boolean isWorth = inside.isPresent() && inside.get().length() > trifle;

@@ -133,7 +133,8 @@ final class GapBands {
     /**
      * Number of widths of a gap within which its light fades to {@link #LEFT}. Between parallel planes of reflectance
      * rho light spreads by diffusion: B = rho (B + w² B'' / 2), if w² is the mean square of the way along the planes
-     * from one reflection to the next, so B fades by e within w sqrt(rho / (2 (1 - rho))).
+     * from one reflection to the next, so B fades by e within w sqrt(rho / (2 (1 - rho))). The width of the
+     * gap is taken for w.
      */
     private static double depth(double rho) {
         return -StrictMath.log(LEFT) * Math.sqrt(rho / (2 * (1 - rho)));

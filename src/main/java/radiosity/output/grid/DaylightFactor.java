@@ -1,5 +1,6 @@
 package radiosity.output.grid;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -25,24 +26,20 @@ public record DaylightFactor(double outdoors, double average, double median, dou
      *
      * @param rows  of each point, illuminance as the seventh number; at least one point
      * @param areas for which the points stand
+     * @param mean  illuminance, average over these areas
      * @return empty where the scene's light comes from anything but one overcast sky
      */
-    static Optional<DaylightFactor> of(Scene scene, double[][] rows, double[] areas) {
+    static Optional<DaylightFactor> of(Scene scene, double[][] rows, double[] areas, double mean) {
         List<Lamp> lamps = scene.lamps();
         if (lamps.size() != 1 || scene.lights().size() != 1
                 || scene.lights().get(0).kind() != Light.Kind.SKY_OVERCAST) {
             return Optional.empty();
         }
         double outdoors = scene.units().total(scene.lights().get(0).power());
-        double area = 0;
-        double flux = 0;
-        for (int i = 0; i < rows.length; i++) {
-            area += areas[i];
-            flux += areas[i] * rows[i][6];
-        }
+        double area = Arrays.stream(areas).sum();
         int[] rising = IntStream.range(0, rows.length).boxed()
                 .sorted(Comparator.comparingDouble(i -> rows[i][6])).mapToInt(i -> i).toArray();
-        return Optional.of(new DaylightFactor(outdoors, 100 * flux / area / outdoors,
+        return Optional.of(new DaylightFactor(outdoors, 100 * mean / outdoors,
                 100 * below(rising, rows, areas, 0.5 * area) / outdoors,
                 100 * below(rising, rows, areas, 0.05 * area) / outdoors));
     }

@@ -85,7 +85,7 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
         double[] areas = IntStream.range(0, rows.length).filter(i -> !Double.isNaN(rows[i][6]))
                 .mapToDouble(i -> places.areas().get(i)).toArray();
         return new Grid(where, lit, flux / area, values[0], values[n - 1], rows.length - n, quantity,
-                DaylightFactor.of(solution.scene(), lit, areas));
+                DaylightFactor.of(solution.scene(), lit, areas, flux / area));
     }
 
     /** Uniformity U0: minimum over average; 0 if all is dark, NaN if there is no point. */
