@@ -62,6 +62,29 @@ public final class BoxTree {
         }
     }
 
+    /** Where the corners of triangles are. */
+    @FunctionalInterface
+    public interface Corners {
+
+        /** Coordinate of corner k of a triangle on an axis, each 0, 1 or 2. */
+        double at(int triangle, int k, int axis);
+    }
+
+    /** The boxes around the triangles from 0 to n - 1, 6 per triangle, as the constructor takes them. */
+    public static double[] around(int n, Corners corners) {
+        double[] boxes = new double[6 * n];
+        for (int i = 0; i < 3 * n; i++) {
+            int t = i / 3;
+            int a = i % 3;
+            double p = corners.at(t, 0, a);
+            double q = corners.at(t, 1, a);
+            double r = corners.at(t, 2, a);
+            boxes[6 * t + a] = Math.min(p, Math.min(q, r));
+            boxes[6 * t + 3 + a] = Math.max(p, Math.max(q, r));
+        }
+        return boxes;
+    }
+
     /**
      * A tree over points.
      *

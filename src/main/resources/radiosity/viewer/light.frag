@@ -3,7 +3,7 @@
 // triangle (centroid): at the middle of a pixel that a thin triangle touches, beside the triangle, it may be negative.
 uniform float exposure;
 uniform int curve;        // ToneMapping.Operator, by its number
-uniform int falseColour;  // 1: luminance in colours, see FalseColour
+uniform int falseColour;  // 1: luminance in colours, see TurboColourMap
 #ifdef TEXTURES
 uniform sampler2D image;       // radiosity as bakedCurve and bakedExposure made it, sRGB
 uniform float bakedExposure;

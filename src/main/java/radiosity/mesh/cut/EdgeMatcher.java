@@ -8,6 +8,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.SceneBox;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.BoxTree;
 import radiosity.util.PointNumbers;
 
 /**
@@ -83,7 +84,7 @@ public final class EdgeMatcher {
         Vec3 normal = scene.cross(t).unit();
         Vec3 origin = scene.corner(t, 0);
         List<Integer> found = new ArrayList<>();
-        for (int u : boxes.reaching(box(t), 0, near)) {
+        for (int u : boxes.reaching(BoxTree.around(1, (one, k, a) -> scene.corner(t, k).coordinate(a)), 0, near)) {
             boolean isInPlane = u != t && scene.surfaceOf()[u] == scene.surfaceOf()[t]
                     && scene.cross(u).unit().minus(normal).length() < SAME_DIRECTION;
             for (int k = 0; k < 3 && isInPlane; k++) {
@@ -94,19 +95,6 @@ public final class EdgeMatcher {
             }
         }
         return found.stream().distinct().toList();
-    }
-
-    /** 6: low x, y, z, high x, y, z of a triangle, scene units. */
-    private double[] box(int t) {
-        double[] box = new double[6];
-        for (int a = 0; a < 3; a++) {
-            double p = scene.points()[3 * scene.corners()[3 * t] + a];
-            double q = scene.points()[3 * scene.corners()[3 * t + 1] + a];
-            double r = scene.points()[3 * scene.corners()[3 * t + 2] + a];
-            box[a] = Math.min(p, Math.min(q, r));
-            box[3 + a] = Math.max(p, Math.max(q, r));
-        }
-        return box;
     }
 
     /** Those of some points that lie inside the edge from corner k to corner k + 1, in its direction. */

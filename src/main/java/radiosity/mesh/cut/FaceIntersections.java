@@ -1,6 +1,7 @@
 package radiosity.mesh.cut;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -8,6 +9,7 @@ import radiosity.mesh.face.CutPoints;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
+import radiosity.util.BoxTree;
 import radiosity.util.PointNumbers;
 
 /** Finds the contacts along which triangles stand on a face, pass through it or end in its plane. */
@@ -50,15 +52,8 @@ final class FaceIntersections {
         for (int f = 0; f < faces.count(); f++) {
             faceOf[faces.side(f)] = f;
         }
-        box = new double[6 * scene.triangles()];
-        for (int i = 0; i < box.length; i++) {
-            int t = i / 6;
-            int a = i % 3;
-            double p = scene.points()[3 * scene.corners()[3 * t] + a];
-            double q = scene.points()[3 * scene.corners()[3 * t + 1] + a];
-            double r = scene.points()[3 * scene.corners()[3 * t + 2] + a];
-            box[i] = i % 6 < 3 ? Math.min(p, Math.min(q, r)) - touch : Math.max(p, Math.max(q, r)) + touch;
-        }
+        box = BoxTree.around(scene.triangles(), (t, k, a) -> scene.points()[3 * scene.corners()[3 * t + k] + a]);
+        Arrays.setAll(box, i -> i % 6 < 3 ? box[i] - touch : box[i] + touch);
         upright = TriangleBoxes.upright(scene);
         boxes = upright;
     }

@@ -25,18 +25,8 @@ final class TriangleBoxes {
         this.axes = axes;
         this.origin = origin;
         this.triangles = triangles;
-        double[] boxes = new double[6 * triangles.length];
-        for (int i = 0; i < triangles.length; i++) {
-            int t = triangles[i];
-            for (int a = 0; a < 3; a++) {
-                double p = scene.corner(t, 0).minus(origin).dot(axes[a]);
-                double q = scene.corner(t, 1).minus(origin).dot(axes[a]);
-                double r = scene.corner(t, 2).minus(origin).dot(axes[a]);
-                boxes[6 * i + a] = Math.min(p, Math.min(q, r));
-                boxes[6 * i + 3 + a] = Math.max(p, Math.max(q, r));
-            }
-        }
-        tree = new BoxTree(boxes);
+        tree = new BoxTree(BoxTree.around(triangles.length,
+                (i, k, a) -> scene.corner(triangles[i], k).minus(origin).dot(axes[a])));
     }
 
     /** Boxes of all triangles, along the axes of the scene. */

@@ -22,18 +22,8 @@ public final class ElementSearch {
     public ElementSearch(Solution solution) {
         this.solution = solution;
         tolerance = TOLERANCE * Aabb.of(solution.positions()).diagonal();
-        double[] boxes = new double[6 * solution.elements()];
-        double[] x = solution.positions();
-        for (int i = 0; i < boxes.length; i++) {
-            int a = i % 3;
-            int[] c = solution.corners();
-            int k = i / 6 * 3;
-            double p = x[3 * c[k] + a];
-            double q = x[3 * c[k + 1] + a];
-            double r = x[3 * c[k + 2] + a];
-            boxes[i] = i % 6 < 3 ? Math.min(p, Math.min(q, r)) : Math.max(p, Math.max(q, r));
-        }
-        tree = new BoxTree(boxes);
+        tree = new BoxTree(BoxTree.around(solution.elements(),
+                (e, k, a) -> solution.positions()[3 * solution.corners()[3 * e + k] + a]));
     }
 
     /**
