@@ -1,11 +1,12 @@
 package radiosity.viewer;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.mesh.Mesh;
 import radiosity.scene.Vec3;
-import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.ScaledBounds;
 
 /** A BVH over all elements of a scene, which stops steps before walls and finds the element under the mouse. */
 final class Obstacles {
@@ -19,7 +20,9 @@ final class Obstacles {
     private final Extent extent;
     /** 1 per mesh: number of its first element; then the number of all elements. */
     private final int[] first;
-    private final RadiosityBounds bounds;
+    /** 1 per element of all meshes: number of its mesh. */
+    private final int[] meshOf;
+    private final ScaledBounds scaled;
 
     /**
      * Intersection of a ray with an element.
@@ -40,26 +43,12 @@ final class Obstacles {
         for (int m = 0; m < meshes.size(); m++) {
             first[m + 1] = first[m] + meshes.get(m).elements();
         }
-        bounds = new RadiosityBounds(unitCorners(scene.origin()));
-    }
-
-    /** Returns corners of all elements in coordinates of the scene scaled to size 1, 9 per element. */
-    private float[] unitCorners(Vec3 origin) {
-        float[] corners = new float[9 * first[meshes.size()]];
-        int i = 0;
-        for (Mesh mesh : meshes) {
-            for (int e = 0; e < mesh.elements(); e++) {
-                for (int k = 0; k < 3; k++) {
-                    unit(mesh.position(e, k).plus(origin)).write(corners, i);
-                    i += 3;
-                }
-            }
+        meshOf = new int[first[meshes.size()]];
+        for (int m = 0; m < meshes.size(); m++) {
+            Arrays.fill(meshOf, first[m], first[m + 1], m);
         }
-        return corners;
-    }
-
-    private Vec3 unit(Vec3 p) {
-        return p.minus(extent.centre()).times(1 / extent.size());
+        scaled = new ScaledBounds(extent.centre(), extent.size(), meshOf.length, i -> meshes.get(meshOf[i / 3])
+                .position(i / 3 - first[meshOf[i / 3]], i % 3).plus(scene.origin()));
     }
 
     /**
@@ -70,15 +59,12 @@ final class Obstacles {
      */
     Optional<Hit> hit(Vec3 eye, Vec3 direction, double far) {
         float[] hit = new float[3];
-        int found = bounds.nearestFront(unit(eye), direction, far / extent.size(), false, hit);
+        int found = scaled.bounds.nearestFront(scaled.unit(eye), direction, far / extent.size(), false, hit);
         return found < 0 ? Optional.empty() : Optional.of(hit(found, hit));
     }
 
     private Hit hit(int found, float[] hit) {
-        int m = 0;
-        while (first[m + 1] <= found) {
-            m++;
-        }
+        int m = meshOf[found];
         Mesh mesh = meshes.get(m);
         int e = found - first[m];
         return new Hit(m, e, hit[1], hit[2], hit[0] * extent.size(), mesh.cross(e).unit());

@@ -1,6 +1,7 @@
 package radiosity.output.image;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +12,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.ScaledBounds;
 
 /** Scores how much of a lit scene a camera shows, by a few rays against the original triangles. */
 final class LitView {
@@ -35,9 +37,7 @@ final class LitView {
     private static final double LOOKING_UP = 0.4;
 
     private final Scene scene;
-    private final Vec3 centre;
-    private final double scale;
-    private final RadiosityBounds bounds;
+    private final ScaledBounds scaled;
     /** 1 per side of a triangle: mean luminance over that of the scene, at most 1; 1 on all sides if nothing is lit. */
     private final double[] lit;
     private final Vec3[] normals;
@@ -48,17 +48,9 @@ final class LitView {
     LitView(Solution solution) {
         scene = solution.scene();
         Aabb box = Aabb.of(scene.points());
-        centre = box.centre();
-        scale = box.diagonal() > 0 ? 1 / box.diagonal() : 1;
-        float[] corners = new float[9 * scene.triangles()];
         normals = new Vec3[scene.triangles()];
-        for (int t = 0; t < scene.triangles(); t++) {
-            normals[t] = scene.cross(t).unit();
-            for (int k = 0; k < 3; k++) {
-                scene.corner(t, k).minus(centre).times(scale).write(corners, 9 * t + 3 * k);
-            }
-        }
-        bounds = new RadiosityBounds(corners);
+        Arrays.setAll(normals, t -> scene.cross(t).unit());
+        scaled = new ScaledBounds(box, scene.triangles(), i -> scene.corner(i / 3, i % 3));
         lit = lit(solution);
         axes = PrincipalAxes.of(scene);
         objectsOf = new SceneObjects(scene, axes, box.diagonal());
@@ -198,7 +190,7 @@ final class LitView {
             if (hit.cosine > 0 || scene.surface(hit.triangle).twoSided()) {
                 return true;
             }
-            passed = hit.distance + STEP / scale;
+            passed = hit.distance + STEP / scaled.scale;
         }
         return false;
     }
@@ -212,15 +204,15 @@ final class LitView {
      * @return whether there is a triangle
      */
     boolean first(Vec3 from, Vec3 direction, double beyond, Hit hit) {
-        Vec3 eye = from.minus(centre).times(scale);
-        double skipped = Math.max(beyond * scale, eye.length() - 1);
+        Vec3 eye = scaled.unit(from);
+        double skipped = Math.max(beyond * scaled.scale, eye.length() - 1);
         Vec3 p = eye.plus(direction.times(skipped));
-        int t = bounds.nearest(p, direction, RadiosityBounds.ACROSS, weights);
+        int t = scaled.bounds.nearest(p, direction, RadiosityBounds.ACROSS, weights);
         if (t < 0) {
             return false;
         }
         hit.triangle = t;
-        hit.distance = (skipped + weights[0]) / scale;
+        hit.distance = (skipped + weights[0]) / scaled.scale;
         hit.cosine = -normals[t].dot(direction);
         return true;
     }
@@ -244,7 +236,7 @@ final class LitView {
             int f = firstAbove(sums, sum * (i + 0.5) / count);
             if (f != last) {
                 Vec3 normal = normals[f >> 1].times((f & 1) == 0 ? 1 : -1);
-                places.add(new Vec3[] {scene.middle(f >> 1).plus(normal.times(OFF / scale)), normal});
+                places.add(new Vec3[] {scene.middle(f >> 1).plus(normal.times(OFF / scaled.scale)), normal});
             }
             last = f;
         }

@@ -20,6 +20,7 @@ import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
 import radiosity.util.ParallelFor;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.ScaledBounds;
 
 /**
  * Draws a picture of a solution without a display: rays through the pixels, radiosity interpolated on elements.
@@ -31,16 +32,12 @@ public final class Snapshot {
 
     /** Samples per pixel along each axis. */
     private static final int SAMPLES = 3;
-    /** Diagonal of the scene in the bounding volume hierarchy, where its centre is the origin. */
-    private static final double SIZE = 1;
 
     private final Solution solution;
     private final Vec3 eye;
-    private final Vec3 centre;
-    private final double scale;
     /** The elements that face the eye: only these elements can be seen. */
     private final int[] facing;
-    private final RadiosityBounds bounds;
+    private final ScaledBounds scaled;
     private final int gathered;
     /** Null if pictures show the radiosity of the solution alone. */
     private final EyeRays rays;
@@ -85,23 +82,13 @@ public final class Snapshot {
         int perRay = (gathered + SAMPLES * SAMPLES - 1) / (SAMPLES * SAMPLES);
         rays = gathered > 0 || EyeRays.shines(solution) ? new EyeRays(solution, perRay) : null;
         this.eye = eye;
-        Aabb box = Aabb.of(solution.positions());
-        centre = box.centre();
-        scale = box.diagonal() > 0 ? SIZE / box.diagonal() : 1;
         facing = IntStream.range(0, solution.elements()).filter(this::faces).toArray();
-        bounds = new RadiosityBounds(unitCorners());
+        scaled = new ScaledBounds(Aabb.of(solution.positions()), facing.length,
+                i -> Elements.corner(solution, facing[i / 3], i % 3));
     }
 
     private boolean faces(int element) {
         return Elements.cross(solution, element).dot(eye.minus(Elements.corner(solution, element, 0))) > 0;
-    }
-
-    private float[] unitCorners() {
-        float[] corners = new float[9 * facing.length];
-        for (int i = 0; i < 3 * facing.length; i++) {
-            Elements.corner(solution, facing[i / 3], i % 3).minus(centre).times(scale).write(corners, 3 * i);
-        }
-        return corners;
     }
 
     /**
@@ -190,7 +177,7 @@ public final class Snapshot {
 
     private int plane(int element) {
         Vec3 n = Elements.normal(solution, element);
-        double offset = n.dot(Elements.corner(solution, element, 0).minus(centre).times(scale));
+        double offset = n.dot(scaled.unit(Elements.corner(solution, element, 0)));
         return Arrays.hashCode(new long[] {Math.round(n.x() * 64), Math.round(n.y() * 64), Math.round(n.z() * 64),
             Math.round(offset * 1024)});
     }
@@ -229,10 +216,10 @@ public final class Snapshot {
      * @param hit receives the distance and the weights of corners 1 and 2
      */
     private int element(Vec3 direction, float[] hit) {
-        Vec3 from = eye.minus(centre).times(scale);
-        double skipped = Math.max(0, from.length() - SIZE);
+        Vec3 from = scaled.unit(eye);
+        double skipped = Math.max(0, from.length() - 1);
         Vec3 o = from.plus(direction.times(skipped));
-        int found = bounds.nearest(o, direction, RadiosityBounds.ACROSS * SIZE, hit);
+        int found = scaled.bounds.nearest(o, direction, RadiosityBounds.ACROSS, hit);
         return found < 0 ? -1 : facing[found];
     }
 

@@ -8,6 +8,7 @@ import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.Aabb;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.ScaledBounds;
 
 /** Finds what rays meet among the elements of a solution: visible sides, and sides of glass also from within. */
 final class ElementRays {
@@ -20,28 +21,19 @@ final class ElementRays {
     private static final double OFF = 1e-6;
 
     private final Solution solution;
-    private final Vec3 centre;
-    private final double scale;
     /** The element of each triangle of the hierarchy; from {@code #within} on, elements of glass, seen from within. */
     private final int[] elements;
     private final int within;
-    private final RadiosityBounds bounds;
+    private final ScaledBounds scaled;
 
     /** @param solution with T-junctions closed */
     ElementRays(Solution solution) {
         this.solution = solution;
-        Aabb box = Aabb.of(solution.positions());
-        centre = box.centre();
-        scale = box.diagonal() > 0 ? 1 / box.diagonal() : 1;
         within = solution.elements();
         elements = IntStream.concat(IntStream.range(0, within),
                 IntStream.range(0, within).filter(e -> isGlass(solution.surface(e)))).toArray();
-        float[] corners = new float[9 * elements.length];
-        for (int i = 0; i < 3 * elements.length; i++) {
-            int k = i / 3 < within ? i % 3 : (3 - i % 3) % 3;
-            Elements.corner(solution, elements[i / 3], k).minus(centre).times(scale).write(corners, 3 * i);
-        }
-        bounds = new RadiosityBounds(corners);
+        scaled = new ScaledBounds(Aabb.of(solution.positions()), elements.length,
+                i -> Elements.corner(solution, elements[i / 3], i / 3 < within ? i % 3 : (3 - i % 3) % 3));
     }
 
     private static boolean isGlass(Surface surface) {
@@ -68,8 +60,8 @@ final class ElementRays {
      */
     Hit first(Vec3 from, Vec3 side, Vec3 direction) {
         float[] hit = new float[3];
-        Vec3 begin = from.minus(centre).times(scale).plus(side.times(OFF));
-        int found = bounds.nearestFront(begin, direction, RadiosityBounds.ACROSS, false, hit);
+        Vec3 begin = scaled.unit(from).plus(side.times(OFF));
+        int found = scaled.bounds.nearestFront(begin, direction, RadiosityBounds.ACROSS, false, hit);
         return found < 0 ? null : exact(elements[found], found >= within, from, direction);
     }
 
@@ -95,7 +87,7 @@ final class ElementRays {
      * @param hit  receives the distance, of the scene's diagonal, and the weights of corners 1 and 2
      */
     int element(Vec3 from, Vec3 direction, float[] hit) {
-        int found = bounds.nearestFront(from.minus(centre).times(scale), direction, RadiosityBounds.ACROSS, true, hit);
+        int found = scaled.bounds.nearestFront(scaled.unit(from), direction, RadiosityBounds.ACROSS, true, hit);
         return found < 0 ? NOTHING
                 : found >= within || Elements.cross(solution, found).dot(direction) >= 0 ? BACK : found;
     }
