@@ -6,6 +6,7 @@ import java.util.List;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
+import radiosity.util.Frame;
 import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
@@ -132,21 +133,14 @@ final class NearbyPoints {
         float ny = faces.normal(from.face, 1);
         float nz = faces.normal(from.face, 2);
         long key = Hash.mix(Hash.mix(11 + time, from.face), from.number);
-        double radius = Math.sqrt(Hash.unit(Hash.mix(key, 0)));
-        double angle = 2 * Math.PI * Hash.unit(Hash.mix(key, 1));
-        double p = radius * StrictMath.cos(angle);
-        double q = radius * StrictMath.sin(angle);
-        double up = Math.sqrt(Math.max(0, 1 - p * p - q * q));
-        double[] frame = Solids.frame(nx, ny, nz);
-        float dx = (float) (p * frame[0] + q * frame[3] + up * nx);
-        float dy = (float) (p * frame[1] + q * frame[4] + up * ny);
-        float dz = (float) (p * frame[2] + q * frame[5] + up * nz);
+        double[] at = Frame.inCircle(Hash.unit(Hash.mix(key, 0)), Hash.unit(Hash.mix(key, 1)));
+        float[] d = Solids.direction(at[0], at[1], faces.unitNormal(from.face));
         float[] x = from.place;
         float[] hit = new float[3];
-        int t = bounds.nearestFront(x[0] + LIFT * nx, x[1] + LIFT * ny, x[2] + LIFT * nz, dx, dy, dz,
+        int t = bounds.nearestFront(x[0] + LIFT * nx, x[1] + LIFT * ny, x[2] + LIFT * nz, d[0], d[1], d[2],
                 (float) Math.sqrt(2 * from.elementArea), true, hit);
-        return t < 0 ? null : place(t, new float[] {dx, dy, dz}, new double[] {x[0] + LIFT * nx + hit[0] * (double) dx,
-            x[1] + LIFT * ny + hit[0] * (double) dy, x[2] + LIFT * nz + hit[0] * (double) dz});
+        return t < 0 ? null : place(t, d, new double[] {x[0] + LIFT * nx + hit[0] * (double) d[0],
+            x[1] + LIFT * ny + hit[0] * (double) d[1], x[2] + LIFT * nz + hit[0] * (double) d[2]});
     }
 
     /** The place of a point on that face of a triangle which shows its front to a ray, or null. */

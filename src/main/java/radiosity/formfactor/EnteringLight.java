@@ -3,6 +3,7 @@ package radiosity.formfactor;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
 import radiosity.scene.Vec3;
+import radiosity.util.Frame;
 import radiosity.visibility.RadiosityBounds;
 
 /**
@@ -69,16 +70,12 @@ public final class EnteringLight {
 
     /** The same of a sky, relative to the irradiance of a level place in the open. */
     private double sky(Light light) {
-        Vec3 up = light.up();
-        Vec3 u = up.perpendicular();
-        Vec3 v = up.cross(u);
+        Frame frame = Frame.of(light.up());
         double sum = 0;
         for (int i = 1; i <= SKY_RAYS; i++) {
             double height = fraction(i * STEP * STEP * STEP);
-            double angle = 2 * Math.PI * fraction(i * STEP * STEP * STEP * STEP);
-            double level = Math.sqrt(1 - height * height);
-            Vec3 towards = u.times(level * StrictMath.cos(angle)).plus(v.times(level * StrictMath.sin(angle)))
-                    .plus(up.times(height));
+            double[] level = Frame.inCircle(1 - height * height, fraction(i * STEP * STEP * STEP * STEP));
+            Vec3 towards = frame.vector(level[0], level[1], height);
             // irradiance is 1/pi of the luminance over all directions, of which there are 2 pi
             sum += 2 * lights.luminance(light, towards) * area(towards, i);
         }

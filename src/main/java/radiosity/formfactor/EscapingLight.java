@@ -5,6 +5,7 @@ import java.util.List;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
+import radiosity.util.Frame;
 import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
@@ -41,16 +42,11 @@ public final class EscapingLight {
      * @param p     with {@code q}: point in the unit circle below the hemisphere; p² + q² < 1
      */
     public boolean escapes(float[] place, int face, double p, double q) {
-        double[] n = {faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2)};
-        double[] frame = Solids.frame(n[0], n[1], n[2]);
-        double up = Math.sqrt(1 - p * p - q * q);
         float[] x = new float[3];
-        float[] d = new float[3];
         for (int a = 0; a < 3; a++) {
-            x[a] = (float) (place[a] + LIFT * n[a]);
-            d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n[a]);
+            x[a] = (float) (place[a] + LIFT * (double) faces.normal(face, a));
         }
-        return arrival(x, d, new float[3]) < 0;
+        return arrival(x, Solids.direction(p, q, faces.unitNormal(face)), new float[3]) < 0;
     }
 
     /**
@@ -116,9 +112,8 @@ public final class EscapingLight {
         for (int i = 1; i <= whole; i++) {
             double[] weight = point(face, at, Hash.mix(key, 4L * i));
             float[] place = place(at, weight);
-            double radius = Math.sqrt(Hash.unit(Hash.mix(key, 4L * i + 2)));
-            double angle = 2 * Math.PI * Hash.unit(Hash.mix(key, 4L * i + 3));
-            if (escapes(place, face, radius * StrictMath.cos(angle), radius * StrictMath.sin(angle))) {
+            double[] d = Frame.inCircle(Hash.unit(Hash.mix(key, 4L * i + 2)), Hash.unit(Hash.mix(key, 4L * i + 3)));
+            if (escapes(place, face, d[0], d[1])) {
                 for (int c = 0; c < channels; c++) {
                     double flux = area / rays * (weight[0] * radiosity[c] + weight[1] * radiosity[channels + c]
                             + weight[2] * radiosity[2 * channels + c]);

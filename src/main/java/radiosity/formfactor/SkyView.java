@@ -2,6 +2,7 @@ package radiosity.formfactor;
 
 import java.util.function.Predicate;
 import radiosity.scene.Vec3;
+import radiosity.util.Frame;
 import radiosity.util.Hash;
 
 /**
@@ -36,10 +37,8 @@ final class SkyView {
 
     private final Sky sky;
     private final Predicate<Vec3> free;
-    private final Vec3 n;
-    private final Vec3 u;
-    private final Vec3 v;
-    /** Components of the sky's zenith along u, v and n. */
+    private final Frame frame;
+    /** Components of the sky's zenith along the frame. */
     private final double[] up;
     /** 1 per corner: luminance that the point sees there. */
     private final double[] seen = new double[ROW * ROW];
@@ -62,10 +61,8 @@ final class SkyView {
     SkyView(Sky sky, Vec3 n, Predicate<Vec3> free) {
         this.sky = sky;
         this.free = free;
-        this.n = n;
-        u = n.perpendicular();
-        v = n.cross(u);
-        up = new double[] {u.dot(sky.up()), v.dot(sky.up()), n.dot(sky.up())};
+        frame = Frame.of(n);
+        up = new double[] {frame.u().dot(sky.up()), frame.v().dot(sky.up()), n.dot(sky.up())};
     }
 
     /** Directions of a place in every cell of some rows, row by row; offset is the place's distance from the corner. */
@@ -309,6 +306,6 @@ final class SkyView {
     }
 
     private Vec3 global(double[] local, int from) {
-        return u.times(local[from]).plus(v.times(local[from + 1])).plus(n.times(local[from + 2]));
+        return frame.vector(local[from], local[from + 1], local[from + 2]);
     }
 }

@@ -6,6 +6,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.scene.Lamp;
 import radiosity.scene.Light;
 import radiosity.scene.Vec3;
+import radiosity.util.Frame;
 import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 
@@ -53,10 +54,8 @@ public final class UnseenLamps {
         int rays = Math.max(1, RAYS * step / Math.max(1, some.length));
         for (int i = 0; i < some.length; i += step) {
             for (int ray = 1; ray <= rays; ray++) {
-                double r = Math.sqrt(R2.u(ray));
-                double angle = 2 * Math.PI * R2.v(ray);
-                if (!escaping.escapes(point(some[i], i + ray), some[i], r * StrictMath.cos(angle),
-                        r * StrictMath.sin(angle))) {
+                double[] at = Frame.inCircle(R2.u(ray), R2.v(ray));
+                if (!escaping.escapes(point(some[i], i + ray), some[i], at[0], at[1])) {
                     return true;
                 }
             }
@@ -104,11 +103,7 @@ public final class UnseenLamps {
         if (!light.kind().isSky()) {
             return lights.irradiance(light, x, n) > 0;
         }
-        double r = Math.sqrt(R2.u(ray));
-        double angle = 2 * Math.PI * R2.v(ray);
-        Vec3 u = n.perpendicular();
-        Vec3 d = n.times(Math.sqrt(1 - r * r)).plus(u.times(r * StrictMath.cos(angle)))
-                .plus(n.cross(u).times(r * StrictMath.sin(angle)));
+        Vec3 d = Frame.of(n).diffuse(R2.u(ray), R2.v(ray));
         return lights.luminance(light, d) > 0 && bounds.isFree(x, d, new RadiosityBounds.Blocker());
     }
 
@@ -117,11 +112,8 @@ public final class UnseenLamps {
         Vec3 axis = light.kind() == Light.Kind.SPOT ? light.direction().unit() : new Vec3(0, 1, 0);
         double low = light.kind() == Light.Kind.SPOT ? StrictMath.cos(light.cone()) : -1;
         double cos = 1 - R2.u(number) * (1 - low);
-        double angle = 2 * Math.PI * R2.v(number);
-        double sin = Math.sqrt(1 - cos * cos);
-        Vec3 u = axis.perpendicular();
-        return axis.times(cos).plus(u.times(sin * StrictMath.cos(angle)))
-                .plus(axis.cross(u).times(sin * StrictMath.sin(angle)));
+        double[] at = Frame.inCircle(1 - cos * cos, R2.v(number));
+        return Frame.of(axis).vector(at[0], at[1], cos);
     }
 
     /** Whether a ray from a lamp arrives on a visible side that the lamp lights. */

@@ -112,8 +112,24 @@ public final class Solids {
         return front[3 * t] * d.x() + front[3 * t + 1] * d.y() + front[3 * t + 2] * d.z() > 0;
     }
 
+    /**
+     * A direction of light that leaves a surface, x, y, z.
+     *
+     * @param p with {@code q}: point in the unit circle below the hemisphere; p² + q² < 1
+     * @param n unit normal
+     */
+    public static float[] direction(double p, double q, Vec3 n) {
+        double[] frame = frame(n.x(), n.y(), n.z());
+        double up = Math.sqrt(Math.max(0, 1 - p * p - q * q));
+        float[] d = new float[3];
+        for (int a = 0; a < 3; a++) {
+            d[a] = (float) (p * frame[a] + q * frame[3 + a] + up * n.coordinate(a));
+        }
+        return d;
+    }
+
     /** Returns two unit vectors, x, y, z each, at right angles to each other and to a normal of length 1. */
-    public static double[] frame(double nx, double ny, double nz) {
+    private static double[] frame(double nx, double ny, double nz) {
         double ax = Math.abs(nx) < 0.6 ? 1 : 0;
         double ay = 1 - ax;
         double ux = -ay * nz;

@@ -9,6 +9,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.Frame;
 import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
@@ -68,15 +69,10 @@ final class FreeIrradiance {
     }
 
     private Rgb reflected(Vec3 x, Vec3 n) {
-        Vec3 u = n.perpendicular();
-        Vec3 v = n.cross(u);
+        Frame frame = Frame.of(n);
         Rgb sum = Rgb.BLACK;
         for (int i = 0; i < SIDE * SIDE; i++) {
-            double r = Math.sqrt((i / SIDE + 0.5) / SIDE);
-            double angle = 2 * Math.PI * ((i % SIDE + R2.u(i / SIDE + 1)) / SIDE);
-            Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
-                    .plus(n.times(Math.sqrt(1 - r * r)));
-            Rgb light = look(x, d, true);
+            Rgb light = look(x, frame.diffuse((i / SIDE + 0.5) / SIDE, (i % SIDE + R2.u(i / SIDE + 1)) / SIDE), true);
             sum = light == null ? sum : sum.plus(light);
         }
         return sum.times(1.0 / (SIDE * SIDE));

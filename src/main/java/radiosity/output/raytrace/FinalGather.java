@@ -12,6 +12,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
+import radiosity.util.Frame;
 import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 
@@ -150,16 +151,11 @@ final class FinalGather {
      * Light from rays that are uniform in the circle below the hemisphere (W. Nusselt, 1928): all rays weigh the same.
      */
     private Rgb fromAround(Vec3 from, Vec3 n, long first, int count) {
-        Vec3 u = n.perpendicular();
-        Vec3 v = n.cross(u);
+        Frame frame = Frame.of(n);
         float[] hit = new float[3];
         Rgb sum = Rgb.BLACK;
         for (int i = 1; i <= count; i++) {
-            double square = R2.u(first + i);
-            double angle = 2 * Math.PI * R2.v(first + i);
-            double r = Math.sqrt(square);
-            Vec3 d = u.times(r * StrictMath.cos(angle)).plus(v.times(r * StrictMath.sin(angle)))
-                    .plus(n.times(Math.sqrt(1 - square)));
+            Vec3 d = frame.diffuse(R2.u(first + i), R2.v(first + i));
             int element = rays.element(from, d, hit);
             if (element >= 0 && !isBright[rays.solution().faceOf()[element]]) {
                 sum = sum.plus(rays.reflected(element, hit[1], hit[2]));

@@ -1,6 +1,7 @@
 package radiosity.output.raytrace;
 
 import radiosity.scene.Vec3;
+import radiosity.util.Frame;
 
 /**
  * The microfacets, small mirrors, of which a rough surface is made (B. Walter and others, Microfacet models for
@@ -11,9 +12,8 @@ final class Microfacets {
 
     private final double width;
     private final Vec3 normal;
-    private final Vec3 u;
-    private final Vec3 v;
-    /** Unit direction to the eye, stretched by the width of the slopes; coordinates along u, v and the normal. */
+    private final Frame frame;
+    /** Unit direction to the eye, stretched by the width of the slopes; coordinates along the frame. */
     private final Vec3 stretched;
 
     /**
@@ -24,9 +24,9 @@ final class Microfacets {
     Microfacets(Vec3 normal, Vec3 direction, double roughness) {
         width = roughness * roughness;
         this.normal = normal;
-        u = normal.perpendicular();
-        v = normal.cross(u);
-        stretched = new Vec3(-width * direction.dot(u), -width * direction.dot(v), -direction.dot(normal)).unit();
+        frame = Frame.of(normal);
+        stretched = new Vec3(-width * direction.dot(frame.u()), -width * direction.dot(frame.v()),
+                -direction.dot(normal)).unit();
     }
 
     /** Unit normal of a facet that the eye sees, chosen by two numbers in [0, 1]. */
@@ -39,7 +39,7 @@ final class Microfacets {
         double part = (1 + stretched.z()) / 2;
         double y = (1 - part) * Math.sqrt(Math.max(0, 1 - x * x)) + part * r * StrictMath.sin(2 * Math.PI * second);
         Vec3 h = a.times(x).plus(b.times(y)).plus(stretched.times(Math.sqrt(Math.max(0, 1 - x * x - y * y))));
-        return u.times(width * h.x()).plus(v.times(width * h.y())).plus(normal.times(Math.max(1e-9, h.z()))).unit();
+        return frame.vector(width * h.x(), width * h.y(), Math.max(1e-9, h.z())).unit();
     }
 
     /**
