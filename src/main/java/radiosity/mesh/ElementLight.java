@@ -13,18 +13,16 @@ import radiosity.util.ArraySize;
 public final class ElementLight {
 
     private final RadiosityNodes nodes;
-    private final NodeTree tree;
     private final ReceivingPoints points;
     private final int channels;
     /** 3 x channels per element, in the order of {@link NodeTree#place}: radiosity S shot at each corner, W/m². */
     private double[] shot;
 
-    ElementLight(RadiosityNodes nodes, NodeTree tree, ReceivingPoints points) {
+    ElementLight(RadiosityNodes nodes, ReceivingPoints points) {
         this.nodes = nodes;
-        this.tree = tree;
         this.points = points;
         channels = nodes.channels();
-        shot = new double[size(channels, tree.elements())];
+        shot = new double[size(channels, nodes.elements())];
     }
 
     /**
@@ -43,7 +41,7 @@ public final class ElementLight {
     /** Makes room for the elements of about this number of further divisions. */
     void expect(int divided) {
         int each = 3 * channels;
-        makeRoom(each * ArraySize.room(what(channels), tree.elements(), tree.elements() + 3L * divided, each));
+        makeRoom(each * ArraySize.room(what(channels), nodes.elements(), nodes.elements() + 3L * divided, each));
     }
 
     private void makeRoom(int room) {
@@ -55,12 +53,12 @@ public final class ElementLight {
     /** Gives four children the radiosity that their parent had shot, interpolated at their corners. */
     void divide(int node, int first) {
         int n = 3 * channels;
-        double[] before = Arrays.copyOfRange(shot, n * tree.place(node), n * (tree.place(node) + 1));
-        if ((long) n * tree.elements() > shot.length) {
-            makeRoom(n * ArraySize.room(what(channels), tree.elements(), shot.length / n / 4 * 5L, n));
+        double[] before = Arrays.copyOfRange(shot, n * nodes.place(node), n * (nodes.place(node) + 1));
+        if ((long) n * nodes.elements() > shot.length) {
+            makeRoom(n * ArraySize.room(what(channels), nodes.elements(), shot.length / n / 4 * 5L, n));
         }
         for (int k = 0; k < 4; k++) {
-            System.arraycopy(Subdivision.values(before, channels, k), 0, shot, n * tree.place(first + k), n);
+            System.arraycopy(Subdivision.values(before, channels, k), 0, shot, n * nodes.place(first + k), n);
         }
     }
 
@@ -71,7 +69,7 @@ public final class ElementLight {
 
     /** Irradiance H at corner k of an element, W/m². A buried vertex takes the mean of the element's others. */
     public double irradiance(int node, int k, int channel) {
-        int v = tree.corner(node, k);
+        int v = nodes.corner(node, k);
         return points.isBuried(v) ? ofOthers(node, w -> arrived(w, channel)) : arrived(v, channel);
     }
 
@@ -80,7 +78,7 @@ public final class ElementLight {
         double sum = 0;
         int seen = 0;
         for (int j = 0; j < 3; j++) {
-            int v = tree.corner(node, j);
+            int v = nodes.corner(node, j);
             if (!points.isBuried(v)) {
                 sum += atVertex.applyAsDouble(v);
                 seen++;
@@ -100,7 +98,7 @@ public final class ElementLight {
      */
     public double bulge(int node, int channel) {
         double sum = 0;
-        int parent = tree.parent(node);
+        int parent = nodes.parent(node);
         for (int k = 0; k < 3 && parent >= 0; k++) {
             sum += bulge(parent, k, channel);
         }
@@ -132,9 +130,9 @@ public final class ElementLight {
 
     /** Bulge of the edge opposite corner k of an inner node, W/m²: H at its middle less the mean of H at its ends. */
     private double bulge(int node, int k, int channel) {
-        int p = tree.corner(node, (k + 1) % 3);
-        int q = tree.corner(node, (k + 2) % 3);
-        int middle = tree.corner(tree.child(node) + 3, k);
+        int p = nodes.corner(node, (k + 1) % 3);
+        int q = nodes.corner(node, (k + 2) % 3);
+        int middle = nodes.corner(nodes.child(node) + 3, k);
         if (points.isBuried(p) || points.isBuried(q) || points.isBuried(middle)) {
             return 0;
         }
@@ -152,24 +150,24 @@ public final class ElementLight {
 
     /** Radiosity S that was shot at corner k of an element, W/m². */
     public double shot(int node, int k, int channel) {
-        return shot[channels * (3 * tree.place(node) + k) + channel];
+        return shot[channels * (3 * nodes.place(node) + k) + channel];
     }
 
     /** Puts the radiosity shot at an element's corners into {@code values}, see {@link PatchTree.Quantity}. W/m². */
     public void shot(int node, double[] values, int at) {
-        System.arraycopy(shot, 3 * channels * tree.place(node), values, at, 3 * channels);
+        System.arraycopy(shot, 3 * channels * nodes.place(node), values, at, 3 * channels);
     }
 
     /** Sets the radiosity S shot at corner k of an element, W/m²; only the owner of the tree may call this. */
     public void setShot(int node, int k, int channel, double radiosity) {
-        shot[channels * (3 * tree.place(node) + k) + channel] = radiosity;
+        shot[channels * (3 * nodes.place(node) + k) + channel] = radiosity;
     }
 
     /** Puts an element's shot plus unshot radiosity into {@code values}, see {@link PatchTree.Quantity}. W/m². */
     public void leaving(int node, double[] values, int at) {
         unshot(node, values, at);
         for (int i = 0; i < 3 * channels; i++) {
-            values[at + i] += shot[3 * channels * tree.place(node) + i];
+            values[at + i] += shot[3 * channels * nodes.place(node) + i];
         }
     }
 
@@ -190,7 +188,7 @@ public final class ElementLight {
     public void unshotOfPositive(int node, double[] values, int at) {
         unshot(node, values, at);
         for (int i = 0; i < 3 * channels; i++) {
-            values[at + i] = Math.max(values[at + i], -shot[3 * channels * tree.place(node) + i]);
+            values[at + i] = Math.max(values[at + i], -shot[3 * channels * nodes.place(node) + i]);
         }
     }
 

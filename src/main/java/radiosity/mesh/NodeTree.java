@@ -10,7 +10,7 @@ import radiosity.util.LongIndex;
  * The nodes of some patch trees in arrays: place of each node, its vertices, its parent and children. A node is an
  * index; its path is not stored, but found from its ancestors.
  */
-final class NodeTree {
+abstract class NodeTree {
 
     private static final String CORNERS = "corners of the nodes of the patch trees";
 
@@ -104,11 +104,12 @@ final class NodeTree {
         place = Arrays.copyOf(place, room);
     }
 
-    int count() {
+    /** Number of nodes, inner nodes and elements. */
+    public int nodes() {
         return count;
     }
 
-    int elements() {
+    public int elements() {
         return elements;
     }
 
@@ -116,7 +117,7 @@ final class NodeTree {
         return place[node];
     }
 
-    int face(int node) {
+    public int face(int node) {
         return face[node];
     }
 
@@ -125,7 +126,7 @@ final class NodeTree {
     }
 
     /** Path of a node below its face, see {@link NodePath}. */
-    long path(int node) {
+    public long path(int node) {
         long steps = 0;
         int bits = 0;
         int at = node;
@@ -136,16 +137,18 @@ final class NodeTree {
         return rootPath[-1 - parent[at]] << bits | steps;
     }
 
-    /** The parent of a node, or -1 for a root. */
-    int parent(int node) {
+    /** The parent of a node, or -1 for a top node. */
+    public int parent(int node) {
         return Math.max(-1, parent[node]);
     }
 
-    int child(int node) {
+    /** First of four consecutive children, or -1. */
+    public int child(int node) {
         return child[node];
     }
 
-    int corner(int node, int k) {
+    /** Vertex at corner k of a node. */
+    public int corner(int node, int k) {
         return corner[3 * node + k];
     }
 
@@ -153,13 +156,13 @@ final class NodeTree {
         corner[3 * node + k] = vertex;
     }
 
-    /** The roots, in the order in which they were added. */
-    int[] roots() {
+    /** The top nodes of all blocks, in the order of the blocks. */
+    public int[] tops() {
         return Arrays.copyOf(root, roots);
     }
 
     /** The node with this face and path, or -1. */
-    int find(int onFace, long atPath) {
+    public int find(int onFace, long atPath) {
         int node = rootAbove(onFace, atPath);
         int levels = NodePath.level(atPath);
         while (node >= 0 && level[node] < levels) {
@@ -169,7 +172,7 @@ final class NodeTree {
     }
 
     /** The element with this face whose path begins the given one, which may be deeper, or -1. */
-    int element(int onFace, long deepPath) {
+    public int element(int onFace, long deepPath) {
         int node = rootAbove(onFace, deepPath);
         int levels = NodePath.level(deepPath);
         while (node >= 0 && child[node] >= 0 && level[node] < levels) {

@@ -12,14 +12,12 @@ import radiosity.util.ArraySize;
  * at the corners of each element; both are linear between corners. A patch is a leaf of the initial mesh: every node
  * that is made later lies below a patch.
  */
-public final class RadiosityNodes {
+public final class RadiosityNodes extends NodeTree {
 
     private final Patcher patcher;
     private final Faces faces;
     private final int channels;
     private final ReceivingPoints points;
-
-    private final NodeTree tree;
     private final ElementLight light;
     /** Leaves of the initial mesh, in the order of the blocks. */
     private final int[] patches;
@@ -29,20 +27,15 @@ public final class RadiosityNodes {
 
     /** Makes the initial mesh of some blocks. */
     public RadiosityNodes(Patcher patcher, List<Block> blocks) {
+        this(patcher, blocks, leaves(patcher, blocks), blocks.stream().mapToInt(block -> block.face().length).sum());
+    }
+
+    private RadiosityNodes(Patcher patcher, List<Block> blocks, long leaves, int tops) {
+        super(tops, (int) Math.min(ArraySize.MOST, (4 * leaves - tops) / 3));
         this.patcher = patcher;
         faces = patcher.faces();
         channels = faces.channels();
         points = new ReceivingPoints(patcher);
-        long tops = 0;
-        long leaves = 0;
-        for (Block block : blocks) {
-            tops += block.face().length;
-            for (int i = 0; i < block.face().length; i++) {
-                leaves += 1L << 2 * (patcher.level(block.face()[i]) - NodePath.level(block.path()[i]));
-            }
-        }
-        ElementLight.size(channels, leaves);
-        tree = new NodeTree((int) tops, (int) Math.min(ArraySize.MOST, (4 * leaves - tops) / 3));
         patches = new int[(int) leaves];
         for (Block block : blocks) {
             for (int i = 0; i < block.face().length; i++) {
@@ -50,23 +43,34 @@ public final class RadiosityNodes {
             }
         }
         points.trim();
-        light = new ElementLight(this, tree, points);
+        light = new ElementLight(this, points);
+    }
+
+    private static long leaves(Patcher patcher, List<Block> blocks) {
+        long leaves = 0;
+        for (Block block : blocks) {
+            for (int i = 0; i < block.face().length; i++) {
+                leaves += 1L << 2 * (patcher.level(block.face()[i]) - NodePath.level(block.path()[i]));
+            }
+        }
+        ElementLight.size(patcher.faces().channels(), leaves);
+        return leaves;
     }
 
     private void plant(int f, long top) {
         float[] at = faces.corners(f, top);
         NodePath.weights(top, weights);
-        int node = tree.addRoot(f, top);
+        int node = addRoot(f, top);
         int depth = patcher.level(f);
         for (int k = 0; k < 3; k++) {
-            tree.setCorner(node, k, patcher.isPoint(f) ? points.middle(f, at)
+            setCorner(node, k, patcher.isPoint(f) ? points.middle(f, at)
                     : points.vertex(f, weights, 3 * k, depth, at, 3 * k, 0));
         }
         grow(node, depth);
     }
 
     private void grow(int node, int depth) {
-        if (tree.level(node) == depth) {
+        if (level(node) == depth) {
             patches[patchCount++] = node;
             return;
         }
@@ -83,7 +87,7 @@ public final class RadiosityNodes {
      * @return the first of the four children
      */
     public int split(int node, int with) {
-        int first = divide(node, tree.level(node) + 1, with);
+        int first = divide(node, level(node) + 1, with);
         light.divide(node, first);
         return first;
     }
@@ -95,12 +99,12 @@ public final class RadiosityNodes {
      */
     public void beginSplits(int expected) {
         points.forget();
-        tree.expect(expected);
+        expect(expected);
         light.expect(expected);
     }
 
     private int divide(int node, int depth, int with) {
-        NodePath.weights(tree.path(node), weights);
+        NodePath.weights(path(node), weights);
         if (isPoint(node)) {
             giveCorners(node, depth, with);
         }
@@ -114,12 +118,12 @@ public final class RadiosityNodes {
             }
             mid[k] = points.between(corner(node, p), corner(node, q), face(node), between, depth, with);
         }
-        int first = tree.addChildren(node);
+        int first = addChildren(node);
         for (int k = 0; k < 3; k++) {
-            tree.setCorner(first + k, k, corner(node, k));
-            tree.setCorner(first + k, (k + 1) % 3, mid[(k + 2) % 3]);
-            tree.setCorner(first + k, (k + 2) % 3, mid[(k + 1) % 3]);
-            tree.setCorner(first + 3, k, mid[k]);
+            setCorner(first + k, k, corner(node, k));
+            setCorner(first + k, (k + 1) % 3, mid[(k + 2) % 3]);
+            setCorner(first + k, (k + 2) % 3, mid[(k + 1) % 3]);
+            setCorner(first + 3, k, mid[k]);
         }
         return first;
     }
@@ -128,7 +132,7 @@ public final class RadiosityNodes {
     private void giveCorners(int node, int depth, int with) {
         int middle = corner(node, 0);
         for (int k = 0; k < 3; k++) {
-            tree.setCorner(node, k, points.cornerInsteadOf(middle, face(node), weights, 3 * k, depth, with));
+            setCorner(node, k, points.cornerInsteadOf(middle, face(node), weights, 3 * k, depth, with));
         }
         points.bury(middle);
     }
@@ -151,15 +155,6 @@ public final class RadiosityNodes {
         return points;
     }
 
-    /** Number of nodes, inner nodes and elements. */
-    public int nodes() {
-        return tree.count();
-    }
-
-    public int elements() {
-        return tree.elements();
-    }
-
     public int vertices() {
         return points.count();
     }
@@ -176,12 +171,7 @@ public final class RadiosityNodes {
 
     /** Levels between a node and the patch of which it is a part. */
     public int depthBelowPatch(int node) {
-        return tree.level(node) - patcher.level(face(node));
-    }
-
-    /** The top nodes of all blocks, in the order of the blocks. */
-    public int[] tops() {
-        return tree.roots();
+        return level(node) - patcher.level(face(node));
     }
 
     /** The top nodes of one block. */
@@ -200,7 +190,7 @@ public final class RadiosityNodes {
      */
     public void position(int node, int k, double[] to, int at) {
         int[] weight = new int[9];
-        NodePath.weights(tree.path(node), weight);
+        NodePath.weights(path(node), weight);
         for (int a = 0; a < 3; a++) {
             double sum = 0;
             for (int j = 0; j < 3; j++) {
@@ -210,41 +200,13 @@ public final class RadiosityNodes {
         }
     }
 
-    /** The element with this face whose path begins the given one, which may be deeper, or -1. */
-    public int element(int onFace, long deepPath) {
-        return tree.element(onFace, deepPath);
-    }
-
-    /** The node with this face and path, or -1. */
-    public int find(int onFace, long atPath) {
-        return tree.find(onFace, atPath);
-    }
-
-    public int face(int node) {
-        return tree.face(node);
-    }
-
-    public long path(int node) {
-        return tree.path(node);
-    }
-
-    /** The parent of a node, or -1 for a top node. */
-    public int parent(int node) {
-        return tree.parent(node);
-    }
-
-    /** First of four consecutive children, or -1. */
-    public int child(int node) {
-        return tree.child(node);
-    }
-
     /** Number of the split that divided an inner node; 0 in the initial mesh. */
     public int dividedWith(int node) {
         return points.made(corner(child(node) + 3, 0));
     }
 
     public boolean isElement(int node) {
-        return tree.child(node) < 0;
+        return child(node) < 0;
     }
 
     /** Whether a node has one vertex at its middle for all three corners; a split gives it three vertices. */
@@ -252,14 +214,9 @@ public final class RadiosityNodes {
         return corner(node, 0) == corner(node, 1);
     }
 
-    /** Vertex at corner k of a node. */
-    public int corner(int node, int k) {
-        return tree.corner(node, k);
-    }
-
     /** Area of a node outside of solids that no other face covers, in squared scene sizes. */
     public double area(int node) {
-        return faces.exposedArea(face(node)) / (1L << 2 * tree.level(node));
+        return faces.exposedArea(face(node)) / (1L << 2 * level(node));
     }
 
     /** Exitance E, mean over a node, W/m². */
@@ -274,6 +231,6 @@ public final class RadiosityNodes {
 
     /** Path of a node where its face has varying materials; else the path of the face, which costs nothing to find. */
     private long mapPath(int node) {
-        return faces.isMapped(face(node)) ? tree.path(node) : NodePath.FACE;
+        return faces.isMapped(face(node)) ? path(node) : NodePath.FACE;
     }
 }
