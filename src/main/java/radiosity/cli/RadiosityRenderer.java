@@ -26,7 +26,6 @@ import radiosity.cli.render.StatisticsTable;
 import radiosity.cli.render.Summary;
 import radiosity.cli.render.TimedCalculation;
 import radiosity.cli.render.Warnings;
-import radiosity.cli.terminal.NoProgress;
 import radiosity.cli.terminal.ProcessTime;
 import radiosity.cli.terminal.ProgressBarDisplay;
 import radiosity.cli.terminal.ProgressDisplay;
@@ -315,7 +314,7 @@ public final class RadiosityRenderer {
 
     private ProgressDisplay display() {
         if (options.quiet) {
-            return new NoProgress(err);
+            return err::println;
         }
         return TerminalStreams.seen() ? new ProgressBarDisplay(err, TerminalStreams::width, text, System::nanoTime)
                 : new ProgressLines(err, text, System::nanoTime);

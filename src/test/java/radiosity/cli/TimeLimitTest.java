@@ -40,7 +40,6 @@ import radiosity.cli.render.RenderResult;
 import radiosity.cli.render.SavedCalculation;
 import radiosity.cli.render.TimedCalculation;
 import radiosity.cli.render.Warnings;
-import radiosity.cli.terminal.NoProgress;
 import radiosity.cli.terminal.ProgressText;
 import radiosity.cli.terminal.StopRequest;
 import radiosity.cli.terminal.TimeCourse;
@@ -192,7 +191,7 @@ class TimeLimitTest {
             new CommandLine(parsed).parseArgs(withTime.toArray(new String[0]));
             StopRequest stop = new StopRequest();
             PrintStream lines = new PrintStream(err, true);
-            ConsoleSession user = new ConsoleSession(lines, new NoProgress(lines), stop);
+            ConsoleSession user = new ConsoleSession(lines, lines::println, stop);
             OutputFiles files = new OutputFiles(parsed, withTime);
             Scene scene = SceneReader.read(parsed.input(), parsed.scene.readOptions(),
                     new Warnings(line -> { }, false)::print);

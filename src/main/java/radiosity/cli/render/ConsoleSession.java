@@ -2,7 +2,6 @@ package radiosity.cli.render;
 
 import java.io.PrintStream;
 import radiosity.cli.terminal.KeyListener;
-import radiosity.cli.terminal.NoProgress;
 import radiosity.cli.terminal.ProgressDisplay;
 import radiosity.cli.terminal.StopRequest;
 import radiosity.solution.Progress;
@@ -50,6 +49,6 @@ public final class ConsoleSession implements ProgressDisplay {
     public void close() {
         keys.close();
         display.close();
-        display = new NoProgress(err);
+        display = err::println;
     }
 }
