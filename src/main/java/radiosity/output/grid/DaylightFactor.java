@@ -1,11 +1,9 @@
 package radiosity.output.grid;
 
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import radiosity.scene.Lamp;
 import radiosity.scene.Light;
 import radiosity.scene.Scene;
@@ -24,36 +22,33 @@ public record DaylightFactor(double outdoors, double average, double median, dou
     /**
      * The daylight factors of points.
      *
-     * @param rows  of each point, illuminance as the seventh number; at least one point
-     * @param areas for which the points stand
-     * @param mean  illuminance, average over these areas
-     * @return empty where the scene's light comes from anything but one overcast sky
+     * @param rising illuminance of each point, ascending
+     * @param areas  for which the points stand
+     * @param mean   illuminance, average over these areas
+     * @return empty where the scene's light comes from anything but one overcast sky, or there is no point
      */
-    static Optional<DaylightFactor> of(Scene scene, double[][] rows, double[] areas, double mean) {
+    static Optional<DaylightFactor> of(Scene scene, double[] rising, double[] areas, double mean) {
         List<Lamp> lamps = scene.lamps();
-        if (lamps.size() != 1 || scene.lights().size() != 1
+        if (rising.length == 0 || lamps.size() != 1 || scene.lights().size() != 1
                 || scene.lights().get(0).kind() != Light.Kind.SKY_OVERCAST) {
             return Optional.empty();
         }
         double outdoors = scene.units().total(scene.lights().get(0).power());
         double area = Arrays.stream(areas).sum();
-        int[] rising = IntStream.range(0, rows.length).boxed()
-                .sorted(Comparator.comparingDouble(i -> rows[i][6])).mapToInt(i -> i).toArray();
         return Optional.of(new DaylightFactor(outdoors, 100 * mean / outdoors,
-                100 * below(rising, rows, areas, 0.5 * area) / outdoors,
-                100 * below(rising, rows, areas, 0.05 * area) / outdoors));
+                100 * below(rising, areas, 0.5 * area) / outdoors, 100 * below(rising, areas, 0.05 * area) / outdoors));
     }
 
     /** The least illuminance of a point such that the points up to it stand for more than an area. */
-    private static double below(int[] rising, double[][] rows, double[] areas, double area) {
+    private static double below(double[] rising, double[] areas, double area) {
         double sum = 0;
-        for (int i : rising) {
+        for (int i = 0; i < rising.length; i++) {
             sum += areas[i];
             if (sum > area) {
-                return rows[i][6];
+                return rising[i];
             }
         }
-        return rows[rising[rising.length - 1]][6];
+        return rising[rising.length - 1];
     }
 
     /** The daylight factor where an illuminance arrives, percent. */

@@ -7,7 +7,7 @@ import java.io.Writer;
 import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.Comparator;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -67,25 +67,22 @@ public record Grid(String where, double[][] rows, double mean, double minimum, d
             Rgb light = free == null ? points.outsideSolids(p, n) : free.at(p, n);
             rows[i] = new double[] {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), units.total(light)};
         });
-        double[][] lit = Arrays.stream(rows).filter(row -> !Double.isNaN(row[6])).toArray(double[][]::new);
+        int[] lit = IntStream.range(0, rows.length).filter(i -> !Double.isNaN(rows[i][6])).toArray();
         double area = 0;
         double flux = 0;
-        for (int i = 0; i < rows.length; i++) {
-            if (!Double.isNaN(rows[i][6])) {
-                area += places.areas().get(i);
-                flux += places.areas().get(i) * rows[i][6];
-            }
+        for (int i : lit) {
+            area += places.areas().get(i);
+            flux += places.areas().get(i) * rows[i][6];
         }
-        double[] values = Arrays.stream(lit).mapToDouble(row -> row[6]).sorted().toArray();
-        int n = values.length;
-        String[] quantity = {units.irradianceWord(), units.irradiance()};
-        if (n == 0) {
-            return new Grid(where, lit, Double.NaN, Double.NaN, Double.NaN, rows.length, quantity, Optional.empty());
-        }
-        double[] areas = IntStream.range(0, rows.length).filter(i -> !Double.isNaN(rows[i][6]))
-                .mapToDouble(i -> places.areas().get(i)).toArray();
-        return new Grid(where, lit, flux / area, values[0], values[n - 1], rows.length - n, quantity,
-                DaylightFactor.of(solution.scene(), lit, areas, flux / area));
+        double mean = flux / area;
+        int[] rising = IntStream.of(lit).boxed().sorted(Comparator.comparingDouble(i -> rows[i][6]))
+                .mapToInt(i -> i).toArray();
+        return new Grid(where, IntStream.of(lit).mapToObj(i -> rows[i]).toArray(double[][]::new), mean,
+                rising.length == 0 ? Double.NaN : rows[rising[0]][6],
+                rising.length == 0 ? Double.NaN : rows[rising[rising.length - 1]][6], rows.length - lit.length,
+                new String[] {units.irradianceWord(), units.irradiance()}, DaylightFactor.of(solution.scene(),
+                        IntStream.of(rising).mapToDouble(i -> rows[i][6]).toArray(),
+                        IntStream.of(rising).mapToDouble(i -> places.areas().get(i)).toArray(), mean));
     }
 
     /** Uniformity U0: minimum over average; 0 if all is dark, NaN if there is no point. */
