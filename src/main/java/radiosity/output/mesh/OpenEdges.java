@@ -15,7 +15,7 @@ final class OpenEdges {
         for (int i = 0; i < corners.length; i++) {
             all[i] = EdgeKey.of(corners[i], corners[i % 3 == 2 ? i - 2 : i + 1]);
         }
-        Arrays.parallelSort(all);
+        Arrays.sort(all);
         edges = EdgeKey.occurring(all, elements -> elements != 2);
     }
 
