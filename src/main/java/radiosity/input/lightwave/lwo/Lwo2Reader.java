@@ -28,7 +28,7 @@ final class Lwo2Reader {
 
     private void chunk(String id, ByteReader data, String place) {
         switch (id) {
-            case "TAGS" -> tags(data, place);
+            case "TAGS" -> object.addTags(data, place, notes);
             case "LAYR" -> layer(data, place);
             case "PNTS" -> object.currentLayer().readPoints(data, place, notes);
             case "POLS" -> polygons(data, place);
@@ -48,12 +48,6 @@ final class Lwo2Reader {
             case "SURF" -> object.addSurface(new Lwo3Surface(notes).read(data, place), place, notes);
             case "CLIP" -> Lwo3Surface.readClip(data, object, place, notes);
             default -> { }
-        }
-    }
-
-    private void tags(ByteReader data, String place) {
-        while (data.has(1)) {
-            object.addTag(data.s0(), place, notes);
         }
     }
 

@@ -20,18 +20,12 @@ final class LwobReader {
             switch (chunks.id()) {
                 case "LAYR" -> object.addLayer(new Layer(chunks.data().u2()), chunks.place(), notes);
                 case "PNTS" -> object.currentLayer().readPoints(chunks.data(), chunks.place(), notes);
-                case "SRFS" -> surfaceNames(chunks.data(), chunks.place());
+                case "SRFS" -> object.addTags(chunks.data(), chunks.place(), notes);
                 case "POLS" -> polygons(chunks.data(), chunks.place());
                 case "PCHS" -> patches(chunks.data(), chunks.place());
                 case "SURF" -> object.addSurface(new LwobSurface(notes).read(chunks.data()), chunks.place(), notes);
                 default -> { }
             }
-        }
-    }
-
-    private void surfaceNames(ByteReader data, String place) {
-        while (data.has(1)) {
-            object.addTag(data.s0(), place, notes);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import radiosity.input.file.ByteReader;
 import radiosity.input.file.Diagnostics;
 
 /** The content of an object file, as the file lists it. */
@@ -58,11 +59,15 @@ public final class ObjectModel {
         return byNumber.getOrDefault(number, List.of());
     }
 
-    void addTag(String tag, String place, Diagnostics notes) {
-        if (tags.size() < MOST) {
-            tags.add(tag);
-        } else {
-            notes.note(place, "names beyond " + MOST + " are left out");
+    /** @param data the rest of a chunk, names one after another */
+    void addTags(ByteReader data, String place, Diagnostics notes) {
+        while (data.has(1)) {
+            String tag = data.s0();
+            if (tags.size() < MOST) {
+                tags.add(tag);
+            } else {
+                notes.note(place, "names beyond " + MOST + " are left out");
+            }
         }
     }
 
