@@ -6,6 +6,7 @@ import java.util.List;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
 import radiosity.mesh.face.Subdivision;
+import radiosity.scene.Vec3;
 import radiosity.util.Frame;
 import radiosity.util.Hash;
 import radiosity.visibility.RadiosityBounds;
@@ -139,12 +140,12 @@ final class NearbyPoints {
         float[] hit = new float[3];
         int t = bounds.nearestFront(x[0] + LIFT * nx, x[1] + LIFT * ny, x[2] + LIFT * nz, d[0], d[1], d[2],
                 (float) Math.sqrt(2 * from.elementArea), true, hit);
-        return t < 0 ? null : place(t, d, new double[] {x[0] + LIFT * nx + hit[0] * (double) d[0],
-            x[1] + LIFT * ny + hit[0] * (double) d[1], x[2] + LIFT * nz + hit[0] * (double) d[2]});
+        return t < 0 ? null : place(t, d, new Vec3(x[0] + LIFT * nx + hit[0] * (double) d[0],
+                x[1] + LIFT * ny + hit[0] * (double) d[1], x[2] + LIFT * nz + hit[0] * (double) d[2]));
     }
 
     /** The place of a point on that face of a triangle which shows its front to a ray, or null. */
-    private Place place(int triangle, float[] d, double[] x) {
+    private Place place(int triangle, float[] d, Vec3 x) {
         Place best = null;
         double most = Double.NEGATIVE_INFINITY;
         for (int f = first[triangle]; f >= 0; f = next[f]) {
@@ -161,26 +162,15 @@ final class NearbyPoints {
     }
 
     /** 3: weights of a face's corners at a point in its plane; negative where the point lies outside. */
-    private double[] weights(int f, double[] x) {
-        double[] a = new double[3];
-        double[] b = new double[3];
-        double[] c = new double[3];
-        for (int i = 0; i < 3; i++) {
-            a[i] = (double) faces.corner(f, 1, i) - faces.corner(f, 0, i);
-            b[i] = (double) faces.corner(f, 2, i) - faces.corner(f, 0, i);
-            c[i] = x[i] - faces.corner(f, 0, i);
-        }
-        double aa = dot(a, a);
-        double ab = dot(a, b);
-        double bb = dot(b, b);
-        double whole = aa * bb - ab * ab;
-        double p = (bb * dot(a, c) - ab * dot(b, c)) / whole;
-        double q = (aa * dot(b, c) - ab * dot(a, c)) / whole;
+    private double[] weights(int f, Vec3 x) {
+        Vec3 a = faces.unitCorner(f, 1).minus(faces.unitCorner(f, 0));
+        Vec3 b = faces.unitCorner(f, 2).minus(faces.unitCorner(f, 0));
+        Vec3 c = x.minus(faces.unitCorner(f, 0));
+        double ab = a.dot(b);
+        double whole = a.dot(a) * b.dot(b) - ab * ab;
+        double p = (b.dot(b) * a.dot(c) - ab * b.dot(c)) / whole;
+        double q = (a.dot(a) * b.dot(c) - ab * a.dot(c)) / whole;
         return new double[] {1 - p - q, p, q};
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
     /** Weights without what is negative by rounding. */
