@@ -1,12 +1,14 @@
 package radiosity.output.lightmap;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import radiosity.output.mesh.Elements;
+import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
 import radiosity.util.DisjointSets;
@@ -86,8 +88,36 @@ final class Atlas {
         return new Texels(width, height);
     }
 
+    /** What is drawn at a point of an element: a function of the element, the point's weights, and the irradiance. */
+    interface Drawn {
+        Rgb at(int element, double v, double w, Rgb irradiance);
+    }
+
+    /**
+     * Draws elements, then the texels beyond their edges: without these, parts narrower than a texel would stay black.
+     *
+     * @param elementsOf the elements of each chart
+     */
+    void draw(Texels texels, Solution solution, List<List<Integer>> elementsOf, Drawn drawn) {
+        for (int c = 0; c < 2 * elementsOf.size(); c++) {
+            int chart = c % elementsOf.size();
+            for (int e : elementsOf.get(chart)) {
+                Rgb[] h = new Rgb[3];
+                Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * e + k]));
+                Texels.Light light = (v, w) -> drawn.at(e, v, w, Texels.within(h,
+                        h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
+                double[][] at = corners(chart, solution, e);
+                if (c < elementsOf.size()) {
+                    texels.draw(at[0], at[1], light);
+                } else {
+                    texels.drawBeyond(at[0], at[1], light);
+                }
+            }
+        }
+    }
+
     /** The corners of an element on a chart: horizontal positions, then vertical ones, texels. */
-    double[][] corners(int chart, Solution solution, int element) {
+    private double[][] corners(int chart, Solution solution, int element) {
         double[][] corners = new double[2][3];
         for (int k = 0; k < 3; k++) {
             Vec3 p = Elements.corner(solution, element, k);

@@ -11,7 +11,6 @@ import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -88,14 +87,10 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
             }
             Texels texels = atlas.texels("--lightmap-texels");
             float[] places = new float[6 * scene.triangles()];
+            atlas.draw(texels, solution, parts.stream()
+                    .map(part -> litSide(part).stream().filter(e -> flux(e) > 0).toList()).toList(),
+                    (e, v, w, irradiance) -> irradiance);
             for (int c = 0; c < parts.size(); c++) {
-                List<Integer> lit = litSide(parts.get(c)).stream().filter(e -> flux(e) > 0).toList();
-                for (int e : lit) {
-                    draw(texels, atlas.corners(c, solution, e), e, false);
-                }
-                for (int e : lit) {
-                    draw(texels, atlas.corners(c, solution, e), e, true);
-                }
                 for (int t : parts.get(c)) {
                     for (int k = 0; k < 3; k++) {
                         atlas.place(c, scene.corner(t, k), places, 6 * t + 2 * k);
@@ -147,19 +142,6 @@ public record Lightmap(Picture irradiance, float[] places, double samples, Units
                 sum += h.r() + h.g() + h.b();
             }
             return sum * Elements.cross(solution, element).length();
-        }
-
-        /** @param at the element's corners on the lightmap, as {@link Atlas#corners} gives them */
-        private void draw(Texels texels, double[][] at, int element, boolean beyond) {
-            Rgb[] h = new Rgb[3];
-            Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * element + k]));
-            Texels.Light light = (v, w) -> Texels.within(h,
-                    h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w)));
-            if (beyond) {
-                texels.drawBeyond(at[0], at[1], light);
-            } else {
-                texels.draw(at[0], at[1], light);
-            }
         }
     }
 

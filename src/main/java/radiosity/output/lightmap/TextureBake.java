@@ -2,14 +2,12 @@ package radiosity.output.lightmap;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import radiosity.output.image.Picture;
 import radiosity.output.mesh.Elements;
 import radiosity.output.mesh.Mesh;
-import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
@@ -88,15 +86,9 @@ public final class TextureBake {
         float[] positions = new float[3 * corners];
         float[] places = new float[2 * corners];
         int corner = 0;
+        atlas.draw(texels, solution, elementsOf, (e, v, w, irradiance) -> solution.scene()
+                .material(solution.faceOf()[e] >> 1, Elements.point(solution, e, v, w)).radiosity(irradiance));
         for (int c = 0; c < elementsOf.size(); c++) {
-            for (int e : elementsOf.get(c)) {
-                draw(texels, atlas.corners(c, solution, e), e, false);
-            }
-        }
-        for (int c = 0; c < elementsOf.size(); c++) {
-            for (int e : elementsOf.get(c)) {
-                draw(texels, atlas.corners(c, solution, e), e, true);
-            }
             for (int face : facesOf.get(c)) {
                 for (int k = 0; k < 3; k++) {
                     Vec3 p = Elements.corner(solution.scene(), face, k);
@@ -131,23 +123,5 @@ public final class TextureBake {
                     .mapToDouble(scene::pixelsPerUnit).max().orElse(0);
             return Chart.of(scene, faces, samples, finest, most);
         }).toList());
-    }
-
-    /**
-     * @param at     the element's corners on the texture, as {@link Atlas#corners} gives them
-     * @param beyond whether the texels beyond the element's edges are drawn, or the texels on the element; without the
-     *               former, parts that are narrower than a texel would stay black
-     */
-    private void draw(Texels texels, double[][] at, int element, boolean beyond) {
-        int triangle = solution.faceOf()[element] >> 1;
-        Rgb[] h = new Rgb[3];
-        Arrays.setAll(h, k -> solution.irradianceAt(solution.corners()[3 * element + k]));
-        Texels.Light light = (v, w) -> solution.scene().material(triangle, Elements.point(solution, element, v, w))
-                .radiosity(Texels.within(h, h[0].times(1 - v - w).plus(h[1].times(v)).plus(h[2].times(w))));
-        if (beyond) {
-            texels.drawBeyond(at[0], at[1], light);
-        } else {
-            texels.draw(at[0], at[1], light);
-        }
     }
 }
