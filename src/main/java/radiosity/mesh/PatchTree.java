@@ -1,6 +1,7 @@
 package radiosity.mesh;
 
 import java.util.Arrays;
+import java.util.Queue;
 import java.util.function.IntUnaryOperator;
 import java.util.function.ObjIntConsumer;
 import radiosity.mesh.face.Faces;
@@ -82,8 +83,92 @@ public record PatchTree(int face, long path, int[] child, double[] radiosity) {
         });
     }
 
+    /**
+     * The same radiosity, to the last bit, on as few elements as possible: four siblings with radiosity linear over
+     * their parent are merged.
+     *
+     * @param level siblings whose parent lies above this level below the face are not merged
+     */
+    public PatchTree pruned(int level) {
+        int[] levels = levels();
+        int[] kept = child.clone();
+        double[] values = radiosity.clone();
+        int n = channels();
+        for (int i = kept.length - 1; i >= 0; i--) {
+            if (kept[i] >= 0 && levels[i] >= level && isLinear(kept, values, kept[i])) {
+                for (int k = 0; k < 3; k++) {
+                    System.arraycopy(values, n * (3 * (kept[i] + k) + k), values, n * (3 * i + k), n);
+                }
+                kept[i] = -1;
+            }
+        }
+        return Arrays.equals(kept, child) ? this : of(face, path, kept, values);
+    }
+
+    /** The tree of some nodes that may be in another order; those that are not reached from node 0 are left out. */
+    private static PatchTree of(int face, long path, int[] child, double[] radiosity) {
+        int n = radiosity.length / child.length;
+        return of(face, path, 0, i -> child[i], n,
+                (i, values, at) -> System.arraycopy(radiosity, n * i, values, at, n));
+    }
+
+    /**
+     * Whether four consecutive nodes are elements whose radiosity at the middles of their parent's edges is the exact
+     * mean of the values at the ends of these edges.
+     */
+    private static boolean isLinear(int[] child, double[] values, int first) {
+        int n = values.length / (3 * child.length);
+        boolean isLinear = Math.max(Math.max(child[first], child[first + 1]),
+                Math.max(child[first + 2], child[first + 3])) < 0;
+        for (int i = 0; i < 3 * n && isLinear; i++) {
+            int k = i / n;
+            int p = (k + 1) % 3;
+            int q = (k + 2) % 3;
+            int atP = n * 3 * (first + p) + i % n;
+            int atQ = n * 3 * (first + q) + i % n;
+            double middle = 0.5 * (values[atP + n * p] + values[atQ + n * q]);
+            isLinear = values[n * (3 * (first + 3) + k) + i % n] == middle && values[atP + n * q] == middle
+                    && values[atQ + n * p] == middle;
+        }
+        return isLinear;
+    }
+
+    /**
+     * Joins the patch trees of all subtrees below a node to the tree of the node.
+     *
+     * @param parts modified: patch trees in depth-first order; the parts of the node are removed from the head
+     * @throws IllegalArgumentException where the head of the queue does not hold all parts of the node
+     */
+    public static PatchTree joined(int face, long path, Queue<PatchTree> parts) {
+        PatchTree next = parts.peek();
+        if (next == null || next.face != face || NodePath.level(next.path) < NodePath.level(path)) {
+            throw new IllegalArgumentException("trees: expected all parts of " + face + " " + path + ", got " + next);
+        }
+        if (next.path == path) {
+            return parts.remove();
+        }
+        PatchTree[] part = new PatchTree[4];
+        int size = 1;
+        for (int k = 0; k < 4; k++) {
+            part[k] = joined(face, NodePath.child(path, k), parts);
+            size += part[k].child.length;
+        }
+        int n = part[0].radiosity.length / part[0].child.length;
+        int[] child = new int[size];
+        double[] radiosity = new double[n * size];
+        child[0] = 1;
+        for (int k = 0, before = 4; k < 4; before += part[k].child.length - 1, k++) {
+            for (int j = 0; j < part[k].child.length; j++) {
+                int i = j == 0 ? 1 + k : before + j; // the tops of the parts are consecutive
+                child[i] = part[k].child[j] < 0 ? -1 : before + part[k].child[j];
+                System.arraycopy(part[k].radiosity, n * j, radiosity, n * i, n);
+            }
+        }
+        return of(face, path, child, radiosity);
+    }
+
     /** 1 per node: levels below the face. */
-    int[] levels() {
+    private int[] levels() {
         int[] levels = new int[child.length];
         levels[0] = NodePath.level(path);
         for (int i = 0; i < levels.length; i++) {

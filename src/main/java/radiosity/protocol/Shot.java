@@ -9,7 +9,6 @@ import java.util.Map;
 import radiosity.formfactor.ShooterHierarchy;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.Patcher;
-import radiosity.mesh.PrunedTree;
 import radiosity.mesh.RadiosityNodes;
 import radiosity.mesh.UniformRadiosity;
 import radiosity.mesh.Weights;
@@ -46,7 +45,7 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
 
     /** The same radiosity on as few elements as can represent it, none larger than a patch of {@code mesh}. */
     public Shot pruned(Patcher mesh) {
-        return new Shot(trees.stream().map(tree -> PrunedTree.of(tree, mesh.level(tree.face()))).toList(), flux);
+        return new Shot(trees.stream().map(tree -> tree.pruned(mesh.level(tree.face()))).toList(), flux);
     }
 
     /** The mean radiosities over the patches of {@code mesh}, or over elements that are larger than these. */

@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import radiosity.mesh.Block;
-import radiosity.mesh.JoinedTree;
 import radiosity.mesh.Partitioner;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.Patcher;
@@ -115,7 +114,7 @@ public final class Clusters {
         }
         List<PatchTree> whole = new ArrayList<>();
         for (int i = 0; i < cluster.face().length; i++) {
-            whole.add(JoinedTree.of(cluster.face()[i], cluster.path()[i], trees));
+            whole.add(PatchTree.joined(cluster.face()[i], cluster.path()[i], trees));
         }
         return new Shot(whole, flux);
     }

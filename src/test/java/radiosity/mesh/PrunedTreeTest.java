@@ -39,7 +39,7 @@ class PrunedTreeTest {
 
     @Test
     void linear_becomesOneElement() {
-        PatchTree pruned = PrunedTree.of(linear().divided(full()), 0);
+        PatchTree pruned = linear().divided(full()).pruned(0);
         assertArrayEquals(FLAT, pruned.child());
         assertArrayEquals(linear().radiosity(), pruned.radiosity());
     }
@@ -47,7 +47,7 @@ class PrunedTreeTest {
     @Test
     void noElementBecomesLargerThanThatLevel() {
         for (int level = 0; level <= LEVELS + 1; level++) {
-            PatchTree pruned = PrunedTree.of(linear().divided(full()), level);
+            PatchTree pruned = linear().divided(full()).pruned(level);
             int levels = Math.min(level, LEVELS);
             assertEquals((int) ((Math.pow(4, levels + 1) - 1) / 3), pruned.child().length, "level " + level);
             assertArrayEquals(linear().divided(full()).radiosity(), pruned.divided(full()).radiosity());
@@ -78,7 +78,7 @@ class PrunedTreeTest {
         for (int i = 21; i < full().length; i++) {
             PatchTree tree = linear().divided(full());
             tree.radiosity()[3 * CHANNELS * i + i % (3 * CHANNELS)] += 1;
-            PatchTree pruned = PrunedTree.of(tree, 0);
+            PatchTree pruned = tree.pruned(0);
             assertEquals(1 + 4 * LEVELS, pruned.child().length, "element " + i);
             assertArrayEquals(tree.radiosity(), pruned.divided(full()).radiosity(), "element " + i);
         }
@@ -87,7 +87,7 @@ class PrunedTreeTest {
     @Test
     void whereNothingIsLinear_itIsTheSameTree() {
         PatchTree tree = new PatchTree(0, NodePath.FACE, DEEP, values(DEEP.length, 2));
-        assertSame(tree, PrunedTree.of(tree, 0));
+        assertSame(tree, tree.pruned(0));
     }
 
     @Test
