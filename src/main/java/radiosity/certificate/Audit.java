@@ -182,12 +182,11 @@ public final class Audit {
         LightSources lights = new LightSources(faces, mesh.bounds);
         List<NearbyPoints.Near> near = nearby.around(batch);
         parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient));
-        Escape escape = new Escape(faces, mesh.bounds);
         parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
             point.light(lights, ambient);
             point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
-                    : escape.from(point.place, point.face, point.number);
+                    : mesh.escaping.share(point.place, point.face, point.number);
         });
         gather(batch, near, ambient);
         points.addAll(batch);

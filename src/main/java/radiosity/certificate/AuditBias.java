@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import radiosity.formfactor.EscapingLight;
 import radiosity.mesh.face.Faces;
 import radiosity.scene.Surface;
 import radiosity.setup.InitialMesh;
@@ -63,7 +64,7 @@ final class AuditBias {
         received = each(i -> points.get(i).excess(colour));
         unaccounted = each(i -> points.get(i).unaccounted(colour));
         double strongest = IntStream.range(0, area.length).filter(i -> !isClosed(mesh, points.get(i)))
-                .mapToDouble(i -> area[i] * points.get(i).leaving(colour) / unit / Escape.RAYS).max().orElse(0);
+                .mapToDouble(i -> area[i] * points.get(i).leaving(colour) / unit / EscapingLight.RAYS).max().orElse(0);
         // even where no ray escapes, the ray that carries most light might have escaped
         double uncertain = moment(unaccounted, unaccounted) + strongest * strongest;
         double spread = moment(received, received) + uncertain;

@@ -7,6 +7,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
 import radiosity.util.Frame;
 import radiosity.util.Hash;
+import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 import radiosity.visibility.Solids;
 
@@ -20,19 +21,21 @@ import radiosity.visibility.Solids;
 public final class EscapingLight {
 
     private static final float LIFT = (float) RadiosityBounds.LIFT;
+    /** Number of points drawn in the square around the circle; pi/4 of them fall into the circle. */
+    private static final int TRIES = 32;
+    /** About the number of rays with which {@link #share} is estimated. */
+    public static final int RAYS = 25;
     /** Random points that are tried on a partly covered element. */
     private static final int MOST_TRIES = 20;
 
     private final Faces faces;
     private final RadiosityBounds bounds;
-    private final float[] front;
     private final Solids solids;
 
-    public EscapingLight(Faces faces, RadiosityBounds bounds) {
+    public EscapingLight(Faces faces, RadiosityBounds bounds, Solids solids) {
         this.faces = faces;
         this.bounds = bounds;
-        front = faces.fronts();
-        solids = new Solids(bounds, front);
+        this.solids = solids;
     }
 
     /**
@@ -50,6 +53,26 @@ public final class EscapingLight {
     }
 
     /**
+     * Estimates the part of the light leaving a point that arrives nowhere, from 0 to 1.
+     *
+     * @param place  x, y, z in coordinates of the scene scaled to size 1
+     * @param number number of the point; each number has rays of its own
+     */
+    public double share(float[] place, int face, int number) {
+        int all = 0;
+        int lost = 0;
+        for (int i = 1; i <= TRIES; i++) {
+            double p = 2 * R2.u(i + (double) number * TRIES) - 1;
+            double q = 2 * R2.v(i + (double) number * TRIES) - 1;
+            if (p * p + q * q < 1) {
+                all++;
+                lost += escapes(place, face, p, q) ? 1 : 0;
+            }
+        }
+        return (double) lost / all;
+    }
+
+    /**
      * The triangle on whose visible side a ray arrives; -1 where the ray arrives nowhere.
      *
      * @param x   origin, in coordinates of the scene scaled to size 1; not modified
@@ -58,14 +81,7 @@ public final class EscapingLight {
      */
     int arrival(float[] x, float[] d, float[] hit) {
         int t = bounds.nearestFront(x[0], x[1], x[2], d[0], d[1], d[2], RadiosityBounds.ACROSS, true, hit);
-        return t < 0 || solids.leaves(t, d) || isInsideSolid(t, x, d, hit[0]) ? -1 : t;
-    }
-
-    /** Whether a ray from x in direction d meets a triangle inside a solid; one that shows both sides never is. */
-    private boolean isInsideSolid(int t, float[] x, float[] d, float distance) {
-        boolean isTwoSided = front[3 * t] == 0 && front[3 * t + 1] == 0 && front[3 * t + 2] == 0;
-        return !isTwoSided && solids.hold(x[0] + distance * d[0], x[1] + distance * d[1], x[2] + distance * d[2],
-                front[3 * t], front[3 * t + 1], front[3 * t + 2]);
+        return t < 0 || solids.leaves(t, d) || solids.hold(t, x, d, hit[0]) ? -1 : t;
     }
 
     /**

@@ -33,11 +33,11 @@ public final class UnseenLamps {
     private final EscapingLight escaping;
     private final LightSources lights;
 
-    public UnseenLamps(Faces faces, RadiosityBounds bounds) {
+    public UnseenLamps(Faces faces, RadiosityBounds bounds, EscapingLight escaping) {
         this.faces = faces;
         this.bounds = bounds;
         front = faces.fronts();
-        escaping = new EscapingLight(faces, bounds);
+        this.escaping = escaping;
         lights = new LightSources(faces, bounds);
     }
 

@@ -97,8 +97,7 @@ public final class InitialMesh {
     /** How radiosities to be shot are rounded for sending. */
     public final Rounding rounding;
 
-    /** Made when escaping light is looked for first; null before. */
-    private EscapingLight escaping;
+    public final EscapingLight escaping;
     /** See {@link #allLightFlux}; null before its first call. */
     private double[] allLightFlux;
 
@@ -116,6 +115,7 @@ public final class InitialMesh {
         Solids solids = new Solids(bounds, faces.fronts());
         rooms = new ClosedRooms(faces, face -> isBuried(solids, face), coincident.covered());
         interior = new InteriorTest(faces, solids, coincident, rooms::isHidden);
+        escaping = new EscapingLight(faces, bounds, solids);
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();
         CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds, solids, coincident) : null;
@@ -165,7 +165,7 @@ public final class InitialMesh {
 
     /** The lamps whose light arrives nowhere, found by rays. */
     public List<Lamp> unseenLamps() {
-        return new UnseenLamps(faces, bounds).list();
+        return new UnseenLamps(faces, bounds, escaping).list();
     }
 
     private int patches() {
@@ -214,18 +214,11 @@ public final class InitialMesh {
      */
     public double[] escapingFlux(Shot shot, double perRay) {
         double squared = faces.size() * faces.size();
-        double[] flux = escaping().flux(shot.trees(), perRay / squared);
+        double[] flux = escaping.flux(shot.trees(), perRay / squared);
         for (int c = 0; c < flux.length; c++) {
             flux[c] *= c < faces.channels() ? squared : squared * squared;
         }
         return flux;
-    }
-
-    private synchronized EscapingLight escaping() {
-        if (escaping == null) {
-            escaping = new EscapingLight(faces, bounds);
-        }
-        return escaping;
     }
 
     /** Whether all flux that is shot must be received: with prediction, in one closed room without covered faces. */

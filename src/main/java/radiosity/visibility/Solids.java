@@ -73,6 +73,13 @@ public final class Solids {
         return isInside;
     }
 
+    /** Whether a ray from x in direction d meets a triangle inside a solid; one that shows both sides never is. */
+    public boolean hold(int t, float[] x, float[] d, float distance) {
+        boolean isTwoSided = front[3 * t] == 0 && front[3 * t + 1] == 0 && front[3 * t + 2] == 0;
+        return !isTwoSided && hold(x[0] + distance * d[0], x[1] + distance * d[1], x[2] + distance * d[2],
+                front[3 * t], front[3 * t + 1], front[3 * t + 2]);
+    }
+
     /** Whether a ray meets another triangle from its invisible side at a given distance, {@code place}. */
     private boolean leavesAt(float x, float y, float z, float[] d, double place) {
         return bounds.meets(x, y, z, d[0], d[1], d[2], place / RadiosityBounds.SAME_PLACE,

@@ -16,6 +16,7 @@ import radiosity.scene.Vec3;
 import radiosity.testkit.Box;
 import radiosity.testkit.RoomScenes;
 import radiosity.visibility.RadiosityBounds;
+import radiosity.visibility.Solids;
 
 /** Light that leaves the floor of a cube without a ceiling: the form factor of opposite sides is 0.19982. */
 class EscapingLightTest {
@@ -40,11 +41,16 @@ class EscapingLightTest {
                 new PatchTree(5, NodePath.FACE, new int[] {1, -1, -1, -1, -1}, four));
     }
 
+    static EscapingLight of(Faces faces) {
+        RadiosityBounds bounds = new RadiosityBounds(faces.occluders());
+        return new EscapingLight(faces, bounds, new Solids(bounds, faces.fronts()));
+    }
+
     @Test
     void flux_isThatThroughTheOpening() {
         Faces faces = openCube();
         assertEquals(1, faces.channels());
-        EscapingLight light = new EscapingLight(faces, new RadiosityBounds(faces.occluders()));
+        EscapingLight light = of(faces);
         double[] found = light.flux(floor(3), 1e-5);
         double error = Math.sqrt(found[1]);
         assertTrue(error > 0 && error < .01, "standard error of " + error);
@@ -62,7 +68,7 @@ class EscapingLightTest {
         builder.polygon(RoomScenes.grey("sheet", 0, .5), below);
         builder.polygon(RoomScenes.grey("sheet", 0, .5), above);
         Faces faces = new Faces(builder.scene("a sheet over a floor"));
-        EscapingLight light = new EscapingLight(faces, new RadiosityBounds(faces.occluders()));
+        EscapingLight light = of(faces);
         float[] middle = {0, 0, 0};
         for (int k = 0; k < 3; k++) {
             for (int a = 0; a < 3; a++) {
@@ -84,7 +90,7 @@ class EscapingLightTest {
         RoomScenes.addSolid(builder, RoomScenes.grey("cupboard", 0, .5), Vec3.ZERO, new Vec3(1, 1, 1));
         RoomScenes.addSolid(builder, RoomScenes.grey("content", 0, .5), new Vec3(.3, .3, .4), new Vec3(.7, .7, .6));
         Faces faces = new Faces(builder.scene("a cupboard"));
-        EscapingLight light = new EscapingLight(faces, new RadiosityBounds(faces.occluders()));
+        EscapingLight light = of(faces);
         for (int i = 0; i < 100; i++) {
             assertTrue(light.escapes(faces.middle(0), 0, .018 * (i / 10 - 4.5), .018 * (i % 10 - 4.5)), "ray " + i);
         }

@@ -36,7 +36,8 @@ class UnseenLampsTest {
 
     private static List<String> unseen(Scene scene) {
         Faces faces = new Faces(scene);
-        return new UnseenLamps(faces, new RadiosityBounds(faces.occluders())).list().stream().map(Lamp::name).toList();
+        return new UnseenLamps(faces, new RadiosityBounds(faces.occluders()), EscapingLightTest.of(faces)).list()
+                .stream().map(Lamp::name).toList();
     }
 
     private static Light light(Light.Kind kind, String name, double height, double power, double cone) {

@@ -1,4 +1,4 @@
-package radiosity.certificate;
+package radiosity.formfactor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -8,24 +8,23 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneBuilder;
 import radiosity.testkit.Box;
 import radiosity.testkit.RoomScenes;
-import radiosity.visibility.RadiosityBounds;
 
 /**
  * Before the middle of a side of a cube, the opposite side fills four rectangles of half its width at the distance 1:
  * 4 / pi * x atan x with x = .5 / sqrt(1 + .5 * .5), so .23943 (J. R. Howell, A catalog of radiation configuration
  * factors, 1982, B-3).
  */
-class EscapeTest {
+class EscapingShareTest {
 
     /** The first and the last are opposite. */
     private static final int[] ORDER = {0, 2, 3, 4, 5, 1};
 
     private static double mean(Scene scene) {
         Faces faces = new Faces(scene);
-        Escape escape = new Escape(faces, new RadiosityBounds(faces.occluders()));
+        EscapingLight escaping = EscapingLightTest.of(faces);
         double sum = 0;
         for (int i = 0; i < 1000; i++) {
-            sum += escape.from(middle(faces), 0, i) / 1000;
+            sum += escaping.share(middle(faces), 0, i) / 1000;
         }
         return sum;
     }
