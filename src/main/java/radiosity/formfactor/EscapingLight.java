@@ -2,6 +2,7 @@ package radiosity.formfactor;
 
 import java.util.Arrays;
 import java.util.List;
+import radiosity.mesh.InteriorTest;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.Subdivision;
@@ -31,11 +32,13 @@ public final class EscapingLight {
     private final Faces faces;
     private final RadiosityBounds bounds;
     private final Solids solids;
+    private final InteriorTest interior;
 
-    public EscapingLight(Faces faces, RadiosityBounds bounds, Solids solids) {
+    public EscapingLight(Faces faces, RadiosityBounds bounds, Solids solids, InteriorTest interior) {
         this.faces = faces;
         this.bounds = bounds;
         this.solids = solids;
+        this.interior = interior;
     }
 
     /**
@@ -140,7 +143,7 @@ public final class EscapingLight {
         }
     }
 
-    /** Weights of the corners at a random point of a triangle, outside of solids where a part of the face is inside. */
+    /** Weights of the corners at a random point of a triangle, outside of what hides a part of the face. */
     private double[] point(int face, float[] at, long key) {
         boolean isPartlyCovered = faces.exposedArea(face) < faces.area(face);
         double[] weight;
@@ -151,13 +154,8 @@ public final class EscapingLight {
             boolean isBeyond = u + v > 1;
             weight = new double[] {isBeyond ? u + v - 1 : 1 - u - v, isBeyond ? 1 - u : u, isBeyond ? 1 - v : v};
             tries++;
-        } while (isPartlyCovered && tries < MOST_TRIES && isCovered(place(at, weight), face));
+        } while (isPartlyCovered && tries < MOST_TRIES && interior.isBuried(place(at, weight), 0, face));
         return weight;
-    }
-
-    private boolean isCovered(float[] place, int face) {
-        return solids.hold(place[0], place[1], place[2],
-                faces.normal(face, 0), faces.normal(face, 1), faces.normal(face, 2));
     }
 
     private static float[] place(float[] at, double[] weight) {

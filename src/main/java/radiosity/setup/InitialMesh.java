@@ -115,7 +115,7 @@ public final class InitialMesh {
         Solids solids = new Solids(bounds, faces.fronts());
         rooms = new ClosedRooms(faces, face -> isBuried(solids, face), coincident.covered());
         interior = new InteriorTest(faces, solids, coincident, rooms::isHidden);
-        escaping = new EscapingLight(faces, bounds, solids);
+        escaping = new EscapingLight(faces, bounds, solids, interior);
         faces.darken(rooms::isHidden);
         boolean mayBeCovered = predicts() && !rooms.isPlain();
         CoveredFaces covered = mayBeCovered ? new CoveredFaces(faces, bounds, solids, coincident) : null;

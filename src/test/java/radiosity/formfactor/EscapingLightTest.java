@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import radiosity.mesh.CoincidentFaces;
+import radiosity.mesh.InteriorTest;
 import radiosity.mesh.PatchTree;
 import radiosity.mesh.face.Faces;
 import radiosity.mesh.face.NodePath;
@@ -43,7 +45,9 @@ class EscapingLightTest {
 
     static EscapingLight of(Faces faces) {
         RadiosityBounds bounds = new RadiosityBounds(faces.occluders());
-        return new EscapingLight(faces, bounds, new Solids(bounds, faces.fronts()));
+        Solids solids = new Solids(bounds, faces.fronts());
+        return new EscapingLight(faces, bounds, solids,
+                new InteriorTest(faces, solids, new CoincidentFaces(faces, bounds), f -> false));
     }
 
     @Test
