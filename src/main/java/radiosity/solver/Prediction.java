@@ -144,25 +144,26 @@ final class Prediction implements Planner {
 
     @Override
     public Order next(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        if (changes > 0) {
-            return nextOfChange(last, unsent, goOn);
+        if (stage == Stage.SPLIT) {
+            refined = last.elements == elements || splits == MOST_SPLITS;
+            left = changes > 0 ? Double.POSITIVE_INFINITY : left;
         }
         return switch (stage) {
             case NOTHING, SHOOT, DONE -> distribute(last, unsent, goOn);
-            case SPLIT -> {
-                refined = last.elements == elements || splits == MOST_SPLITS;
-                yield last.elements > elements ? gather() : distribute(last, unsent, goOn);
-            }
+            case SPLIT -> last.elements > elements ? gather() : distribute(last, unsent, goOn);
             case GATHER -> refined ? distribute(last, unsent, goOn) : split(last, List.of());
             case RENEW -> regather();
             case REGATHER -> average();
             case AVERAGE, MEND -> balance(last);
-            case BALANCE -> refine(last, unsent, goOn);
+            case BALANCE -> changes > 0 ? endOfChange(last, unsent, goOn) : refine(last, unsent, goOn);
         };
     }
 
     /** Shoots until little flux is unshot; then divides the mesh, or prepares the estimate where that is done. */
     private Order distribute(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
+        if (changes > 0) {
+            return distributeChange(last, unsent, goOn);
+        }
         if (!refined && stage == Stage.SHOOT && unsent <= SETTLED) {
             return split(last, List.of());
         }
@@ -250,28 +251,13 @@ final class Prediction implements Planner {
     }
 
     /**
-     * The next round after an edit. Light and mesh are those of the earlier scene, and the unshot flux is the signed
+     * The same after an edit. Light and mesh are those of the earlier scene, and the unshot flux is the signed
      * difference that the edit makes: patches shoot the difference, elements are divided where the light has changed,
      * and only vertices with negative irradiance gather anew.
-     */
-    private Order nextOfChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
-        if (stage == Stage.SPLIT) {
-            refined = last.elements == elements || splits == MOST_SPLITS;
-            left = Double.POSITIVE_INFINITY;
-        }
-        return switch (stage) {
-            case SPLIT -> last.elements > elements ? gather() : distributeChange(last, unsent, goOn);
-            case GATHER -> refined ? distributeChange(last, unsent, goOn) : split(last, List.of());
-            case MEND -> balance(last);
-            case BALANCE -> endOfChange(last, unsent, goOn);
-            default -> distributeChange(last, unsent, goOn);
-        };
-    }
-
-    /**
-     * Shoots the difference until little flux is unshot, then divides the mesh, then shoots until what is unshot would
-     * change little. A round of shots takes long here, as the mesh is fine from the beginning; so after a small change
-     * unshot flux of one sign is no reason for another one: the next change goes on with the flux.
+     *
+     * <p>Shoots the difference until little flux is unshot, then divides the mesh, then shoots until what is unshot
+     * would change little. A round of shots takes long here, as the mesh is fine from the beginning; so after a small
+     * change unshot flux of one sign is no reason for another one: the next change goes on with the flux.
      */
     private Order distributeChange(Answer last, double unsent, BooleanSupplier goOn) throws IOException {
         isLargeChange |= unsent > PREDICTED;
