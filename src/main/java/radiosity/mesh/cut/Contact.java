@@ -29,11 +29,6 @@ record Contact(Vec3 from, Vec3 to, Vec3 across) {
         return Math.abs(beside(middle)) <= radius && along(middle) >= -radius && along(middle) <= length() + radius;
     }
 
-    boolean holds(Vec3 p, double near) {
-        double at = along(p);
-        return Math.abs(beside(p)) <= near && at >= -near && at <= length() + near;
-    }
-
     /** The part of the segment that lies inside of a triangle of the same plane; empty where none does. */
     Optional<Contact> within(Vec3 a, Vec3 b, Vec3 c) {
         Vec3 n = b.minus(a).cross(c.minus(a));

@@ -202,7 +202,7 @@ public final class DiscontinuityMesher {
             int q = polygon.after(i);
             Vec3 a = points.at(p);
             Vec3 b = points.at(q);
-            if (beside.stream().anyMatch(contact -> contact.holds(a, 2 * near) && contact.holds(b, 2 * near))) {
+            if (beside.stream().anyMatch(contact -> contact.reaches(a, 2 * near) && contact.reaches(b, 2 * near))) {
                 edges.findOrAdd(EdgeKey.of(p, q), edges.size());
             }
         }

@@ -187,6 +187,6 @@ final class EdgeBands {
 
     /** Whether a line lies along another, no farther from it than a distance. */
     static boolean isAmong(List<Contact> lines, Contact line, double same) {
-        return lines.stream().anyMatch(other -> other.holds(line.from(), same) && other.holds(line.to(), same));
+        return lines.stream().anyMatch(other -> other.reaches(line.from(), same) && other.reaches(line.to(), same));
     }
 }

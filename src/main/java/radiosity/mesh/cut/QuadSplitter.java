@@ -143,19 +143,14 @@ public final class QuadSplitter {
     /** Whether two triangles with an edge in common are a convex quadrangle in one plane. */
     private boolean isFlat(int t, int k, int u, int m) {
         int[] q = {corner(t, k), corner(u, m + 2), corner(t, k + 1), corner(t, k + 2)};
-        Vec3 normal = normal(t);
+        Vec3 normal = scene.cross(t).unit();
         boolean isConvex = true;
         for (int i = 0; i < 4; i++) {
             Vec3 in = point(q[(i + 1) % 4]).minus(point(q[i]));
             isConvex &= in.cross(point(q[(i + 2) % 4]).minus(point(q[(i + 1) % 4]))).dot(normal) > 0;
         }
-        return isConvex && (normal.minus(normal(u)).length() < SAME_DIRECTION
+        return isConvex && (normal.minus(scene.cross(u).unit()).length() < SAME_DIRECTION
                 || Math.abs(point(q[1]).minus(point(q[0])).dot(normal)) < SAME_PLANE * edge(t, k));
-    }
-
-    private Vec3 normal(int t) {
-        Vec3 cross = scene.cross(t);
-        return cross.times(1 / cross.length());
     }
 
     /** The four corners of a quadrangle, rotated so that the first and the third side are the long ones. */
@@ -198,7 +193,7 @@ public final class QuadSplitter {
         Vec3 begin = point(corner(t, shared[t]));
         Vec3 along = point(corner(t, shared[t] + 1)).minus(begin);
         Vec3 middle = point(a).plus(point(b)).plus(point(c)).times(1.0 / 3);
-        return along.cross(middle.minus(begin)).dot(normal(t)) > 0;
+        return along.cross(middle.minus(begin)).dot(scene.cross(t).unit()) > 0;
     }
 
     /** The point at i / n of the way between two points; the same point for all quadrangles on this edge. */

@@ -2,6 +2,7 @@ package radiosity.mesh.face;
 
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.IntFunction;
 import radiosity.scene.Scene;
 import radiosity.scene.Vec3;
 import radiosity.util.ArraySize;
@@ -59,28 +60,26 @@ final class FaceList {
 
     /** The same faces, with pieces in the place of those that are cut. */
     FaceList withPieces(FacePieces cut) {
-        FaceList list = new FaceList(box, cut.points(), count + cut.count());
-        list.dropped = dropped;
-        for (int f = 0; f < count; f++) {
-            List<int[]> pieces = cut.byFace().get(f);
-            if (pieces == null) {
-                list.add(this, f, piece[f], point[3 * f], point[3 * f + 1], point[3 * f + 2]);
-                continue;
-            }
-            for (int[] p : pieces) {
-                list.add(this, f, true, p[0], p[1], p[2]);
-            }
-        }
-        return list;
+        return replaced(cut.points(), count + cut.count(), f -> cut.byFace().get(f));
     }
 
     /** The same faces without some of them. */
     FaceList without(BitSet some) {
-        FaceList list = new FaceList(box, points, count);
+        return replaced(points, count, f -> some.get(f) ? List.of() : null);
+    }
+
+    /** @param pieces what takes the place of a face; null where the face stays */
+    private FaceList replaced(CutPoints all, int most, IntFunction<List<int[]>> pieces) {
+        FaceList list = new FaceList(box, all, most);
         list.dropped = dropped;
         for (int f = 0; f < count; f++) {
-            if (!some.get(f)) {
+            List<int[]> its = pieces.apply(f);
+            if (its == null) {
                 list.add(this, f, piece[f], point[3 * f], point[3 * f + 1], point[3 * f + 2]);
+            } else {
+                for (int[] p : its) {
+                    list.add(this, f, true, p[0], p[1], p[2]);
+                }
             }
         }
         return list;
