@@ -10,6 +10,7 @@ import radiosity.util.Aabb;
 import radiosity.util.ArraySize;
 import radiosity.util.BoxTree;
 import radiosity.util.DisjointSets;
+import radiosity.util.EdgeKey;
 import radiosity.util.Hash;
 import radiosity.util.LongIndex;
 
@@ -38,7 +39,11 @@ public final class TJunctions {
     static final double TOLERANCE = 5e-7;
 
     private final Solution solution;
-    private final OpenEdges open;
+    /**
+     * One {@link EdgeKey} of vertices per open edge, ascending: an edge that is not shared by exactly two elements, on
+     * the border of a part or with a vertex hanging in it.
+     */
+    private final long[] open;
     private final double tolerance;
     private final DisjointSets parts;
     /**
@@ -69,15 +74,26 @@ public final class TJunctions {
     private TJunctions(Solution solution) {
         this.solution = solution;
         positions = solution.positions().clone();
-        open = new OpenEdges(solution.corners());
+        open = openEdges(solution.corners());
         parts = new DisjointSets(solution.vertices(), solution.corners());
         tolerance = TOLERANCE * Aabb.of(positions).diagonal();
         same = new int[solution.vertices()];
-        int[] atEdges = open.ends();
+        int[] atEdges = EdgeKey.ends(open);
         vertexAt = new LongIndex(atEdges.length);
         weld(atEdges);
         ends = IntStream.of(atEdges).filter(v -> same[v] == v).toArray();
         tree = tree(ends);
+    }
+
+    private static long[] openEdges(int[] corners) {
+        long[] all = new long[corners.length];
+        Arrays.setAll(all, i -> EdgeKey.of(corners[i], corners[i % 3 == 2 ? i - 2 : i + 1]));
+        Arrays.sort(all);
+        return EdgeKey.occurring(all, elements -> elements != 2);
+    }
+
+    private boolean isOpen(int a, int b) {
+        return Arrays.binarySearch(open, EdgeKey.of(a, b)) >= 0;
     }
 
     private BoxTree tree(int[] vertices) {
@@ -244,7 +260,7 @@ public final class TJunctions {
         int[] c = solution.corners();
         int a = c[3 * e + k];
         int b = c[3 * e + (k + 1) % 3];
-        if (!open.contains(a, b)) {
+        if (!isOpen(a, b)) {
             return new int[0];
         }
         int opposite = same[c[3 * e + (k + 2) % 3]];
@@ -318,12 +334,12 @@ public final class TJunctions {
     private boolean isAcross(int a, int[] found, int b) {
         int last = a;
         for (int v : found) {
-            if (v >= 0 && !open.contains(last, v)) {
+            if (v >= 0 && !isOpen(last, v)) {
                 return false;
             }
             last = v >= 0 ? v : last;
         }
-        return last == a || open.contains(last, b);
+        return last == a || isOpen(last, b);
     }
 
     /** Creates a vertex at the position of {@code at}, its irradiance interpolated between two vertices. */
