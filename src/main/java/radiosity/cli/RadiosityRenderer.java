@@ -14,6 +14,7 @@ import radiosity.cli.options.TimeLimit;
 import radiosity.cli.render.ConsoleSession;
 import radiosity.cli.render.Failures;
 import radiosity.cli.render.FileChecks;
+import radiosity.cli.render.HostLines;
 import radiosity.cli.render.Journal;
 import radiosity.cli.render.JournalClaim;
 import radiosity.cli.render.OutputFiles;
@@ -22,11 +23,9 @@ import radiosity.cli.render.RenderResult;
 import radiosity.cli.render.SaveBeforeExit;
 import radiosity.cli.render.SavedCalculation;
 import radiosity.cli.render.SceneChecks;
-import radiosity.cli.render.StatisticsTable;
 import radiosity.cli.render.Summary;
 import radiosity.cli.render.TimedCalculation;
 import radiosity.cli.render.Warnings;
-import radiosity.cli.terminal.ProcessTime;
 import radiosity.cli.terminal.ProgressBarDisplay;
 import radiosity.cli.terminal.ProgressDisplay;
 import radiosity.cli.terminal.ProgressEstimate;
@@ -64,7 +63,7 @@ public final class RadiosityRenderer {
         files = new OutputFiles(options, arguments);
         course = options.calculation.time == null
                 ? new StopRuleCourse(RenderJob.stopRule(options), options.calculation.lastAccuracy(), System::nanoTime)
-                : new TimeCourse(options.calculation.time.seconds(), ProcessTime::seconds);
+                : new TimeCourse(options.calculation.time.seconds(), TimeCourse::ofProcess);
         text = new ProgressText(course);
         user = new ConsoleSession(err, display(), stop);
         warnings = new Warnings(user::message, options.scene.strict);
@@ -287,7 +286,7 @@ public final class RadiosityRenderer {
      * @throws Failure where any output could not be written
      */
     private Summary write(RenderResult result, Optional<String> inTime, boolean saved, Failures failures) {
-        Summary summary = new Summary(result, inTime, ProcessTime.seconds());
+        Summary summary = new Summary(result, inTime, TimeCourse.ofProcess());
         if (saved) {
             summary.print(System.out);
         }
@@ -303,7 +302,7 @@ public final class RadiosityRenderer {
      */
     private void finish(RenderResult result, Summary summary) {
         if (options.statistics) {
-            result.statistics().ifPresent(hosts -> new StatisticsTable(hosts).print(System.out));
+            result.statistics().ifPresent(hosts -> HostLines.print(hosts, System.out));
         }
         Optional<String> shortfall = summary.shortfall();
         if (options.calculation.isAccuracyAsked() && shortfall.isPresent()) {

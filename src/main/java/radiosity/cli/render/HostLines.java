@@ -1,6 +1,7 @@
 package radiosity.cli.render;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -10,10 +11,11 @@ import radiosity.solution.Progress;
 import radiosity.solution.RoundListener;
 import radiosity.solution.WorldStatistics;
 
-/** Prints a line about each host at most every 5 s while hosts calculate ({@code --statistics}). */
+/** Prints what each host does ({@code --statistics}): a line at most every 5 s while hosts calculate, then a table. */
 public final class HostLines implements RoundListener {
 
     private static final long NANOSECONDS_BETWEEN = 5_000_000_000L;
+    private static final double MEBIBYTE = 1 << 20;
 
     private final Supplier<WorldStatistics> world;
     private final ProgressDisplay display;
@@ -50,5 +52,20 @@ public final class HostLines implements RoundListener {
     private static String line(HostStatistics host) {
         return String.format(Locale.ROOT, "host %s %s: %d blocks, %d elements, CPU %.1f s, idle %.0f %%", host.name(),
                 host.state(), host.blocks(), host.elements(), host.cpu(), 100 * host.idle());
+    }
+
+    /** Prints a table of the work that each host has done ({@code --statistics}). */
+    public static void print(WorldStatistics world, PrintStream out) {
+        out.printf(Locale.ROOT, "%-24s %-8s %7s %10s %7s %9s %7s %9s%n", "host", "", "blocks", "elements", "calls",
+                "CPU s", "idle %", "MiB");
+        for (HostStatistics host : world.hosts()) {
+            out.printf(Locale.ROOT, "%-24s %-8s %7d %,10d %7d %9.2f %7.1f %9.1f%n", host.name(), host.state(),
+                    host.blocks(), host.elements(), host.rounds(), host.cpu(), 100 * host.idle(),
+                    host.bytes() / MEBIBYTE);
+        }
+        out.printf(Locale.ROOT, "%,d calls to all; CPU %.2f s, of the slowest in each %.2f s, most/mean %.3f%n",
+                world.rounds(), world.cpu(), world.criticalPath(), world.balance());
+        out.printf(Locale.ROOT, "beyond the slowest host: network and calls %.2f s, master %.2f s; %.1f MiB%n",
+                world.waiting(), world.master(), world.bytes() / MEBIBYTE);
     }
 }

@@ -1,5 +1,8 @@
 package radiosity.cli.terminal;
 
+import java.lang.management.ManagementFactory;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.function.DoubleSupplier;
 import radiosity.solution.Progress;
 
@@ -47,5 +50,14 @@ public final class TimeCourse implements ProgressEstimate {
     @Override
     public String label() {
         return label;
+    }
+
+    /** Seconds since the process began; since the JVM began, where scripts/start.sh first built the program. */
+    public static double ofProcess() {
+        Instant now = Instant.now();
+        Instant start = Boolean.getBoolean("radiosity.built")
+                ? Instant.ofEpochMilli(ManagementFactory.getRuntimeMXBean().getStartTime())
+                : ProcessHandle.current().info().startInstant().orElse(now);
+        return Duration.between(start, now).toMillis() / 1000.0;
     }
 }
