@@ -87,7 +87,7 @@ final class EditedScene {
     Optional<String> begin(SolveCounters counters, Prediction planner, BooleanSupplier goOn) throws IOException {
         SolveCounters old = new SolveCounters(before, world.parallel);
         List<byte[]> blocks = new ArrayList<>();
-        Optional<EarlierEnd> prediction;
+        Optional<Prediction.EarlierEnd> prediction;
         try (DataInputStream in = new DataInputStream(earlier.open())) {
             in.readUTF();
             old.read(in);

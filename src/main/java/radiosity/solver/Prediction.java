@@ -539,6 +539,14 @@ final class Prediction implements Planner {
     }
 
     /**
+     * How the calculation of an earlier scene ended.
+     *
+     * @param rules     tolerances and weights of the last round
+     * @param isSettled whether the unshot radiosity of the elements is nothing but the noise of rays
+     */
+    record EarlierEnd(Order.Rules rules, boolean isSettled) { }
+
+    /**
      * Reads the state that an earlier scene's calculation wrote, and goes on from that state with the edited scene.
      *
      * @param earlier initial mesh of the earlier scene
