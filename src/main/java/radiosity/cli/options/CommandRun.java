@@ -27,7 +27,7 @@ public final class CommandRun {
             if (parsed.isUsageHelpRequested()) {
                 System.out.print(parser.help());
             } else if (parsed.isVersionHelpRequested()) {
-                System.out.println(Version.text());
+                System.out.println(version());
             } else {
                 work.run();
             }
@@ -35,5 +35,11 @@ public final class CommandRun {
         } catch (Exception | OutOfMemoryError | StackOverflowError e) {
             return new ErrorReport(System.err, common.debug).of(e);
         }
+    }
+
+    /** Name and version of the program; the version is read from the jar's manifest. */
+    private static String version() {
+        String version = CommandRun.class.getPackage().getImplementationVersion();
+        return "radiosity " + (version == null ? "(not from a jar)" : version);
     }
 }

@@ -20,7 +20,7 @@ import radiosity.rmi.HostAddress;
 import radiosity.settings.ReadOptions;
 
 /** The command line of {@code RadiosityRenderer} (appendix C.1 of the paper). */
-@Command(name = "RadiosityRenderer", sortOptions = false, versionProvider = Version.class,
+@Command(name = "RadiosityRenderer", sortOptions = false,
         customSynopsis = "RadiosityRenderer [parameters] <LightWave Scene> <output Scene file>",
         description = "%nRenders a scene (LightWave, glTF or OBJ) by progressive radiosity and writes a scene file, a"
                 + " glTF 2.0 binary that ViewSceneFile and every glTF viewer open.%n",

@@ -7,7 +7,7 @@ import picocli.CommandLine.Option;
 import radiosity.rmi.HostAddress;
 
 /** The command line of {@code PartitionServer}. */
-@Command(name = "PartitionServer", sortOptions = false, versionProvider = Version.class,
+@Command(name = "PartitionServer", sortOptions = false,
         customSynopsis = "PartitionServer [parameters]",
         description = "%nComputes a part of a scene for RadiosityRenderer -h on another machine; "
                 + "one renderer at a time,"

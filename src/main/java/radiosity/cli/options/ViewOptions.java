@@ -17,7 +17,7 @@ import radiosity.output.image.ToneMapping;
 import radiosity.viewer.ViewSettings;
 
 /** The command line of {@code ViewSceneFile} (appendix C.5 of the paper). */
-@Command(name = "ViewSceneFile", sortOptions = false, versionProvider = Version.class,
+@Command(name = "ViewSceneFile", sortOptions = false,
         customSynopsis = "ViewSceneFile [parameters] <Scene file>",
         description = "%nShows a scene file in a window in which the user walks with the arrow and Page Up/Down keys;"
                 + " H shows all keys. The picture follows the file when a render replaces it.%n",
