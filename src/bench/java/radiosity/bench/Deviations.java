@@ -12,7 +12,6 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.Vector;
 import java.util.function.IntPredicate;
-import radiosity.accuracy.FormFactorsTest;
 import radiosity.formfactor.ContourFactor;
 import radiosity.input.lightwave.LightWaveReader;
 import radiosity.mesh.Block;
@@ -171,7 +170,7 @@ public final class Deviations {
             double sum = 0;
             for (int side = 0; side < 6; side++) {
                 Vec3[] wall = new Box(Vec3.ZERO, new Vec3(1, 1, 1)).inside(side);
-                sum += ContourFactor.factor(inside, inside, 0, 0, 0, 1, FormFactorsTest.flat(wall));
+                sum += ContourFactor.factor(new Vec3(inside, inside, 0), new Vec3(0, 0, 1), wall);
             }
             System.out.printf("4  corner of a cube, %.3f inside: form factors add up to %.4f%n", inside, sum);
         }

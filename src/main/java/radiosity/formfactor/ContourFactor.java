@@ -1,5 +1,8 @@
 package radiosity.formfactor;
 
+import java.util.ArrayList;
+import java.util.List;
+import radiosity.scene.Vec3;
 import radiosity.util.ArcTangent;
 
 /**
@@ -20,46 +23,32 @@ public final class ContourFactor {
     /**
      * The form factor to a plane polygon, convex or not.
      *
-     * @param px      coordinates of the receiving point: px, py, pz
-     * @param nx      normal of the receiving point, length 1: nx, ny, nz
-     * @param polygon x, y, z per corner, counter-clockwise as seen from its visible side; not modified
+     * @param x       the receiving point
+     * @param n       its normal, length 1
+     * @param polygon corners, counter-clockwise as seen from its visible side; not modified
      * @return form factor in [0, 1]; 0 for a point behind the polygon
      */
-    public static double factor(double px, double py, double pz, double nx, double ny, double nz, double[] polygon) {
-        int n = polygon.length / 3;
-        double[] cut = new double[6 * n + 3];
-        int corners = 0;
-        for (int i = 0; i < n; i++) {
-            int j = (i + 1) % n;
-            double ax = polygon[3 * i] - px;
-            double ay = polygon[3 * i + 1] - py;
-            double az = polygon[3 * i + 2] - pz;
-            double bx = polygon[3 * j] - px;
-            double by = polygon[3 * j + 1] - py;
-            double bz = polygon[3 * j + 2] - pz;
-            double up = nx * ax + ny * ay + nz * az;
-            double next = nx * bx + ny * by + nz * bz;
+    public static double factor(Vec3 x, Vec3 n, Vec3... polygon) {
+        List<Vec3> cut = new ArrayList<>();
+        for (int i = 0; i < polygon.length; i++) {
+            Vec3 a = polygon[i].minus(x);
+            Vec3 b = polygon[(i + 1) % polygon.length].minus(x);
+            double up = n.dot(a);
+            double next = n.dot(b);
             if (up >= 0) {
-                put(cut, corners++, ax, ay, az);
+                cut.add(a);
             }
             if (up > 0 && next < 0 || up < 0 && next > 0) {
-                double t = up / (up - next);
-                put(cut, corners++, ax + t * (bx - ax), ay + t * (by - ay), az + t * (bz - az));
+                cut.add(a.plus(b.minus(a).times(up / (up - next))));
             }
         }
         double sum = 0;
-        for (int i = 0; i < corners; i++) {
-            int j = (i + 1) % corners;
-            sum += edge(nx, ny, nz, cut[3 * i], cut[3 * i + 1], cut[3 * i + 2],
-                    cut[3 * j], cut[3 * j + 1], cut[3 * j + 2]);
+        for (int i = 0; i < cut.size(); i++) {
+            Vec3 a = cut.get(i);
+            Vec3 b = cut.get((i + 1) % cut.size());
+            sum += edge(n.x(), n.y(), n.z(), a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
         }
         return Math.min(1, Math.max(0, -sum * HALF_OVER_PI));
-    }
-
-    private static void put(double[] to, int i, double x, double y, double z) {
-        to[3 * i] = x;
-        to[3 * i + 1] = y;
-        to[3 * i + 2] = z;
     }
 
     /** Angle between a and b times the cosine between n and a x b; 0 where the point lies on the edge. */

@@ -219,14 +219,8 @@ public final class LightSources {
             u = u.times(-1);
         }
         Vec3[] corner = {at.minus(u).minus(v), at.plus(u).minus(v), at.plus(u).plus(v), at.minus(u).plus(v)};
-        double[] square = new double[12];
-        for (int i = 0; i < 4; i++) {
-            square[3 * i] = corner[i].x();
-            square[3 * i + 1] = corner[i].y();
-            square[3 * i + 2] = corner[i].z();
-        }
         double factor = x.minus(at).dot(light.direction()) <= 0 ? 0
-                : ContourFactor.factor(x.x(), x.y(), x.z(), n.x(), n.y(), n.z(), square);
+                : ContourFactor.factor(x, n, corner);
         return factor == 0 ? 0 : factor * share(light, x, n, at, u, v);
     }
 

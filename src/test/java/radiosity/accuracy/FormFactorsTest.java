@@ -1,7 +1,6 @@
 package radiosity.accuracy;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -69,13 +68,12 @@ public class FormFactorsTest {
 
     private static double contour(JsonNode c) {
         Vec3[] to = SharedData.polygon(c.get("polygon2"));
-        double[] flat = flat(to);
         if (c.has("point")) {
-            return factor(SharedData.vector(c.get("point")), SharedData.vector(c.get("normal")), flat);
+            return factor(SharedData.vector(c.get("point")), SharedData.vector(c.get("normal")), to);
         }
         Vec3[] from = SharedData.polygon(c.get("polygon1"));
         Vec3 normal = normal(from);
-        return Quadrature.mean(from, to[0], normal(to), p -> factor(p, normal, flat));
+        return Quadrature.mean(from, to[0], normal(to), p -> factor(p, normal, to));
     }
 
     private static double cast(JsonNode c, int rays) {
@@ -86,16 +84,11 @@ public class FormFactorsTest {
                 : to.from(calculator, SharedData.polygon(c.get("polygon1")), POINTS);
     }
 
-    static double factor(Vec3 point, Vec3 normal, double[] polygon) {
-        Vec3 n = normal.unit();
-        return ContourFactor.factor(point.x(), point.y(), point.z(), n.x(), n.y(), n.z(), polygon);
+    static double factor(Vec3 point, Vec3 normal, Vec3[] polygon) {
+        return ContourFactor.factor(point, normal.unit(), polygon);
     }
 
     public static Vec3 normal(Vec3[] polygon) {
         return polygon[1].minus(polygon[0]).cross(polygon[2].minus(polygon[0])).unit();
-    }
-
-    public static double[] flat(Vec3[] polygon) {
-        return Arrays.stream(polygon).flatMapToDouble(p -> Arrays.stream(new double[] {p.x(), p.y(), p.z()})).toArray();
     }
 }

@@ -130,8 +130,7 @@ final class FreeIrradiance {
     /** Form factor of the free part of a triangle with these corners, counter-clockwise seen from its visible side. */
     private double factor(Vec3[] corners, Vec3 x, Vec3 n) {
         Vec3[] c = {faces.unit(corners[0]), faces.unit(corners[1]), faces.unit(corners[2])};
-        double factor = ContourFactor.factor(x.x(), x.y(), x.z(), n.x(), n.y(), n.z(), new double[] {c[0].x(), c[0].y(),
-            c[0].z(), c[1].x(), c[1].y(), c[1].z(), c[2].x(), c[2].y(), c[2].z()});
+        double factor = ContourFactor.factor(x, n, c);
         if (!(factor > 0)) {
             return 0;
         }

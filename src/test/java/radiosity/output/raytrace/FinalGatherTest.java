@@ -48,8 +48,8 @@ class FinalGatherTest {
     }
 
     private static double factor(Vec3 at, double right) {
-        return ContourFactor.factor(at.x(), at.y(), at.z(), 0, 1, 0, new double[] {-.5, 2, -.5, right, 2, -.5, right, 2,
-            .5, -.5, 2, .5});
+        return ContourFactor.factor(at, new Vec3(0, 1, 0), new Vec3(-.5, 2, -.5), new Vec3(right, 2, -.5),
+                new Vec3(right, 2, .5), new Vec3(-.5, 2, .5));
     }
 
     /** Lambert's form factor of a square. */
@@ -105,8 +105,8 @@ class FinalGatherTest {
                 p -> Rgb.BLACK);
         made.grid(made.surface("spot", .5), new Vec3(-.05, 2, -.05), new Vec3(.1, 0, 0), new Vec3(0, 0, .1), 1, 1,
                 p -> Rgb.grey(2000));
-        double factor = ContourFactor.factor(1, 0, 0, 0, 1, 0, new double[] {-.05, 2, -.05, .05, 2, -.05, .05, 2, .05,
-            -.05, 2, .05});
+        double factor = ContourFactor.factor(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(-.05, 2, -.05),
+                new Vec3(.05, 2, -.05), new Vec3(.05, 2, .05), new Vec3(-.05, 2, .05));
         assertEquals(1000 * factor, gather(made.solution(), new Vec3(1, 0, 0), 16).b(), .005 * 1000 * factor);
     }
 }
