@@ -83,7 +83,7 @@ public final class PartitionImpl implements Partition {
             case TOTALS -> Wire.bytes(out -> Wire.write(totals(), channels, out));
             case UNSHOT -> Wire.bytes(out -> Wire.write(all(nodes.light()::unshotOfPositive).stream()
                     .map(mesh.rounding::upward).toList(), channels, out));
-            case TREES -> Wire.bytes(out -> Wire.writeTrees(trees(), channels, out));
+            case TREES -> Wire.bytes(out -> Wire.write(trees(), channels, out));
             case ROWS -> rows(order);
             case GATHER_AT -> gatherAt(order);
             default -> Wire.bytes(answer(order)::write);
@@ -207,7 +207,8 @@ public final class PartitionImpl implements Partition {
     }
 
     private List<Shot> trees() {
-        return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })).toList();
+        return Arrays.stream(shooters).map(tops -> Shot.of(nodes, tops, 0, (element, values, at) -> { })
+                .withoutRadiosities()).toList();
     }
 
     /**

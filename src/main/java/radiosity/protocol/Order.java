@@ -256,11 +256,7 @@ public record Order(Kind kind, int number, boolean begun, boolean more, List<Sho
         out.writeInt(number);
         out.writeBoolean(more);
         int channels = shots.isEmpty() ? 0 : shots.get(0).channels();
-        if (whole) {
-            Wire.write(shots, channels, out);
-        } else {
-            Wire.writeTrees(shots, channels, out);
-        }
+        Wire.write(whole ? shots : shots.stream().map(Shot::withoutRadiosities).toList(), channels, out);
         out.writeDouble(rules.tolerance);
         Wire.writeDoubles(out, rules.weight);
         out.writeDouble(rules.meshError);

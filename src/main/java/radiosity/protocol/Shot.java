@@ -109,13 +109,10 @@ public record Shot(List<PatchTree> trees, double flux) implements Comparable<Sho
         out.writeDouble(flux);
     }
 
-    /** Writes the trees without their radiosities. */
-    void writeTrees(DataOutput out) throws IOException {
-        out.writeInt(trees.size());
-        for (PatchTree tree : trees) {
-            TreeBytes.writeTree(tree, out);
-        }
-        out.writeDouble(flux);
+    /** The same trees without their radiosities. */
+    public Shot withoutRadiosities() {
+        return new Shot(trees.stream().map(tree -> new PatchTree(tree.face(), tree.path(), tree.child(), new double[0]))
+                .toList(), flux);
     }
 
     /** Whether all trees have their radiosities. */

@@ -26,9 +26,14 @@ final class TreeBytes {
 
     private TreeBytes() { }
 
+    /** Writes a tree, which may have no radiosities. */
     static void write(PatchTree tree, int channels, DataOutput out) throws IOException {
         writeShape(tree, out);
         double[] radiosity = tree.radiosity();
+        if (radiosity.length == 0) {
+            out.writeByte(ShortestNumbers.NONE.form);
+            return;
+        }
         int[] same = same(tree.child());
         boolean once = isSame(radiosity, same, channels);
         Quantizer units = Quantizer.of(radiosity, channels);
@@ -48,12 +53,6 @@ final class TreeBytes {
             }
         }
         out.write(bytes.array());
-    }
-
-    /** Writes a tree without its radiosities. */
-    static void writeTree(PatchTree tree, DataOutput out) throws IOException {
-        writeShape(tree, out);
-        out.writeByte(ShortestNumbers.NONE.form);
     }
 
     private static void writeShape(PatchTree tree, DataOutput out) throws IOException {

@@ -55,15 +55,6 @@ public final class Wire {
         }
     }
 
-    /** Writes the trees of shots without their radiosities. */
-    public static void writeTrees(List<Shot> shots, int channels, DataOutput out) throws IOException {
-        out.writeInt(channels);
-        out.writeInt(shots.size());
-        for (Shot shot : shots) {
-            shot.writeTrees(out);
-        }
-    }
-
     /** @throws EOFException where fewer bytes are available; thrown before memory for the bytes is allocated */
     public static byte[] exactly(DataInputStream in, long count) throws IOException {
         if (count > in.available()) {
