@@ -97,6 +97,7 @@ public final class InitialMesh {
     /** How radiosities to be shot are rounded for sending. */
     public final Rounding rounding;
 
+    /** Finds the light that arrives nowhere. */
     public final EscapingLight escaping;
     /** See {@link #allLightFlux}; null before its first call. */
     private double[] allLightFlux;
