@@ -23,6 +23,9 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
     /** Largest reflectance; readers clip larger ones to it and warn, as light would never fade at 1. */
     public static final double MAX_REFLECTANCE = 0.9999;
 
+    /** Reflectance where the input gives none, or only an image that cannot be used: a light grey. */
+    public static final double UNKNOWN_REFLECTANCE = 0.8;
+
     /**
      * Exitance and reflectance point by point; a quantity without a map is the same everywhere.
      *
@@ -89,6 +92,20 @@ public record Surface(String name, Rgb exitance, Rgb reflectance, boolean twoSid
         return new Surface(name, read.exitance().map(Raster::mean).orElse(exitance),
                 read.reflectance().map(Raster::mean).orElse(reflectance), twoSided, textures, read, specular,
                 smoothing);
+    }
+
+    /** This surface where the image of its reflectance cannot be used. */
+    public Surface withoutImage() {
+        return new Surface(name, exitance, withoutImage(reflectance), twoSided, textures, maps, specular, smoothing);
+    }
+
+    /**
+     * The reflectance where an image cannot be used that it would have been multiplied by. White says nothing of the
+     * surface then: a light grey is returned for it, and the reflectance itself for all else.
+     */
+    public static Rgb withoutImage(Rgb reflectance) {
+        boolean isWhite = Math.min(reflectance.r(), Math.min(reflectance.g(), reflectance.b())) >= MAX_REFLECTANCE;
+        return isWhite ? Rgb.grey(UNKNOWN_REFLECTANCE) : reflectance;
     }
 
     /** This surface with another exitance and without maps. */

@@ -132,6 +132,9 @@ final class Materials {
             }
         }
         lies.add(lie);
+        if (baseTexture.isPresent() && !hasImage(maps, ImageMap.Target.REFLECTANCE)) {
+            colour = Surface.withoutImage(colour);
+        }
         Optional<Specular> specular = SpecularFactors.of(material, colour, hasImage(maps, ImageMap.Target.REFLECTANCE));
         if (specular.isPresent() && specular.get().transmits()) {
             notes.note("", "transparent surfaces let no light through; pictures show what is behind them", name);
@@ -172,7 +175,8 @@ final class Materials {
         JsonCursor texture = root.at("textures").at(info.at("index").integer());
         Optional<JsonCursor> source = texture.optional("source");
         if (source.isEmpty()) {
-            notes.note("", "textures without an image are left out", texture.path());
+            notes.note("", "textures without an image leave the base colour, a light grey where it is white",
+                    texture.path());
             return first;
         }
         if (first.isPresent() && !first.get().equals(lie)) {
@@ -228,7 +232,8 @@ final class Materials {
         }
         Optional<Path> file = buffers.found(uri.get());
         if (file.isEmpty()) {
-            notes.note("", "images that are not found leave the base colour", uri.get().text());
+            notes.note("", "images that are not found leave the base colour, a light grey where it is white",
+                    uri.get().text());
         }
         return file.map(path -> ImageSource.file(path.toString()));
     }

@@ -1,12 +1,10 @@
 package radiosity.input.obj;
 
 import radiosity.scene.Rgb;
+import radiosity.scene.Surface;
 
 /** A material as a material library describes it. */
 final class Material {
-
-    /** Reflectance where the library gives none: a light grey. */
-    private static final double GREY = 0.8;
 
     final String name;
     /** Whether a library describes the material. */
@@ -37,7 +35,7 @@ final class Material {
 
     /** Kd; without it a light grey, or white under an image. */
     Rgb diffuse() {
-        return diffuse != null ? diffuse : Rgb.grey(diffuseImage == null ? GREY : 1);
+        return diffuse != null ? diffuse : Rgb.grey(diffuseImage == null ? Surface.UNKNOWN_REFLECTANCE : 1);
     }
 
     /** Ke; without it black, or white under an image. */

@@ -69,14 +69,17 @@ final class Materials {
      * sides where the options say so and the surface does not emit: a lamp that emits inward, too, has twice the flux.
      */
     Surface surface(Material material) {
-        Rgb diffuse = options.srgb() ? Srgb.linear(material.diffuse()) : material.diffuse();
+        TextureImage base = material.diffuseImage;
+        Optional<ImageSource> baseImage = image(base);
+        Rgb written = base != null && baseImage.isEmpty() ? Surface.withoutImage(material.diffuse())
+                : material.diffuse();
+        Rgb diffuse = options.srgb() ? Srgb.linear(written) : written;
         if (material.isTransparent()) {
             notes.note("", "transparent surfaces are taken as opaque (see --leave-out)", material.name);
         }
         List<ImageMap> maps = new ArrayList<>(0);
-        TextureImage base = material.diffuseImage;
         TextureImage light = material.emittedImage;
-        image(base).ifPresent(image -> maps.add(map(ImageMap.Target.REFLECTANCE, image, diffuse, base)));
+        baseImage.ifPresent(image -> maps.add(map(ImageMap.Target.REFLECTANCE, image, diffuse, base)));
         if (maps.isEmpty() && diffuse.max() > Surface.MAX_REFLECTANCE) {
             notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material.name);
         }
@@ -96,7 +99,8 @@ final class Materials {
         }
         Optional<Path> file = search.file(of.file());
         if (file.isEmpty()) {
-            notes.note("", "images that are not found leave the base colour", of.file());
+            notes.note("", "images that are not found leave the base colour, a light grey where it is white",
+                    of.file());
         }
         return file.map(path -> ImageSource.file(path.toString()));
     }

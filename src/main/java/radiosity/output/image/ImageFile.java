@@ -13,6 +13,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Iterator;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
@@ -27,10 +28,13 @@ import radiosity.scene.Srgb;
  */
 final class ImageFile {
 
-    /** Images with more pixels are not read, because a small crafted file may claim any size. */
+    /** Of images with more pixels only every second, third, ... pixel and row is read. */
     static final long MOST_PIXELS = 1L << 26;
+    /** Images with more pixels are not read, because a small crafted file may claim any size. */
+    private static final long MOST_IN_FILE = 1L << 30;
 
     private final BufferedImage image;
+    private final int step;
     private final Raster samples;
     private final ColorModel model;
     /** Whether the samples are the values: not if they are indices of colours, or belong to another colour model. */
@@ -40,7 +44,12 @@ final class ImageFile {
 
     /** @throws IOException if a value of the image is NaN or infinite */
     ImageFile(BufferedImage image) throws IOException {
+        this(image, 1);
+    }
+
+    private ImageFile(BufferedImage image, int step) throws IOException {
         this.image = image;
+        this.step = step;
         samples = image.getRaster();
         model = image.getColorModel();
         int space = model.getColorSpace().getType();
@@ -81,11 +90,10 @@ final class ImageFile {
             ImageReader reader = readers.next();
             try {
                 reader.setInput(in);
-                long pixels = (long) reader.getWidth(0) * reader.getHeight(0);
-                if (pixels > MOST_PIXELS) {
-                    throw new IOException("one of " + pixels + " pixels, more than " + MOST_PIXELS);
-                }
-                return new ImageFile(reader.read(0));
+                int step = step(reader.getWidth(0), reader.getHeight(0));
+                ImageReadParam param = reader.getDefaultReadParam();
+                param.setSourceSubsampling(step, step, 0, 0);
+                return new ImageFile(reader.read(0, param), step);
             } catch (RuntimeException e) {
                 throw new IOException("a broken one (" + e.getMessage() + ")", e);
             } finally {
@@ -94,10 +102,32 @@ final class ImageFile {
         }
     }
 
+    /**
+     * The smallest step along rows and columns with which at most {@link #MOST_PIXELS} pixels are read of an image.
+     *
+     * @throws IOException if the image is too large to be read, or its rows or columns are, of which one is held whole
+     */
+    private static int step(int width, int height) throws IOException {
+        if ((long) width * height > MOST_IN_FILE || Math.max(width, height) > MOST_PIXELS) {
+            throw new IOException("one of " + width + "x" + height + " pixels, more than "
+                    + ((long) width * height > MOST_IN_FILE ? MOST_IN_FILE : MOST_PIXELS + " along one side"));
+        }
+        int step = 1;
+        while (((long) width + step - 1) / step * ((height + step - 1) / step) > MOST_PIXELS) {
+            step++;
+        }
+        return step;
+    }
+
     private static InputStream stream(ByteBuffer content) {
         byte[] bytes = new byte[content.remaining()];
         content.duplicate().get(bytes);
         return new ByteArrayInputStream(bytes);
+    }
+
+    /** 1 where all pixels were read; n where only every n-th pixel of every n-th row was. */
+    int step() {
+        return step;
     }
 
     int width() {

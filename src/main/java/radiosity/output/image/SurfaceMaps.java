@@ -19,6 +19,8 @@ import radiosity.scene.Surface;
 /** Reads the images of a scene's surfaces and makes maps of exitance and reflectance from them. */
 public final class SurfaceMaps {
 
+    private static final String INSTEAD = "; the base colour is taken, a light grey where it is white";
+
     private final boolean srgb;
     private final Consumer<String> warnings;
     /** The images that were read and are used again; empty for an image that cannot be read. */
@@ -33,7 +35,7 @@ public final class SurfaceMaps {
 
     /**
      * Returns the scene with maps from its images. An image that cannot be read is reported, and the base colour is
-     * taken.
+     * taken; of reflectances that are white then, a light grey.
      *
      * @param srgb whether the values of images are sRGB and are made linear
      */
@@ -73,10 +75,15 @@ public final class SurfaceMaps {
     }
 
     private Surface read(Surface surface) {
-        return surface.textures().isEmpty() ? surface
-                : surface.with(new Surface.Maps(
-                        raster(surface, ImageMap.Target.EXITANCE, surface.exitance(), Double.MAX_VALUE),
-                        raster(surface, ImageMap.Target.REFLECTANCE, surface.reflectance(), Surface.MAX_REFLECTANCE)));
+        if (surface.textures().isEmpty()) {
+            return surface;
+        }
+        Surface.Maps maps = new Surface.Maps(
+                raster(surface, ImageMap.Target.EXITANCE, surface.exitance(), Double.MAX_VALUE),
+                raster(surface, ImageMap.Target.REFLECTANCE, surface.reflectance(), Surface.MAX_REFLECTANCE));
+        boolean isMissing = maps.reflectance().isEmpty()
+                && surface.textures().stream().anyMatch(map -> map.target() == ImageMap.Target.REFLECTANCE);
+        return (isMissing ? surface.withoutImage() : surface).with(maps);
     }
 
     private Optional<Raster> raster(Surface surface, ImageMap.Target target, Rgb base, double most) {
@@ -101,7 +108,7 @@ public final class SurfaceMaps {
         if (pixels > ImageFile.MOST_PIXELS) {
             warnings.accept("surface " + surface.name() + ": expected images that together are at most "
                     + ImageFile.MOST_PIXELS + " pixels, got " + width(files) + "x" + height(files)
-                    + "; the base colour is taken");
+                    + INSTEAD);
         }
         return pixels > ImageFile.MOST_PIXELS;
     }
@@ -117,10 +124,15 @@ public final class SurfaceMaps {
     private Optional<ImageFile> image(ImageSource source) {
         Optional<ImageFile> file = images.computeIfAbsent(source, image -> {
             try {
-                return Optional.of(ImageFile.read(image));
+                ImageFile read = ImageFile.read(image);
+                if (read.step() > 1) {
+                    warnings.accept(image.name() + ": expected at most " + ImageFile.MOST_PIXELS + " pixels, got more;"
+                            + " one of " + read.step() + " pixels along rows and columns is taken");
+                }
+                return Optional.of(read);
             } catch (IOException | InvalidPathException e) {
                 warnings.accept(image.name() + ": expected an image, got " + e.getMessage()
-                        + "; the base colour is taken");
+                        + INSTEAD);
                 return Optional.empty();
             }
         });

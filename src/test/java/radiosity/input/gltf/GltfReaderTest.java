@@ -267,6 +267,20 @@ class GltfReaderTest {
         assertEquals(List.of("a.gltf: reflectances of 1 and more are taken as 0.9999: wood"), told);
     }
 
+    @Test
+    void whiteUnderAnImageThatIsMissing_isALightGrey() throws IOException {
+        String text = model.one("'POSITION':" + model.floats("VEC3", Model.SQUARE) + ",'TEXCOORD_0':"
+                + model.floats("VEC2", 0, 0, 1, 0, 1, 1, 0, 1), ",'mode':6,'material':0", "",
+                "{'name':'wood','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}");
+        text = text.substring(0, text.length() - 1);
+        assertEquals(Rgb.grey(.8), read(text + ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"a.png\"}]}")
+                .surfaces().get(0).reflectance());
+        assertEquals(Rgb.grey(.8), read(text + ",\"textures\":[{}]}").surfaces().get(0).reflectance());
+        assertEquals(List.of("a.gltf: images that are not found leave the base colour, a light grey where it is white:"
+                + " a.png", "a.gltf: textures without an image leave the base colour, a light grey where it is white:"
+                + " /textures/0"), told);
+    }
+
     /** A quarter turn counter-clockwise as one sees the image: u to the right becomes v upwards. */
     @Test
     void rotation_turnsCoordinatesCounterClockwise() {

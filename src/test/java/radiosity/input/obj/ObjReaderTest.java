@@ -205,10 +205,22 @@ class ObjReaderTest {
         library("glow.png", "");
         Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\n"
                 + "f 1/1 2/2 3/3\n");
-        assertEquals(List.of("room.obj: images that are not found leave the base colour: wood.png"), told);
+        assertEquals(List.of("room.obj: images that are not found leave the base colour, a light grey where it is white:"
+                + " wood.png"), told);
         assertEquals(List.of(ImageMap.Target.EXITANCE),
                 scene.surfaces().get(0).textures().stream().map(ImageMap::target).toList());
         assertArrayEquals(new float[] {0, 0, 5, 0, 0, 7}, scene.textureCoordinates());
+    }
+
+    @Test
+    void whiteUnderAnImageThatIsMissing_isALightGrey() throws IOException {
+        library("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd wood.png\nnewmtl b\nKd 1 1 .5\nmap_Kd wood.png\n"
+                + "newmtl c\nmap_Kd wood.png\n");
+        List<Surface> surfaces = read("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl a\nf 1 2 3\nusemtl b\n"
+                + "f 1 2 4\nusemtl c\nf 1 3 4\n").surfaces();
+        assertEquals(Rgb.grey(.8), surfaces.get(0).reflectance());
+        assertEquals(new Rgb(1, 1, .5).atMost(Surface.MAX_REFLECTANCE), surfaces.get(1).reflectance());
+        assertEquals(Rgb.grey(.8), surfaces.get(2).reflectance());
     }
 
     @Test
@@ -224,7 +236,8 @@ class ObjReaderTest {
                 + "newmtl opaque\nd 1\nTr 1\nkd .3 .3 .3\nmap_Kd \"D:\\maps\\my wood.png\"\n");
         Scene scene = read("mtllib m.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n"
                 + "usemtl tint\nf 1 3 4\nusemtl opaque\nf 1 2 5\n", ReadOptions.defaults());
-        assertEquals(List.of("room.obj: images that are not found leave the base colour: D:\\maps\\my wood.png",
+        assertEquals(List.of("room.obj: images that are not found leave the base colour, a light grey where it is white:"
+                + " D:\\maps\\my wood.png",
                 "room.obj: transparent surfaces are taken as opaque (see --leave-out): glass, tint (2 times)"),
                 told.stream().filter(line -> line.contains("images") || line.contains("transparent")).sorted().toList());
         assertEquals(Rgb.grey(.3), scene.surfaces().get(2).reflectance());

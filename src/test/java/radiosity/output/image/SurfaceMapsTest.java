@@ -99,7 +99,7 @@ class SurfaceMapsTest {
         ImageIO.write(new BufferedImage(1, 40_000, BufferedImage.TYPE_BYTE_GRAY), "png", high.toFile());
         Scene scene = square(map(wide, Target.REFLECTANCE, 1, 1), map(high, Target.REFLECTANCE, 1, 1));
         assertEquals(List.of("surface painted: expected images that together are at most 67108864 pixels, got"
-                + " 40000x40000; the base colour is taken"), told);
+                + " 40000x40000; the base colour is taken, a light grey where it is white"), told);
         assertRgb(.4, .4, .4, look(scene, LEFT).reflectance());
     }
 
@@ -191,7 +191,47 @@ class SurfaceMapsTest {
         assertRgb(1, 1, 1, look(scene, LEFT).exitance());
         assertEquals(2, told.size(), told::toString);
         for (String line : told) {
-            assertTrue(line.matches("\\S*(broken|absent).png: expected an image, got [^\\n]*; the base colour is taken"), line);
+            assertTrue(line.matches("\\S*(broken|absent).png: expected an image, got [^\\n]*; the base colour is taken,"
+                    + " a light grey where it is white"), line);
         }
+    }
+
+    /** In glTF the base colour is 1 where an image gives it: a room of such surfaces would hardly lose light. */
+    @Test
+    void whiteUnderAnImageThatCannotBeRead_isALightGrey() throws IOException {
+        ImageMap map = map(folder.resolve("absent.png"), Target.REFLECTANCE, 1, 1);
+        Surface white = new Surface("white", Rgb.BLACK, Rgb.grey(Surface.MAX_REFLECTANCE), false, List.of(map));
+        Surface red = new Surface("red", Rgb.BLACK, new Rgb(.9, .1, .1), false, List.of(map));
+        List<Surface> read = SurfaceMaps.read(square().with(List.of(white, red), List.of()), false, told::add)
+                .surfaces();
+        assertRgb(.8, .8, .8, read.get(0).reflectance());
+        assertRgb(.9, .1, .1, read.get(1).reflectance());
+    }
+
+    /** As programs write that put a scan's photographs into one image. */
+    @Test
+    void imageOfTooManyPixels_isReadInPart() throws IOException {
+        BufferedImage image = new BufferedImage(8200, 8200, BufferedImage.TYPE_BYTE_BINARY);
+        image.createGraphics().fillRect(4100, 0, 4100, 8200);
+        Path file = folder.resolve("large.png");
+        ImageIO.write(image, "png", file.toFile());
+        Scene scene = square(map(file, Target.REFLECTANCE, .8, 1));
+        assertEquals(List.of(file + ": expected at most 67108864 pixels, got more; one of 2 pixels along rows and"
+                + " columns is taken"), told);
+        assertEquals(4100 * 4100, scene.surfaces().get(0).maps().reflectance().orElseThrow().pixels());
+        assertRgb(0, 0, 0, look(scene, LEFT).reflectance());
+        assertRgb(.8, .8, .8, look(scene, RIGHT).reflectance());
+    }
+
+    /** The file of a few bytes claims to be that large. */
+    @Test
+    void imageOfFarTooManyPixels_isNotRead() throws IOException {
+        Path file = image("png", BufferedImage.TYPE_3BYTE_BGR);
+        byte[] bytes = Files.readAllBytes(file);
+        ByteBuffer.wrap(bytes).putInt(16, 40_000).putInt(20, 40_000);
+        Files.write(file, bytes);
+        square(map(file, Target.REFLECTANCE, .8, 1));
+        assertEquals(List.of(file + ": expected an image, got one of 40000x40000 pixels, more than 1073741824; the base"
+                + " colour is taken, a light grey where it is white"), told);
     }
 }
