@@ -54,11 +54,19 @@ final class Materials {
         }
     }
 
-    /** A material by its name; a light grey one where no library describes it. */
-    Material material(String name) {
+    /**
+     * A material by its name; a light grey one where no library describes it.
+     *
+     * @param isColoured whether colours of vertices say what the material leaves open
+     */
+    Material material(String name, boolean isColoured) {
         Material known = described.get(name);
         if (known == null) {
-            notes.note("", "materials that no library describes are taken as a light grey", name);
+            if (!isColoured) {
+                notes.note("", "materials that no library describes are taken as a light grey", name);
+            } else if (!name.equals(ObjParser.NO_MATERIAL)) {
+                notes.note("", "materials that no library describes have the colours of vertices alone", name);
+            }
             return new Material(name, false);
         }
         return known;
@@ -67,21 +75,21 @@ final class Materials {
     /**
      * The surface of a material. It reflects and emits on the side from which corners run counter-clockwise, or on both
      * sides where the options say so and the surface does not emit: a lamp that emits inward, too, has twice the flux.
+     *
+     * @param isColoured whether colours of vertices are factors of the reflectance
      */
-    Surface surface(Material material) {
+    Surface surface(Material material, boolean isColoured) {
         TextureImage base = material.diffuseImage;
         Optional<ImageSource> baseImage = image(base);
-        Rgb written = base != null && baseImage.isEmpty() ? Surface.withoutImage(material.diffuse())
-                : material.diffuse();
-        Rgb diffuse = options.srgb() ? Srgb.linear(written) : written;
+        Rgb diffuse = reflectance(material, baseImage.isPresent(), isColoured);
         if (material.isTransparent()) {
             notes.note("", "transparent surfaces are taken as opaque (see --leave-out)", material.name);
         }
         List<ImageMap> maps = new ArrayList<>(0);
         TextureImage light = material.emittedImage;
         baseImage.ifPresent(image -> maps.add(map(ImageMap.Target.REFLECTANCE, image, diffuse, base)));
-        if (maps.isEmpty() && diffuse.max() > Surface.MAX_REFLECTANCE) {
-            notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material.name);
+        if (maps.isEmpty() && !isColoured && diffuse.max() > Surface.MAX_REFLECTANCE) {
+            tellClipped(material.name);
         }
         if (light != null && !maps.isEmpty() && !base.liesAs(light)) {
             notes.note("", "images that lie otherwise than the first of their surface are left out", light.file());
@@ -91,6 +99,22 @@ final class Materials {
         boolean isTwoSided = options.twoSided() && light == null && material.emitted().max() == 0;
         return new Surface(material.name, material.emitted(), diffuse.atMost(Surface.MAX_REFLECTANCE), isTwoSided,
                 maps);
+    }
+
+    /**
+     * The reflectance of a material, which may be more than 1; without Kd it is a light grey, or white where an image
+     * or the colour of a vertex is a factor of it.
+     */
+    Rgb reflectance(Material material, boolean hasImage, boolean hasColour) {
+        Rgb written = !hasImage && hasColour && material.diffuse == null ? Rgb.grey(1) : material.diffuse();
+        boolean isMissing = material.diffuseImage != null && !hasImage && !hasColour;
+        Rgb colour = isMissing ? Surface.withoutImage(written) : written;
+        return options.srgb() ? Srgb.linear(colour) : colour;
+    }
+
+    /** Says that the reflectance of a material, with images and colours of vertices, is taken as the largest one. */
+    void tellClipped(String material) {
+        notes.note("", "reflectances of 1 and more are taken as " + Surface.MAX_REFLECTANCE, material);
     }
 
     private Optional<ImageSource> image(TextureImage of) {

@@ -18,6 +18,9 @@ import radiosity.settings.ReadOptions;
 /** Reads the text of an OBJ file: vertices, texture vertices, and polygons by object, group and material. */
 final class ObjParser {
 
+    /** Name of the material of polygons before the first material. */
+    static final String NO_MATERIAL = "default";
+
     private static final int MOST_MATERIALS = 1 << 16;
     private static final int MOST_LIBRARIES = 1000;
     /** Index of a missing vertex, above those of all files. */
@@ -27,6 +30,7 @@ final class ObjParser {
     final DoubleList points = new DoubleList();
     final FloatList textures = new FloatList();
     final FloatList normals = new FloatList();
+    final VertexColours colours = new VertexColours();
     /** In the order of the file. */
     final List<Group> groups = new ArrayList<>();
     /** Names of materials, by the polygons' tags. */
@@ -88,13 +92,18 @@ final class ObjParser {
     }
 
     private void vertex() {
+        int vertex = points.size() / 3;
         for (double x : three()) {
             points.add(x);
         }
-        // a fourth number alone is a weight
-        lines.word();
-        if (!lines.word().isEmpty()) {
-            notes.note(lines.place(), "colours of vertices are left out");
+        double[] more = new double[4];
+        int size = 0;
+        for (String word = lines.word(); !word.isEmpty() && size < more.length; word = lines.word()) {
+            more[size++] = TextLines.number(word, Double.NaN);
+        }
+        // a fourth number alone is a weight, and so is one before a colour
+        if (size == 2 || size > 2 && !colours.add(vertex, more, size)) {
+            notes.note(lines.place(), "colours of vertices that are not three numbers of at least 0 are left out");
         }
     }
 
@@ -141,7 +150,7 @@ final class ObjParser {
             present = group();
         }
         if (material < 0) {
-            material = material("default");
+            material = material(NO_MATERIAL);
         }
         int vertices = points.size() / 3;
         int textureVertices = textures.size() / 2;

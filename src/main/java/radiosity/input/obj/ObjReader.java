@@ -24,6 +24,7 @@ import radiosity.input.polygon.Polygons;
 import radiosity.input.polygon.Triangulation;
 import radiosity.scene.Affine;
 import radiosity.scene.ImageMap;
+import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.Surface;
@@ -45,6 +46,10 @@ public final class ObjReader {
     /** Index of the surface in {@code surfaces}, by the index of the material. */
     private final Map<Integer, Integer> surfaceOf = new HashMap<>();
     private final List<TextureImage> imageOf = new ArrayList<>();
+    /** 1 per surface: the material that it is made of. */
+    private final List<Material> materialOf = new ArrayList<>();
+    /** The surfaces of which the user was told that they reflect less than their colours say. */
+    private final BitSet clipped = new BitSet();
     private final SmoothEdges edges = new SmoothEdges();
     private boolean textured;
     private double[] origin;
@@ -160,6 +165,7 @@ public final class ObjReader {
         private final IntList corners = new IntList();
         private final IntList surfacesOf = new IntList();
         private final FloatList coordinates = new FloatList();
+        private final FloatList colours = new FloatList();
         private final Map<Integer, Integer> numbers = new HashMap<>();
         private final IntList scenes = new IntList();
         /** Per corner: its number among the corners of the group's polygons. */
@@ -183,6 +189,30 @@ public final class ObjReader {
             }
             if (textured) {
                 addCoordinates(group, surface, three);
+            }
+            if (!file.colours.isEmpty()) {
+                for (int corner : three) {
+                    addColour(surface, group.polygons().point(corner));
+                }
+            }
+        }
+
+        /** Adds the reflectance at a vertex / that of its surface; an image of the surface has the vertex's colour. */
+        private void addColour(int surface, int vertex) {
+            Surface of = surfaces.get(surface);
+            boolean hasImage = of.textures().stream().anyMatch(m -> m.target() == ImageMap.Target.REFLECTANCE);
+            boolean hasColour = file.colours.has(vertex);
+            Rgb reflectance = materials.reflectance(materialOf.get(surface), hasImage, hasColour);
+            if (hasColour && !hasImage) {
+                reflectance = reflectance.times(file.colours.of(vertex, options.srgb()));
+            }
+            if (!hasImage && reflectance.max() > Surface.MAX_REFLECTANCE && !clipped.get(surface)) {
+                clipped.set(surface);
+                materials.tellClipped(of.name());
+            }
+            for (int k = 0; k < 3; k++) {
+                double whole = of.reflectance().channel(k);
+                colours.add(whole > 0 && !hasImage ? (float) Math.min(1, reflectance.channel(k) / whole) : 1);
             }
         }
 
@@ -239,7 +269,8 @@ public final class ObjReader {
             if (surfacesOf.size() > 0) {
                 edges.add(used.toArray(), corners.toArray(), Arrays.stream(surfacesOf.toArray()).map(scenes::get)
                         .toArray(), (i, j) -> areAlike(group, i, j));
-                draft.add(new TriangleMesh(used.toArray(), corners.toArray(), surfacesOf.toArray(), uv, new float[0]),
+                draft.add(new TriangleMesh(used.toArray(), corners.toArray(), surfacesOf.toArray(), uv,
+                        areWhite(colours) ? new float[0] : colours.toArray()),
                         new Placing(Affine.IDENTITY, false, origin), scenes.toArray(), group.node(), group.place());
             }
             for (int i = 0; i < usedPoints.size(); i++) {
@@ -248,12 +279,22 @@ public final class ObjReader {
         }
     }
 
+    private static boolean areWhite(FloatList colours) {
+        boolean white = true;
+        for (int i = 0; i < colours.size() && white; i++) {
+            white = colours.get(i) == 1;
+        }
+        return white;
+    }
+
     /** Index in {@code surfaces} of the surface of a material, which is made when it is first used. */
     private int surface(int material) {
         Integer known = surfaceOf.get(material);
         if (known == null) {
-            Material described = materials.material(file.materials.get(material));
-            Surface surface = materials.surface(described);
+            boolean isColoured = !file.colours.isEmpty();
+            Material described = materials.material(file.materials.get(material), isColoured);
+            Surface surface = materials.surface(described, isColoured);
+            materialOf.add(described);
             known = surfaces.size();
             surfaceOf.put(material, known);
             surfaces.add(surface);

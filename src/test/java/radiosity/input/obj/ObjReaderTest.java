@@ -18,6 +18,7 @@ import radiosity.scene.Rgb;
 import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
+import radiosity.scene.Srgb;
 import radiosity.scene.Surface;
 import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
@@ -59,10 +60,46 @@ class ObjReaderTest {
                 + second + third;
     }
 
+    private static void assertReflectances(Scene scene, double... expected) {
+        double[] got = new double[expected.length];
+        for (int i = 0; i < got.length; i++) {
+            got[i] = scene.surfaces().get(scene.surfaceOf()[i / 9]).reflectance().channel(i % 3)
+                    * (scene.vertexColours().length == 0 ? 1 : scene.vertexColours()[i]);
+        }
+        assertArrayEquals(expected, got, 1e-6);
+    }
+
+    /** One vertex with a weight alone, one with a colour, one with both. */
     @Test
-    void coloursOfVertices_areLeftOutWithAWarning() throws IOException {
-        read("v 0 0 0 1\nv 0 0 1 1 0 0\nv 1 0 1 0 1 0\nf 1 2 3\n", ReadOptions.defaults());
-        assertEquals("room.obj, line 2: colours of vertices are left out (2 times)", told.get(0));
+    void coloursOfVertices_areReflectances_whereNoMaterialIsGiven() throws IOException {
+        String text = "v 0 0 0 1\nv 0 0 1 .5 .25 0\nv 1 0 1 1 .1 .2 .3\nf 1 2 3\n";
+        assertReflectances(read(text, ReadOptions.defaults()), .8, .8, .8, .5, .25, 0, .1, .2, .3);
+        assertEquals(List.of(), told);
+        assertEquals(Srgb.linear(.25), .9999 * read(text, ReadOptions.defaults().withSrgb(true)).vertexColours()[4], 1e-6);
+    }
+
+    @Test
+    void coloursOfVertices_areFactorsOfTheMaterial_butNotOfItsImage() throws IOException {
+        library("m.mtl", "newmtl a\nKd .5 1 .5\nnewmtl b\nKd .6 .6 .6\nmap_Kd wood.png\nnewmtl c\nmap_Kd lost.png\n");
+        library("wood.png", "");
+        Scene scene = read("mtllib m.mtl\nv 0 0 0 1 .5 .5\nv 0 0 1 .5 1 0\nv 1 0 1 0 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+                + "usemtl b\nf 1 3 4\nusemtl c\nf 1 2 4\n", ReadOptions.defaults());
+        assertReflectances(scene, .5, .5, .25, .25, .9999, 0, 0, 0, 0, .6, .6, .6, .6, .6, .6, .6, .6, .6,
+                .9999, .5, .5, .5, .9999, 0, .8, .8, .8);
+        assertEquals(List.of("reflectances of 1 and more are taken as 0.9999: a, c (2 times)"), told.stream()
+                .filter(line -> line.contains("reflectances")).map(line -> line.substring("room.obj: ".length())).toList());
+    }
+
+    @Test
+    void coloursOfVertices_mayBeWholeNumbers_andWhiteSaysNothing() throws IOException {
+        assertReflectances(read("v 0 0 0 51 102 0\nv 0 0 1 1 0 0\nv 1 0 1 0 204 0\nf 1 2 3\n", ReadOptions.defaults()),
+                .2, .4, 0, 1 / 255.0, 0, 0, 0, .8, 0);
+        assertReflectances(read("v 0 0 0 255 255 255\nv 0 0 1 255 255 255\nv 1 0 1\nf 1 2 3\n",
+                ReadOptions.defaults()), .8, .8, .8, .8, .8, .8, .8, .8, .8);
+        told.clear();
+        read("v 0 0 0 .5 .5\nv 0 0 1 -1 0 0\nv 1 0 1 red 0 0\nf 1 2 3\n", ReadOptions.defaults());
+        assertEquals("room.obj, line 1: colours of vertices that are not three numbers of at least 0 are left out"
+                + " (3 times)", told.get(0));
     }
 
     @Test
