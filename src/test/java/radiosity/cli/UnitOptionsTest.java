@@ -144,7 +144,7 @@ class UnitOptionsTest {
     /** As of a table in another unit. */
     @Test
     void pointsOnNoSurface_areCounted() throws IOException {
-        Path in = Files.writeString(folder.resolve("in.csv"), "278,0,-280,0,1,0\n2.78,0,-2.80,9,1,0\n");
+        Path in = Files.writeString(folder.resolve("in.csv"), "278,0,-280,0,1,0\n.278,0,-.280,9,1,0\n");
         ProgramRun run = render("--points", in, folder.resolve("out.csv"));
         assertTrue((run.out() + run.err()).contains(in + ": 1 point lies on no surface, and has no light"),
                 run.out() + run.err());

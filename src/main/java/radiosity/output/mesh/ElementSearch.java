@@ -10,6 +10,8 @@ public final class ElementSearch {
 
     /** How far a point may lie from its element, relative to the diagonal of the box of all elements. */
     private static final double TOLERANCE = 1e-5;
+    /** How far a point may lie from the nearest element beside a noisy surface, in the same unit. */
+    private static final double NEAR = 1e-3;
     /** Least cosine between the normal of an element and the requested normal. */
     private static final double AGREES = 0.5;
     /** A cosine this much below 1 costs as much as a distance of the whole tolerance. */
@@ -41,6 +43,28 @@ public final class ElementSearch {
             double distance = cosine > AGREES ? new ClosestPoint(solution, element, point).distance() : tolerance * 2;
             if (distance <= tolerance) {
                 best.offer(element, distance / tolerance + (1 - cosine) / TURNED);
+            }
+        });
+        return best.element;
+    }
+
+    /**
+     * Index of the nearest element within 1e-3 of the diagonal of the box of all elements, its normal within 60 degrees
+     * of the one given, or -1; of equally near ones, the lowest index. A scanned floor is rough: a point measured on it
+     * lies millimetres above or below its triangles.
+     *
+     * @param point  scene units
+     * @param normal unit direction out of the visible side of the element
+     */
+    public int nearest(Vec3 point, Vec3 normal) {
+        double[] p = {point.x(), point.y(), point.z()};
+        double most = tolerance / TOLERANCE * NEAR;
+        Best best = new Best();
+        tree.near(p, p, most, element -> {
+            double distance = Elements.normal(solution, element).dot(normal) > AGREES
+                    ? new ClosestPoint(solution, element, point).distance() : Double.POSITIVE_INFINITY;
+            if (distance <= most) {
+                best.offer(element, distance);
             }
         });
         return best.element;

@@ -55,7 +55,26 @@ public final class Points {
      * @param normal of any length but 0, on the side that is meant
      */
     public Light at(Vec3 point, Vec3 normal) {
+        return at(search.find(point, normal.unit()), point, normal);
+    }
+
+    /**
+     * Irradiance and radiosity as {@link #at} gives them; where no element lies at the point, those at the place
+     * nearest to it, up to 1e-3 of the scene's size away and seen from within 60 degrees of the normal.
+     *
+     * @param normal of any length but 0, on the side that is meant
+     */
+    public Light near(Vec3 point, Vec3 normal) {
         int element = search.find(point, normal.unit());
+        int near = element < 0 ? search.nearest(point, normal.unit()) : -1;
+        if (near < 0) {
+            return at(element, point, normal);
+        }
+        double[] weight = new ClosestPoint(solution, near, point).weights();
+        return at(near, Elements.point(solution, near, weight[1], weight[2]), normal);
+    }
+
+    private Light at(int element, Vec3 point, Vec3 normal) {
         if (element < 0) {
             Rgb none = Rgb.grey(Double.NaN);
             return new Light(none, none);
@@ -105,7 +124,7 @@ public final class Points {
                     StandardCharsets.US_ASCII));
             text.write(isPhotometric() ? HEADER.replace("\n", ",E_lx,L_cd_m2\n") : HEADER);
             PointList.read(in, point -> {
-                Light light = at(new Vec3(point[0], point[1], point[2]), new Vec3(point[3], point[4], point[5]));
+                Light light = near(new Vec3(point[0], point[1], point[2]), new Vec3(point[3], point[4], point[5]));
                 text.append(line(point, light));
                 missed[0] += Double.isNaN(light.irradiance().r()) ? 1 : 0;
             });

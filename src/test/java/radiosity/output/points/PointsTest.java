@@ -108,6 +108,18 @@ class PointsTest {
                 new Points(room()).at(new Vec3(1 + 1e-9, -1e-9, .5), Y).irradiance().r(), 1e-8);
     }
 
+    /** The room has sides of 1, a diagonal of 1.73. */
+    @Test
+    void pointsBesideARoughSurface_haveTheLightOfTheNearestPlaceInTheTable() throws IOException {
+        assertEquals(1, run("0.25,0.0015,0.5,0,1,0", "0.25,-0.0015,0.5,0,1,0", "0.25,0.0015,0.5,0.5,0.866,0",
+                "0.25,0.002,0.5,0,1,0"));
+        for (int i = 1; i <= 3; i++) {
+            assertEquals(linear(new Vec3(.25, 0, .5)).r(), row(i)[6], 1e-12);
+        }
+        assertTrue(Files.readAllLines(out).get(4).endsWith(",nan,nan,nan,nan,nan,nan"));
+        assertTrue(Double.isNaN(new Points(room()).at(new Vec3(.25, .0015, .5), Y).irradiance().r()));
+    }
+
     @Test
     void output_beginsWithItsHeaderAndGivesThePointsBack() throws IOException {
         run("0.1,0,0.30000000000000004,0,1,0");
