@@ -3,6 +3,7 @@ package radiosity.output.grid;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -20,14 +21,15 @@ import radiosity.util.Aabb;
 /**
  * The points of a grid: middles of cells of about one size, in rows and columns.
  *
- * <p>On a surface, the points lie on its triangles, plane by plane, at least one point in all; on a plane like {@code
- * y=0.85}, all over the scene's box.
+ * <p>On a surface, the points lie on its triangles, plane by plane; on planes smaller than a cell, as the facets of a
+ * scan, there are together as many points as cells have their area, but at least one. On a plane like {@code y=0.85},
+ * the points lie all over the scene's box.
  *
  * @param onSurface whether the points lie on a surface; otherwise in the air
  * @param points    scene units
  * @param normals   unit normals of the side whose light is asked for, one per point
  * @param areas     area for which a point stands, square scene units, one per point: that of its plane's triangles
- *                  over the number of points on the plane
+ *                  over the number of points on the plane; together the surface's area
  */
 record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List<Double> areas) {
 
@@ -41,7 +43,29 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
     private static final double PLANE_ROUNDING = 1e-4;
 
     /** The triangles of a surface that lie in one plane. */
-    private record Plane(Vec3 normal, double offset, List<Integer> triangles) { }
+    private record Plane(Vec3 normal, double offset, List<Integer> triangles) {
+
+        double area(Scene scene) {
+            return triangles.stream().mapToDouble(scene::area).sum();
+        }
+
+        /** The triangles' centre of area or, where that is beside them, the middle of the largest triangle. */
+        Vec3 middle(Scene scene) {
+            Vec3 sum = Vec3.ZERO;
+            for (int t : triangles) {
+                sum = sum.plus(scene.middle(t).times(scene.area(t)));
+            }
+            Vec3 centre = sum.times(1 / area(scene));
+            int largest = Collections.max(triangles, Comparator.comparingDouble(scene::area));
+            return place(scene, centre).orElse(scene.middle(largest));
+        }
+
+        /** The place on the triangles above or below a point; triangles may lie beside the plane by rounding. */
+        Optional<Vec3> place(Scene scene, Vec3 p) {
+            return triangles.stream().filter(t -> holds(scene, t, p, normal)).findFirst()
+                    .map(t -> on(scene, t, p, normal));
+        }
+    }
 
     /**
      * Places the points of a grid.
@@ -114,11 +138,33 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
                     .map(Surface::name).distinct().limit(20).collect(Collectors.joining(", "))
                     + ") or a plane like y=0.85, got " + name);
         }
-        planes.forEach(plane -> on(scene, plane, spacing));
-        if (points.isEmpty()) {
-            points.add(scene.middle(planes.get(0).triangles.get(0)));
-            normals.add(planes.get(0).normal);
-            areas.add(1.0);
+        together(scene, planes.stream().filter(plane -> !on(scene, plane, spacing)).toList(), spacing);
+    }
+
+    /** Places points on small planes: where the sum of their areas, in their order, passes half of a further cell. */
+    private void together(Scene scene, List<Plane> small, double spacing) {
+        double[] area = small.stream().mapToDouble(plane -> plane.area(scene)).toArray();
+        double total = Arrays.stream(area).sum();
+        double cells = Math.max(1, Math.rint(total / (spacing * spacing)));
+        double sum = 0;
+        double passed = 0;
+        for (int i = 0; i < area.length; i++) {
+            sum += area[i];
+            double now = Math.floor(cells * (sum / total) + 0.5);
+            if (now > passed) {
+                requireAtMost(points.size() + 1, spacing);
+                points.add(small.get(i).middle(scene));
+                normals.add(small.get(i).normal);
+                areas.add((now - passed) * total / cells);
+                passed = now;
+            }
+        }
+    }
+
+    private static void requireAtMost(double count, double spacing) {
+        if (!(count <= MOST)) {
+            throw new IllegalArgumentException("expected a spacing that gives at most " + MOST + " points, got "
+                    + spacing);
         }
     }
 
@@ -127,7 +173,8 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
         return IntStream.range(0, 4).mapToObj(i -> (long) Math.floor(numbers[i]) + (up >> i & 1)).toList();
     }
 
-    private void on(Scene scene, Plane plane, double spacing) {
+    /** Whether points were placed on a plane; not where it is as small as one cell, or all middles of cells miss it. */
+    private boolean on(Scene scene, Plane plane, double spacing) {
         Vec3 n = plane.normal;
         Vec3 u = (Math.abs(n.y()) > 0.999 ? unit(0) : unit(1).cross(n)).unit();
         Vec3 v = n.cross(u).unit();
@@ -141,34 +188,39 @@ record GridPlaces(boolean onSurface, List<Vec3> points, List<Vec3> normals, List
                 extent[3] = Math.max(extent[3], p.dot(v));
             }
         }
-        fill(n.times(plane.offset), u, v, extent, spacing, n, scene, plane);
+        int first = points.size();
+        if (cells(extent, spacing, 0) * cells(extent, spacing, 2) > 1) {
+            fill(n.times(plane.offset), u, v, extent, spacing, n, scene, plane);
+        }
+        return points.size() > first;
+    }
+
+    /** Number of cells along an axis, whose extent are two numbers. */
+    private static double cells(double[] extent, double spacing, int at) {
+        return Math.max(1, Math.rint((extent[at + 1] - extent[at]) / spacing));
     }
 
     /** @param plane on whose triangles points must lie; null if points lie anywhere */
     private void fill(Vec3 origin, Vec3 u, Vec3 v, double[] extent, double spacing, Vec3 normal, Scene scene,
                       Plane plane) {
-        double columns = Math.max(1, Math.rint((extent[1] - extent[0]) / spacing));
-        double rows = Math.max(1, Math.rint((extent[3] - extent[2]) / spacing));
-        if (!(columns * rows + points.size() <= MOST)) {
-            throw new IllegalArgumentException("expected a spacing that gives at most " + MOST + " points, got "
-                    + spacing);
-        }
+        double columns = cells(extent, spacing, 0);
+        double rows = cells(extent, spacing, 2);
+        requireAtMost(columns * rows + points.size(), spacing);
         int first = points.size();
         for (int j = 0; j < rows; j++) {
             for (int i = 0; i < columns; i++) {
                 Vec3 p = origin.plus(u.times(extent[0] + (extent[1] - extent[0]) * (i + 0.5) / columns))
                         .plus(v.times(extent[2] + (extent[3] - extent[2]) * (j + 0.5) / rows));
-                Optional<Vec3> place = plane == null ? Optional.of(p) : plane.triangles.stream()
-                        .filter(t -> holds(scene, t, p, normal)).findFirst().map(t -> on(scene, t, p, normal));
+                Optional<Vec3> place = plane == null ? Optional.of(p) : plane.place(scene, p);
                 place.ifPresent(points::add);
                 place.ifPresent(at -> normals.add(normal));
             }
         }
-        double area = plane == null ? 1 : plane.triangles.stream().mapToDouble(scene::area).sum();
+        double area = plane == null ? 1 : plane.area(scene);
         areas.addAll(Collections.nCopies(points.size() - first, area / (points.size() - first)));
     }
 
-    /** The point of a triangle above or below a point; triangles of a plane may lie beside the plane by rounding. */
+    /** The point of a triangle's plane above or below a point. */
     private static Vec3 on(Scene scene, int triangle, Vec3 p, Vec3 normal) {
         Vec3 n = scene.cross(triangle).unit();
         return p.plus(normal.times(scene.corner(triangle, 0).minus(p).dot(n) / normal.dot(n)));

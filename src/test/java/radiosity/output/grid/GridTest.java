@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -118,6 +119,35 @@ class GridTest {
         Grid grid = grid(Solve.byDefault().accurate(.5).solution(builder.scene("wall")), "wall", .4);
         assertEquals(0, grid.left());
         assertTrue(grid.rows().length > 80, "points: " + grid.rows().length);
+    }
+
+    /** A floor of 8 x 6 m in triangles of some 10 cm, whose corners are up to 5 mm off, as a scanner has it. */
+    @Test
+    void pointsOnAScan_areAsManyAsTheSpacingSays_andStandForItsArea() {
+        Random random = new Random(3);
+        Vec3[][] at = new Vec3[81][61];
+        for (int i = 0; i < 81; i++) {
+            for (int j = 0; j < 61; j++) {
+                at[i][j] = new Vec3(i * .1, random.nextDouble() * .01, j * .1);
+            }
+        }
+        Surface scan = RoomScenes.grey("scan", 0, .5);
+        SceneBuilder builder = new SceneBuilder();
+        for (int i = 0; i < 80; i++) {
+            for (int j = 0; j < 60; j++) {
+                builder.polygon(scan, at[i][j], at[i][j + 1], at[i + 1][j + 1]);
+                builder.polygon(scan, at[i][j], at[i + 1][j + 1], at[i + 1][j]);
+            }
+        }
+        Scene scene = builder.scene("scan");
+        for (double spacing : new double[] {.2, .5, 3, 100}) {
+            GridPlaces places = GridPlaces.of(scene, "scan", spacing);
+            assertEquals(Math.max(1, Math.rint(scene.area() / spacing / spacing)), places.points().size());
+            assertEquals(scene.area(), places.areas().stream().mapToDouble(a -> a).sum(), 1e-9);
+        }
+        List<Vec3> points = GridPlaces.of(scene, "scan", .5).points();
+        assertEquals(4, points.stream().mapToDouble(Vec3::x).average().orElseThrow(), .1);
+        assertEquals(3, points.stream().mapToDouble(Vec3::z).average().orElseThrow(), .3);
     }
 
     private static Vec3 onWall(int i, int j) {
