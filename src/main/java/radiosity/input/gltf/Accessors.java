@@ -32,6 +32,12 @@ final class Accessors {
         return root.at("accessors").at(where.integer()).at("count").integer();
     }
 
+    /** Whether an accessor has elements other than zeros. */
+    boolean hasData(JsonCursor where) throws SceneFormatException {
+        JsonCursor accessor = root.at("accessors").at(where.integer());
+        return accessor.optional("bufferView").isPresent() || accessor.optional("sparse").isPresent();
+    }
+
     /** Type of an accessor's elements, "VEC3" for example. */
     String type(JsonCursor where) throws SceneFormatException {
         return root.at("accessors").at(where.integer()).at("type").text();

@@ -48,9 +48,20 @@ final class Buffers {
         long offset = view.unchecked("byteOffset");
         long length = view.at("byteLength").unchecked();
         if (offset < 0 || length < 0 || offset > buffer.capacity() - length) {
+            refuseCompressed(view, "EXT_meshopt_compression", "KHR_meshopt_compression");
             throw view.wrong("bytes of a buffer of " + buffer.capacity() + " bytes");
         }
         return buffer.slice((int) offset, (int) length).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    /** Refuses a value whose data stands in an extension that compresses it; a file may have the plain data, too. */
+    static void refuseCompressed(JsonCursor value, String... extensions) throws SceneFormatException {
+        for (String extension : extensions) {
+            if (value.extension(extension).isPresent()) {
+                throw new SceneFormatException(value.file(), "JSON " + value.path(),
+                        "data without compression (export without it)", extension);
+            }
+        }
     }
 
     /** A copy of the bytes of a whole buffer. */

@@ -94,6 +94,9 @@ final class Meshes {
         if (mode > FAN) {
             throw primitive.at("mode").wrong("a mode from 0 to 6");
         }
+        if (!accessors.hasData(attributes.at("POSITION"))) {
+            Buffers.refuseCompressed(primitive, "KHR_draco_mesh_compression");
+        }
         float[] points = points(primitive, attributes, shape);
         int[] corners = triangles(primitive, mode, points);
         if (corners.length > 0) {

@@ -512,6 +512,24 @@ class GltfReaderTest {
                 "a.gltf: transparent surfaces are taken as opaque (see --leave-out): a#1"), told);
     }
 
+    /** Such files may name the extension as used only, though they have no data without it. */
+    @Test
+    void compressionWithoutPlainData_isRefusedByName() throws IOException {
+        String plain = square("", "", PAINT);
+        String draco = ",'extensions':{'KHR_draco_mesh_compression':{'bufferView':0,'attributes':{'POSITION':0}}}";
+        String text = model.one("'POSITION':" + model.accessor("VEC3", 5126, 3, ""), draco, "", PAINT);
+        assertEquals("a.gltf, JSON /meshes/0/primitives/0: expected data without compression (export without it), got"
+                + " KHR_draco_mesh_compression", refused(text));
+        assertEquals(1, read(square(draco, "", PAINT)).area(), 1e-12, "data beside the compressed");
+        for (String meshopt : new String[] {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+            String both = plain.replaceFirst("\"bufferViews\":\\[\\{", "$0\"extensions\":{\"" + meshopt
+                    + "\":{}},");
+            assertEquals(1, read(both).area(), 1e-12);
+            assertEquals("a.gltf, JSON /bufferViews/0: expected data without compression (export without it), got "
+                    + meshopt, refused(both.replaceFirst("\"byteLength\":48", "\"byteLength\":4800")));
+        }
+    }
+
     private Optional<Specular> specular(String material) throws IOException {
         return read(square("", "", "{" + material + "}")).surface(0).specular();
     }
