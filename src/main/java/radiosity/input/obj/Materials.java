@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.FileSearch;
 import radiosity.input.file.InputFile;
@@ -24,6 +25,8 @@ final class Materials {
 
     /** Most libraries in one line. */
     private static final int MOST_NAMES = 100;
+    /** A name in quotes, or a word. */
+    private static final Pattern QUOTED = Pattern.compile("\"[^\"]*\"|\\S+");
 
     private final FileSearch search;
     private final ReadOptions options;
@@ -36,11 +39,13 @@ final class Materials {
         this.notes = notes;
     }
 
-    /** Reads libraries; each text is one name that may contain blanks, or several names between blanks. */
+    /**
+     * Reads libraries; each text is one name that may contain blanks, or several names between blanks, each of them
+     * perhaps in quotes.
+     */
     void read(Set<String> written) throws IOException {
         for (String names : written) {
-            Optional<Path> whole = search.file(names);
-            for (String name : whole.isPresent() ? List.of(names) : Arrays.asList(names.split("\\s+", MOST_NAMES))) {
+            for (String name : search.file(names).isPresent() ? List.of(names) : split(names)) {
                 Optional<Path> file = search.file(name);
                 if (file.isEmpty()) {
                     notes.note("", "material libraries that are not found leave a light grey", name);
@@ -52,6 +57,12 @@ final class Materials {
                 }
             }
         }
+    }
+
+    private static List<String> split(String names) {
+        return names.contains("\"")
+                ? QUOTED.matcher(names).results().limit(MOST_NAMES).map(n -> TextLines.unquoted(n.group())).toList()
+                : Arrays.asList(names.split("\\s+", MOST_NAMES));
     }
 
     /**

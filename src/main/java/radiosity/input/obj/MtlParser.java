@@ -92,12 +92,6 @@ final class MtlParser {
         return new Rgb(r, g, b);
     }
 
-    /** A path without the quotes that some programs write around paths with blanks. */
-    private static String unquoted(String path) {
-        boolean isQuoted = path.length() > 1 && path.startsWith("\"") && path.endsWith("\"");
-        return isQuoted ? path.substring(1, path.length() - 1) : path;
-    }
-
     /** Reads options, then the path, which may contain blanks. */
     private TextureImage image() {
         double[] scale = {1, 1};
@@ -119,7 +113,7 @@ final class MtlParser {
             }
             path = lines.rest();
         }
-        return new TextureImage(unquoted(path), scale[0], scale[1], offset[0], offset[1], clamp);
+        return new TextureImage(TextLines.unquoted(path), scale[0], scale[1], offset[0], offset[1], clamp);
     }
 
     /** Reads up to three numbers and keeps the first two. */

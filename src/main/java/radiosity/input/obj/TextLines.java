@@ -87,6 +87,12 @@ final class TextLines {
         return line.substring(start, word);
     }
 
+    /** A path without the quotes that some programs write around paths with blanks. */
+    static String unquoted(String path) {
+        boolean isQuoted = path.length() > 1 && path.startsWith("\"") && path.endsWith("\"");
+        return isQuoted ? path.substring(1, path.length() - 1) : path;
+    }
+
     /** The rest of the line after the words that were read. */
     String rest() {
         return line.substring(skipBlanks());

@@ -261,6 +261,17 @@ class ObjReaderTest {
     }
 
     @Test
+    void librariesInQuotes_areFound() throws IOException {
+        library("Room Scan 1.mtl", "newmtl a\nKd .1 .1 .1\n");
+        library("b.mtl", "newmtl b\nKd .2 .2 .2\n");
+        Scene scene = read("mtllib \"Room Scan 1.mtl\"\nmtllib \"lost one.mtl\" b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\n");
+        assertEquals(Rgb.grey(.1), scene.surfaces().get(0).reflectance());
+        assertEquals(Rgb.grey(.2), scene.surfaces().get(1).reflectance());
+        assertEquals(List.of("room.obj: material libraries that are not found leave a light grey: lost one.mtl"), told);
+    }
+
+    @Test
     void backslashAtTheEndOfAComment_isAPath() throws IOException {
         Scene scene = read("# from C:\\House\\\nv 0 0 0\nv 0 0 1\nv 1 0 \\\n1\nf 1 2 3\n", ReadOptions.defaults());
         assertEquals(1, scene.triangles());
