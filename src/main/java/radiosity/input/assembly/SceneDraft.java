@@ -2,6 +2,7 @@ package radiosity.input.assembly;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import radiosity.input.file.Diagnostics;
 import radiosity.input.file.MemoryAdvice;
@@ -12,7 +13,9 @@ import radiosity.scene.Scene;
 import radiosity.scene.SceneFormatException;
 import radiosity.scene.SceneNode;
 import radiosity.scene.Surface;
+import radiosity.scene.Vec3;
 import radiosity.settings.ReadOptions;
+import radiosity.util.Aabb;
 
 /** Collects a scene while a reader reads it: the nodes of the hierarchy, and instances of meshes at the nodes. */
 public final class SceneDraft {
@@ -29,6 +32,9 @@ public final class SceneDraft {
     /** Upper bound of coordinates: the squares of areas, which are of the fourth power, must not overflow. */
     private static final double FARTHEST = 1e70;
 
+    /** Least distance of neighbouring floats at a mesh's place / size of the scene of which the user is warned. */
+    private static final double COARSE = 1e-4;
+
     private final String name;
     private final ReadOptions options;
     private final Diagnostics notes;
@@ -39,6 +45,8 @@ public final class SceneDraft {
     private final boolean shared;
     private boolean textured;
     private boolean coloured;
+    /** Largest distance, in the scene, of neighbouring floats at the place of a mesh in its own space. */
+    private double coarseness;
 
     private record Instance(TriangleMesh mesh, Placing placing, int[] surfaces, int node) { }
 
@@ -80,10 +88,11 @@ public final class SceneDraft {
      */
     public void add(TriangleMesh mesh, Placing placing, int[] surfaces, int node, String place)
             throws SceneFormatException {
-        double reach = 0;
-        for (float x : mesh.points()) {
-            reach = Math.max(reach, Math.abs(x));
+        float[] farthest = new float[3];
+        for (int i = 0; i < mesh.points().length; i++) {
+            farthest[i % 3] = Math.max(farthest[i % 3], Math.abs(mesh.points()[i]));
         }
+        double reach = Math.max(farthest[0], Math.max(farthest[1], farthest[2]));
         double factor = 0;
         for (double m : placing.world().m()) {
             factor += Math.abs(m);
@@ -95,6 +104,10 @@ public final class SceneDraft {
         }
         textured |= mesh.textureCoordinates().length > 0;
         coloured |= mesh.colours().length > 0;
+        for (int k = 0; k < 3; k++) {
+            double[] m = placing.world().m();
+            coarseness = Math.max(coarseness, Math.ulp(farthest[k]) * new Vec3(m[k], m[4 + k], m[8 + k]).length());
+        }
         reserve(mesh.triangles(), mesh.pointCount());
         instances.add(new Instance(mesh, placing, surfaces, node));
     }
@@ -136,6 +149,11 @@ public final class SceneDraft {
         }
         if (placed.flat() > 0) {
             notes.note("", "triangles without area where they are placed are left out", placed.flat() + " triangles");
+        }
+        double size = placed.surfaceOf().length == 0 ? 0 : Aabb.of(placed.points()).diagonal();
+        if (size > 0 && coarseness > COARSE * size) {
+            notes.note("", String.format(Locale.ROOT, "coordinates are as coarse as %.2g of the scene's size; move the"
+                    + " model to the origin before it is written as floats", coarseness / size));
         }
         notes.flush();
         if (placed.surfaceOf().length == 0) {

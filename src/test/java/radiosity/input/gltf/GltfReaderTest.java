@@ -530,6 +530,19 @@ class GltfReaderTest {
         }
     }
 
+    /** A square of 8 x 8 m, 5400 km from the origin along y, where floats are half a metre apart. */
+    @Test
+    void floatsFarFromTheOrigin_areWarnedOf_evenWhereTheNodeBringsThemBack() throws IOException {
+        float[] far = {0, 5.4e6f, 0, 8, 5.4e6f, 0, 8, 5.4e6f + 8, 0, 0, 5.4e6f + 8, 0};
+        read(model.one("'POSITION':" + model.floats("VEC3", far), ",'mode':6,'material':0",
+                ",'translation':[0,-5400000,0]", PAINT));
+        assertEquals(List.of("a.gltf: coordinates are as coarse as 0.044 of the scene's size; move the model to the origin"
+                + " before it is written as floats"), told);
+        told.clear();
+        read(square("", ",'translation':[0,5400000,0]", PAINT));
+        assertEquals(List.of(), told, "the place of a node is exact");
+    }
+
     private Optional<Specular> specular(String material) throws IOException {
         return read(square("", "", "{" + material + "}")).surface(0).specular();
     }

@@ -123,7 +123,7 @@ final class HostileObjects {
                         "no finite numbers"),
                 object("3e38", lwob(scaled(3e38), 3, 0, 1, 2, 1), 1, ""),
                 object("3e38 against 1", lwob(with(4, 3e38), 3, 0, 1, 2, 1, 3, 0, 2, 3, 1), 1, "without area"),
-                object("denormals", lwob(scaled(1e-42), 3, 0, 1, 2, 1), 1, ""),
+                object("denormals", lwob(scaled(1e-42), 3, 0, 1, 2, 1), 1, "as coarse as"),
                 object("40,000 points", manyPoints("LWOB", 40_000), 1, ""),
                 object("70,000 points", manyPoints("LWO2", 70_000), 1, ""));
     }
