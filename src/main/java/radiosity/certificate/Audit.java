@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.LongFunction;
 import java.util.stream.IntStream;
 import radiosity.formfactor.FormFactorCalculator;
 import radiosity.formfactor.FormFactorCalculators;
@@ -181,10 +182,11 @@ public final class Audit {
     private void gatherBatch(List<AuditPoint> batch, UniformRadiosity ambient) throws IOException {
         LightSources lights = new LightSources(faces, mesh.bounds);
         List<NearbyPoints.Near> near = nearby.around(batch);
-        parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient));
+        LongFunction<LightSources.SkyRays> rays = key -> mesh.skyRays(Accuracy.tolerance(asked), key);
+        parallel.run(near.size(), i -> near.get(i).point().light(lights, ambient, rays));
         parallel.run(batch.size(), i -> {
             AuditPoint point = batch.get(i);
-            point.light(lights, ambient);
+            point.light(lights, ambient, rays);
             point.lost = point.isBuried ? 1 : mesh.rooms.room(point.face) >= 0 ? 0
                     : mesh.escaping.share(point.place, point.face, point.number);
         });

@@ -2,6 +2,7 @@ package radiosity.certificate;
 
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.LongFunction;
 import java.util.stream.IntStream;
 import radiosity.formfactor.LightSources;
 import radiosity.mesh.BrightVertices;
@@ -189,33 +190,34 @@ final class AuditPoint {
     }
 
     /** Adds the light of sources without geometry, and the uniform radiosity of a closed room. */
-    void light(LightSources lights, UniformRadiosity ambient) {
-        begin(anew, lights, place, 0, ambient);
-        if (isDetailed) {
-            begin(anewAtVertex, lights, corner, 3 * nearest, ambient);
+    void light(LightSources lights, UniformRadiosity ambient, LongFunction<LightSources.SkyRays> rays) {
+        double[][] here = new double[TIMES][faces.channels()];
+        for (int i = 0; i < TIMES; i++) {
+            lights.add(place, 0, face, here[i], 0, rays.apply(key(i)));
+            begin(anew[i], here[i], ambient);
+            if (isDetailed) {
+                double[] there = new double[faces.channels()];
+                lights.add(corner, 3 * nearest, face, there, 0, rays.apply(key(TIMES + i)));
+                begin(anewAtVertex[i], there, ambient);
+            }
         }
         if (!lights.isEmpty()) {
-            compare(lights);
+            compare(lights, here, rays);
         }
     }
 
-    private void begin(double[][] to, LightSources lights, float[] x, int at, UniformRadiosity ambient) {
-        double[] first = to[0];
-        lights.add(x, at, face, first, 0);
-        for (int c = 0; c < first.length; c++) {
-            first[c] += ambient.at(face, c);
+    private void begin(double[] to, double[] fromLights, UniformRadiosity ambient) {
+        for (int c = 0; c < to.length; c++) {
+            to[c] += fromLights[c] + ambient.at(face, c);
         }
-        System.arraycopy(first, 0, to[1], 0, first.length);
     }
 
-    private void compare(LightSources lights) {
-        double[] here = new double[faces.channels()];
-        lights.add(place, 0, face, here, 0);
+    private void compare(LightSources lights, double[][] here, LongFunction<LightSources.SkyRays> rays) {
         for (int k = 0; k < 3; k++) {
-            double[] there = new double[here.length];
-            lights.add(corner, 3 * k, face, there, 0);
-            for (int c = 0; c < here.length; c++) {
-                fromLights[c] += weight[k] * (there[c] - here[c]);
+            double[] there = new double[faces.channels()];
+            lights.add(corner, 3 * k, face, there, 0, rays.apply(key(2 * TIMES + k)));
+            for (int c = 0; c < there.length; c++) {
+                fromLights[c] += weight[k] * (there[c] - mean(here, c));
             }
         }
     }

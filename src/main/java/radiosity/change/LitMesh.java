@@ -58,9 +58,10 @@ final class LitMesh {
     /**
      * Adds to the irradiance of vertices the light of sources without geometry, times a factor.
      *
-     * @param sources of this scene or of the other scene
+     * @param sources   of this scene or of the other scene
+     * @param tolerance irradiance that one ray may carry, relative to the mean
      */
-    void light(int[] vertices, LightSources sources, double factor) {
+    void light(int[] vertices, LightSources sources, double factor, double tolerance) {
         if (sources.isEmpty()) {
             return;
         }
@@ -72,7 +73,8 @@ final class LitMesh {
                 int v = vertices[i];
                 Arrays.fill(sum, 0);
                 int plane = nodes.points().plane(v); // of mesh: the scene of the sources may number faces otherwise
-                sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), mesh.faces.unitNormal(plane), sum, 0);
+                sources.add(new Vec3(x[3 * v], x[3 * v + 1], x[3 * v + 2]), mesh.faces.unitNormal(plane), sum, 0,
+                        mesh.skyRays(tolerance, nodes.points().key(v)));
                 for (int c = 0; c < channels; c++) {
                     irradiance[channels * v + c] += factor * sum[c];
                 }

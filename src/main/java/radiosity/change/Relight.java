@@ -88,8 +88,8 @@ public final class Relight {
             correct(earlier, kept, rules, weight);
         }
         if (change.isOfGeometry() || change.isOfLights()) {
-            lit.light(kept, new LightSources(before.faces, before.bounds), -1);
-            lit.light(kept, new LightSources(now.faces, now.bounds), 1);
+            lit.light(kept, new LightSources(before.faces, before.bounds), -1, rules.tolerance());
+            lit.light(kept, new LightSources(now.faces, now.bounds), 1, rules.tolerance());
         }
         int[] fresh = transfer.fresh.stream().filter(v -> !nodes.points().isBuried(v)).toArray();
         gather(fresh, rules, weight);
@@ -198,7 +198,7 @@ public final class Relight {
                 irradiance[i] *= 0.5;
             }
         }
-        lit.light(vertices, new LightSources(now.faces, now.bounds), 1);
+        lit.light(vertices, new LightSources(now.faces, now.bounds), 1, rules.tolerance());
     }
 
     private void checkWanted() {
@@ -247,7 +247,8 @@ public final class Relight {
         }
         parallel.run(nodes.vertices(), v -> {
             if (!nodes.points().isBuried(v)) {
-                sources.add(nodes.points().receivers(), 3 * v, nodes.points().plane(v), at, channels * v);
+                sources.add(nodes.points().receivers(), 3 * v, nodes.points().plane(v), at, channels * v,
+                        now.skyRays(now.tolerance(), nodes.points().key(v)));
             }
         });
         double squared = now.faces.size() * now.faces.size();

@@ -45,12 +45,17 @@ public final class EnteringLight {
         }
     }
 
-    /** Flux that arrives, one per channel, W; the same numbers for the same scene. */
-    public double[] flux() {
+    /**
+     * Flux that arrives, one per channel, W; the same numbers for the same scene.
+     *
+     * @param part part of the usual number of rays that is cast, in (0, 1]
+     */
+    public double[] flux(double part) {
         double[] flux = new double[faces.channels()];
         for (int light = 0; light < faces.scene().lights().size(); light++) {
             Light from = faces.scene().lights().get(light);
-            double arrives = from.kind().isSky() ? sky(from) : from.kind().isOutside() ? sun(from) : 0;
+            double arrives = from.kind().isSky() ? sky(from, (int) (part * SKY_RAYS))
+                    : from.kind().isOutside() ? sun(from, (int) (part * SUN_RAYS)) : 0;
             for (int c = 0; c < flux.length; c++) {
                 flux[c] += arrives * faces.power(light, c) * faces.size() * faces.size();
             }
@@ -59,27 +64,27 @@ public final class EnteringLight {
     }
 
     /** Area at right angles to the sun whose light arrives, in squared units of the scene's size. */
-    private double sun(Light light) {
+    private double sun(Light light, int rays) {
         Vec3 towards = light.direction().unit().times(-1);
         double sum = 0;
-        for (int i = 1; i <= SUN_RAYS; i++) {
+        for (int i = 1; i <= rays; i++) {
             sum += area(towards, i);
         }
-        return sum / SUN_RAYS;
+        return sum / rays;
     }
 
     /** The same of a sky, relative to the irradiance of a level place in the open. */
-    private double sky(Light light) {
+    private double sky(Light light, int rays) {
         Frame frame = Frame.of(light.up());
         double sum = 0;
-        for (int i = 1; i <= SKY_RAYS; i++) {
+        for (int i = 1; i <= rays; i++) {
             double height = fraction(i * STEP * STEP * STEP);
             double[] level = Frame.inCircle(1 - height * height, fraction(i * STEP * STEP * STEP * STEP));
             Vec3 towards = frame.vector(level[0], level[1], height);
             // irradiance is 1/pi of the luminance over all directions, of which there are 2 pi
             sum += 2 * lights.luminance(light, towards) * area(towards, i);
         }
-        return sum / SKY_RAYS;
+        return sum / rays;
     }
 
     /** Area of the rectangle at right angles to a direction where a ray of light arrives on a visible side, else 0. */

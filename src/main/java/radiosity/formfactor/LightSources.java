@@ -10,6 +10,7 @@ import radiosity.mesh.face.Faces;
 import radiosity.scene.Light;
 import radiosity.scene.Luminaire;
 import radiosity.scene.Vec3;
+import radiosity.util.Hash;
 import radiosity.util.R2;
 import radiosity.visibility.RadiosityBounds;
 
@@ -47,10 +48,31 @@ public final class LightSources {
         return lights.isEmpty();
     }
 
+    /**
+     * How closely a point looks at skies.
+     *
+     * @param perRay one per channel: irradiance that a ray may carry, W/m²; empty: as closely as ever
+     * @param key    number from which the directions of rays follow
+     */
+    public record SkyRays(double[] perRay, long key) {
+
+        public static final SkyRays EXACT = new SkyRays(new double[0], 0);
+
+        /** Irradiance that a ray may carry, relative to that of a level place under one of the lights alone. */
+        private double share(Faces faces, int light) {
+            double share = perRay.length == 0 ? 0 : Double.POSITIVE_INFINITY;
+            for (int c = 0; c < perRay.length; c++) {
+                double power = faces.power(light, c);
+                share = power > 0 ? Math.min(share, perRay[c] / power) : share;
+            }
+            return share;
+        }
+    }
+
     /** Adds the light of all sources to the irradiance of a vertex. */
-    public void light(RadiosityNodes nodes, int v) {
+    public void light(RadiosityNodes nodes, int v, SkyRays rays) {
         ReceivingPoints points = nodes.points();
-        add(points.receivers(), 3 * v, points.plane(v), nodes.light().irradiance(), nodes.channels() * v);
+        add(points.receivers(), 3 * v, points.plane(v), nodes.light().irradiance(), nodes.channels() * v, rays);
     }
 
     /**
@@ -59,8 +81,8 @@ public final class LightSources {
      * @param place x, y, z in the scene brought to size 1, 3 numbers from {@code at}; not modified
      * @param to    modified: irradiance, one per channel from {@code first}, W/m²
      */
-    public void add(float[] place, int at, int face, double[] to, int first) {
-        add(new Vec3(place[at], place[at + 1], place[at + 2]), faces.unitNormal(face), to, first);
+    public void add(float[] place, int at, int face, double[] to, int first, SkyRays rays) {
+        add(new Vec3(place[at], place[at + 1], place[at + 2]), faces.unitNormal(face), to, first, kind -> true, rays);
     }
 
     /**
@@ -71,12 +93,17 @@ public final class LightSources {
      * @param to modified: irradiance, one per channel from {@code first}, W/m²
      */
     public void add(Vec3 x, Vec3 n, double[] to, int first) {
-        add(x, n, to, first, kind -> true);
+        add(x, n, to, first, SkyRays.EXACT);
+    }
+
+    /** The same, looking at skies as closely as {@code rays} say. */
+    public void add(Vec3 x, Vec3 n, double[] to, int first, SkyRays rays) {
+        add(x, n, to, first, kind -> true, rays);
     }
 
     /** Adds the irradiance that a point receives from all sources but skies; {@code to} has one per channel, W/m². */
     public void addAllButSkies(Vec3 x, Vec3 n, double[] to) {
-        add(x, n, to, 0, kind -> !kind.isSky());
+        add(x, n, to, 0, kind -> !kind.isSky(), SkyRays.EXACT);
     }
 
     /** Irradiance of a level place under skies everywhere as bright as in unit direction d: one per channel, W/m². */
@@ -96,12 +123,12 @@ public final class LightSources {
         return skies.computeIfAbsent(sky, Sky::new).towards(d);
     }
 
-    private void add(Vec3 x, Vec3 n, double[] to, int first, Predicate<Light.Kind> which) {
+    private void add(Vec3 x, Vec3 n, double[] to, int first, Predicate<Light.Kind> which, SkyRays rays) {
         for (int i = 0; i < lights.size(); i++) {
             if (!which.test(lights.get(i).kind())) {
                 continue;
             }
-            double share = irradiance(lights.get(i), x, n);
+            double share = irradiance(lights.get(i), x, n, rays.share(faces, i), Hash.mix(rays.key, i));
             for (int c = 0; c < faces.channels(); c++) {
                 to[first + c] += share * faces.power(i, c);
             }
@@ -127,7 +154,8 @@ public final class LightSources {
             for (int i = 1; i <= points; i++) {
                 double r = Math.sqrt(R2.u(i));
                 double s = R2.v(i);
-                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0, kind -> !kind.isOutside());
+                add(a.plus(ab.times(r * (1 - s))).plus(ac.times(r * s)), n, sum, 0,
+                        kind -> !kind.isOutside(), SkyRays.EXACT);
             }
             for (int c = 0; c < sum.length; c++) {
                 flux[c] += sum[c] / points * faces.area(f) * faces.size() * faces.size();
@@ -139,6 +167,11 @@ public final class LightSources {
 
     /** Irradiance at x with normal n, relative to the light's power. */
     double irradiance(Light light, Vec3 x, Vec3 n) {
+        return irradiance(light, x, n, 0, 0);
+    }
+
+    /** @param perRay see {@link Sky#irradiance} */
+    private double irradiance(Light light, Vec3 x, Vec3 n, double perRay, long key) {
         return switch (light.kind()) {
             case DISTANT -> distant(light, x, n);
             case POINT, SPOT -> light.luminaire().isPresent() ? luminaire(light, light.luminaire().get(), x, n)
@@ -146,7 +179,8 @@ public final class LightSources {
             case AREA -> area(light, x, n);
             case SKY_UNIFORM, SKY_OVERCAST, SKY_CLEAR -> {
                 RadiosityBounds.Blocker last = new RadiosityBounds.Blocker();
-                yield skies.computeIfAbsent(light, Sky::new).irradiance(n, d -> bounds.isFree(x, d, last));
+                yield skies.computeIfAbsent(light, Sky::new)
+                        .irradiance(n, d -> bounds.isFree(x, d, last), perRay, key);
             }
         };
     }

@@ -3,6 +3,8 @@ package radiosity.formfactor;
 import java.util.function.Predicate;
 import radiosity.scene.Light;
 import radiosity.scene.Vec3;
+import radiosity.util.Frame;
+import radiosity.util.Hash;
 
 /**
  * The light of a sky that a point receives through openings of any shape; see {@link SkyView}.
@@ -18,25 +20,63 @@ final class Sky {
     private static final double D = -3;
     private static final double E = 0.45;
 
+    /**
+     * Standard deviation of light through random directions, one per cell, times the number of cells along a side, if
+     * every cell is seen by half.
+     */
+    private static final double SPREAD = 0.5;
+    /** Largest number of such cells along a side: with more, following edges takes less time. */
+    private static final int MOST_CELLS = 48;
+    private static final int LEAST_CELLS = 8;
+    /** Irradiance from which on random directions do: in a room, their noise is little in the open, but much there. */
+    private static final double BRIGHT = 0.2;
+
     private final Light light;
     private final Vec3 sun;
-    /** Factor that makes the irradiance of a level place with a free sky 1. */
-    private final double scale;
+    /** Mean luminance over the circle below the hemisphere of a level place with a free sky, in an arbitrary unit. */
+    private final double level;
 
     Sky(Light light) {
         this.light = light;
         sun = light.direction().unit().times(-1);
-        scale = 1 / new SkyView(this, light.up(), d -> true).mean();
+        level = new SkyView(this, light.up(), d -> true, 0).mean();
     }
 
     /**
-     * Irradiance of a point, relative to that of a level place with a free sky.
+     * Irradiance of a point, relative to that of a level place with a free sky. Where a ray may carry so much that few
+     * rays do, and other rays have found much sky, they have random directions: cells with edges that are divided would
+     * miss thin bars more often than not.
      *
-     * @param n    normal of the point, length 1
-     * @param free whether no triangle stands in the way in a direction from the point
+     * @param n      normal of the point, length 1
+     * @param free   whether no triangle stands in the way in a direction from the point
+     * @param perRay irradiance that one ray may carry, relative to that of a level place with a free sky; 0: no limit
+     *               to the number of rays
+     * @param key    number from which random directions follow
      */
-    double irradiance(Vec3 n, Predicate<Vec3> free) {
-        return scale * new SkyView(this, n, free).mean();
+    double irradiance(Vec3 n, Predicate<Vec3> free, double perRay, long key) {
+        double cells = Math.max(LEAST_CELLS, Math.ceil(SPREAD / perRay));
+        boolean isSampled = cells <= MOST_CELLS
+                && sampled(n, free, LEAST_CELLS, Hash.mix(key, -1)) >= BRIGHT * level;
+        return (isSampled ? sampled(n, free, (int) cells, key) : new SkyView(this, n, free, key).mean()) / level;
+    }
+
+    /** Mean luminance that a point sees, by one random direction in each cell of the square of {@link SkyView}. */
+    private double sampled(Vec3 n, Predicate<Vec3> free, int side, long key) {
+        Frame frame = Frame.of(n);
+        double sum = 0;
+        for (int i = 0; i < side * side; i++) {
+            double[] local = SkyView.onCircle(random(i / side, side, Hash.mix(key, 2L * i)),
+                    random(i % side, side, Hash.mix(key, 2L * i + 1)));
+            Vec3 d = frame.vector(local[0], local[1], local[2]);
+            double height = d.dot(up());
+            sum += height > 0 && free.test(d) ? luminance(d, height) : 0;
+        }
+        return sum / (side * side);
+    }
+
+    /** A coordinate in a cell of the square from -1 to 1. */
+    private static double random(int cell, int side, long key) {
+        return 2 * (cell + Hash.unit(key)) / side - 1;
     }
 
     Vec3 up() {
@@ -46,7 +86,7 @@ final class Sky {
     /** Luminance in a direction of length 1; a sky of luminance 1 everywhere gives a level place an irradiance of 1. */
     double towards(Vec3 d) {
         double height = d.dot(light.up());
-        return height <= 0 ? 0 : scale * luminance(d, height);
+        return height <= 0 ? 0 : luminance(d, height) / level;
     }
 
     /** Luminance in direction d, in an arbitrary unit; height is the sine of the elevation, above 0. */

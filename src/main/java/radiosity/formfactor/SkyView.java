@@ -13,6 +13,9 @@ import radiosity.util.Hash;
  * Other cells with edges are divided, until each part is cut by one edge, or so small that it counts by a random point.
  * Where an edge crosses a side of a divided cell, the cell beyond that side is divided, too: so an opening less wide
  * than a cell is followed to its ends. An opening smaller than a cell may be missed, such as one of 1 m from 24 m away.
+ *
+ * <p>In an intricate view, as behind leaves or many bars, bars thinner than a cell would be missed, and those that are
+ * met would be divided. So rays have random directions there, in all cells that have edges or lie beside such cells.
  */
 final class SkyView {
 
@@ -24,9 +27,18 @@ final class SkyView {
     private static final int PARTS = 16;
     /** Standard deviation that divided cells may leave, relative to the luminance in all others. */
     private static final double UNCERTAIN = 0.0005;
-    /** The same where more cells than lie along a side have several edges, as behind leaves: parts are not cut then. */
-    private static final double INTRICATE = 0.002;
-    /** Number of parts that all divided cells together may have, unless the view is intricate. */
+    /** The same of an intricate view. */
+    private static final double INTRICATE = 0.02;
+    /**
+     * A view is intricate if more cells than this have several edges, or twice as many where openings are narrow, or if
+     * more than {@link #MOST_EDGES} have any.
+     */
+    private static final int MOST_DIVIDED = SIDE;
+    /** The edge of a convex opening passes no more cells than lie around the square. */
+    private static final int MOST_EDGES = 4 * SIDE;
+    /** Largest number of rows of random directions in a cell. */
+    private static final int MOST_ROWS = 8;
+    /** Number of parts that all divided cells together may have. */
     private static final int MOST_PARTS = 2 * SIDE * SIDE;
     /** Sine of an elevation up to which a direction is on the horizon. */
     private static final double LEVEL = 1e-12;
@@ -37,6 +49,7 @@ final class SkyView {
 
     private final Sky sky;
     private final Predicate<Vec3> free;
+    private final long key;
     private final Frame frame;
     /** Components of the sky's zenith along the frame. */
     private final double[] up;
@@ -50,15 +63,16 @@ final class SkyView {
     private int count;
     /** Side of the largest squares that are cut. */
     private int most;
-    private boolean isIntricate;
     /** Side of the smallest parts. */
     private int least;
 
     /**
      * @param n    normal of the point, length 1
      * @param free whether no triangle stands in the way in a direction from the point
+     * @param key  number from which random directions follow
      */
-    SkyView(Sky sky, Vec3 n, Predicate<Vec3> free) {
+    SkyView(Sky sky, Vec3 n, Predicate<Vec3> free, long key) {
+        this.key = key;
         this.sky = sky;
         this.free = free;
         frame = Frame.of(n);
@@ -77,8 +91,11 @@ final class SkyView {
 
     /** Direction of a point of the square: components along two tangents and the normal; row and column in parts. */
     private static double[] direction(double row, double column) {
-        double a = 2 * row / (SIDE * PARTS) - 1;
-        double b = 2 * column / (SIDE * PARTS) - 1;
+        return onCircle(2 * row / (SIDE * PARTS) - 1, 2 * column / (SIDE * PARTS) - 1);
+    }
+
+    /** The same of a point of the square from -1 to 1: components along two tangents and the normal. */
+    static double[] onCircle(double a, double b) {
         boolean byA = Math.abs(a) > Math.abs(b);
         double r = byA ? a : b;
         double angle = r == 0 ? 0 : byA ? Math.PI / 4 * (b / a) : Math.PI / 2 - Math.PI / 4 * (a / b);
@@ -90,7 +107,11 @@ final class SkyView {
         for (int i = 0; i < seen.length; i++) {
             seen[i] = at(CORNERS, 3 * i);
         }
-        most = most();
+        int edges = edges();
+        if (edges > MOST_EDGES) {
+            return intricate();
+        }
+        most = most(edges);
         double[] mean = new double[ROW * SIDE];
         for (int i = 0; i < mean.length; i++) {
             mean[i] = i % ROW == SIDE ? 0 : whole(i);
@@ -103,9 +124,11 @@ final class SkyView {
             }
             sum += mean[i];
         }
-        isIntricate = most == PARTS && count > SIDE;
-        least = isIntricate ? least(count, sum, INTRICATE)
-                : Math.min(PARTS / 2, Math.max(least(count, sum, UNCERTAIN), affordable(count)));
+        if (count > (most == PARTS ? MOST_DIVIDED : 2 * MOST_DIVIDED)) {
+            return intricate();
+        }
+        least = Math.min(PARTS / 2,
+                Math.max(least(count, UNCERTAIN * sum), affordable(count)));
         most = Math.max(most, least);
         for (int k = 0; k < count; k++) {
             int i = divided[k];
@@ -113,6 +136,58 @@ final class SkyView {
                     seen[i + ROW + 1]) - mean[i];
         }
         return sum / (SIDE * SIDE);
+    }
+
+    /** Number of cells whose corners do not see all the same. */
+    private int edges() {
+        int edges = 0;
+        for (int i = 0; i < ROW * SIDE; i++) {
+            edges += i % ROW == SIDE || isAlike(i) ? 0 : 1;
+        }
+        return edges;
+    }
+
+    /** Mean over the circle, of an intricate view. */
+    private double intricate() {
+        double[] mean = new double[ROW * SIDE];
+        int mixed = 0;
+        double sum = 0;
+        for (int i = 0; i < mean.length; i++) {
+            mean[i] = i % ROW == SIDE ? 0 : isAlike(i) ? whole(i) : Double.NaN;
+            mixed += Double.isNaN(mean[i]) ? 1 : 0;
+            sum += Double.isNaN(mean[i]) ? 0 : mean[i];
+        }
+        double least = INTRICATE * (sum + mixed / 2.);
+        int rows = (int) Math.max(1, Math.min(MOST_ROWS, Math.ceil(Math.sqrt(mixed) / 2 / least)));
+        for (int i = 0; i < mean.length; i++) {
+            if (i % ROW != SIDE && hasEdgeNear(mean, i)) {
+                sum += random(i, rows) - (Double.isNaN(mean[i]) ? 0 : mean[i]);
+            }
+        }
+        return sum / (SIDE * SIDE);
+    }
+
+    /** Whether the mean of a cell, or of one of the 8 around it, is NaN. */
+    private static boolean hasEdgeNear(double[] mean, int cell) {
+        boolean has = false;
+        for (int r = Math.max(0, cell / ROW - 1); r <= Math.min(SIDE - 1, cell / ROW + 1); r++) {
+            for (int c = Math.max(0, cell % ROW - 1); c <= Math.min(SIDE - 1, cell % ROW + 1); c++) {
+                has |= Double.isNaN(mean[r * ROW + c]);
+            }
+        }
+        return has;
+    }
+
+    /** Mean luminance over a cell, seen in random directions in some rows of as many parts. */
+    private double random(int cell, int rows) {
+        double sum = 0;
+        double size = (double) PARTS / rows;
+        for (int i = 0; i < rows * rows; i++) {
+            long place = Hash.mix(key, (long) cell * MOST_ROWS * MOST_ROWS + i);
+            sum += at(cell / ROW * PARTS + size * (i / rows + Hash.unit(Hash.mix(place, 0))),
+                    cell % ROW * PARTS + size * (i % rows + Hash.unit(Hash.mix(place, 1))));
+        }
+        return sum / (rows * rows);
     }
 
     /** Notes that a cell is to be divided, unless it counts as part of the cell beside it. */
@@ -128,13 +203,12 @@ final class SkyView {
      * independent. An edge passes twice as many parts of half the side.
      *
      * @param cells     number of cells that are to be divided
-     * @param sum       luminance seen in all other cells
-     * @param uncertain standard deviation that may be left, relative to that luminance
+     * @param uncertain standard deviation that may be left, in luminances of a cell
      */
-    private static int least(int cells, double sum, double uncertain) {
+    private static int least(int cells, double uncertain) {
         int size = PARTS / 2;
         while (size > 1 && Math.sqrt((double) cells * PARTS / size) * size * size / (2 * PARTS * PARTS)
-                > uncertain * sum) {
+                > uncertain) {
             size /= 2;
         }
         return size;
@@ -153,12 +227,10 @@ final class SkyView {
      * Side of squares that are less wide than openings. The mean width of openings is twice their area over the length
      * of their edges, both counted in cells. Narrow openings differ more in width from end to end.
      */
-    private int most() {
+    private int most(int edges) {
         int open = 0;
-        int edges = 0;
         for (int i = 0; i < ROW * SIDE; i++) {
             open += seen[i] > 0 ? 1 : 0;
-            edges += i % ROW == SIDE || isAlike(i) ? 0 : 1;
         }
         int size = PARTS;
         while (size > 1 && open * PARTS < edges * size) {
@@ -197,7 +269,7 @@ final class SkyView {
             return 0;
         }
         boolean[] isSeen = {a > 0, b > 0, d > 0, c > 0};
-        CutCell.Part part = isIntricate || size > most ? null
+        CutCell.Part part = size > most ? null
                 : new CutCell(row, column, size, isSeen, (r, s) -> at(r, s) > 0).seen();
         if (part == null) {
             return Double.NaN;

@@ -17,6 +17,7 @@ import radiosity.protocol.Order;
 import radiosity.protocol.Shot;
 import radiosity.protocol.Wire;
 import radiosity.setup.InitialMesh;
+import radiosity.util.Hash;
 import radiosity.util.ParallelFor;
 
 /**
@@ -69,7 +70,7 @@ public final class PartitionImpl implements Partition {
         interpolation = new EdgeInterpolation(mesh, receivers, nodes, parallel);
         if (!restored) {
             receivers.bury(nodes, 0);
-            light(from(0));
+            light(from(0), mesh.tolerance(), 0);
         }
     }
 
@@ -173,23 +174,29 @@ public final class PartitionImpl implements Partition {
                 .splitAll(order.number(), order.rules().marks(), parallel);
         receivers.bury(nodes, known);
         Arrays.fill(nodes.light().irradiance(), channels * known, channels * nodes.vertices(), 0);
-        light(from(known));
+        light(from(known), order.rules().tolerance(), 0);
     }
 
     private void renew(Order order) {
         order.shots().forEach(shot -> shot.markShot(nodes, parts));
         if (!order.begun()) {
             nodes.points().setAside();
-            light(from(0));
+            light(from(0), order.rules().tolerance(), order.number());
         }
     }
 
-    /** Adds the light of sources without geometry, such as the sun, to the irradiance of some vertices. */
-    private void light(int[] vertices) {
+    /**
+     * Adds the light of sources without geometry, such as the sun, to the irradiance of some vertices.
+     *
+     * @param tolerance irradiance that one ray may carry, relative to the mean
+     * @param turn      0, or another number whenever the rays are to take other directions
+     */
+    private void light(int[] vertices, double tolerance, int turn) {
         if (!lights.isEmpty()) {
             parallel.run(vertices.length, i -> {
                 if (!nodes.points().isBuried(vertices[i])) {
-                    lights.light(nodes, vertices[i]);
+                    long key = nodes.points().key(vertices[i]);
+                    lights.light(nodes, vertices[i], mesh.skyRays(tolerance, turn == 0 ? key : Hash.mix(key, turn)));
                 }
             });
         }
@@ -243,7 +250,7 @@ public final class PartitionImpl implements Partition {
             return;
         }
         if (isMended) {
-            discard(vertices);
+            discard(vertices, order);
         }
         costs.begin(vertices);
         if (interpolation.isFor(order)) {
@@ -258,11 +265,11 @@ public final class PartitionImpl implements Partition {
     }
 
     /** Resets the irradiance of some vertices to the light of sources without geometry. */
-    private void discard(int[] vertices) {
+    private void discard(int[] vertices, Order order) {
         for (int v : vertices) {
             Arrays.fill(nodes.light().irradiance(), channels * v, channels * (v + 1), 0);
         }
-        light(vertices);
+        light(vertices, order.rules().tolerance(), order.number());
     }
 
     /** Raises negative irradiances to 0: all shots of a corner may add up to less than 0, as shots take light back. */

@@ -49,7 +49,7 @@ public final class InitialMesh {
     private static final int FEW_PATCHES = 2000;
     private static final int COARSE_PATCHES = 600;
     /** Version of the saved state of calculations: a state with another version is refused. */
-    private static final int STATE = 13;
+    private static final int STATE = 14;
     /** Regular expression that splits a fingerprint before each option. */
     private static final String PARTS = ",? (?=-)";
     /**
@@ -66,6 +66,9 @@ public final class InitialMesh {
     /** Sample points per shooter where no number is given: by the schedules of the paper, and with prediction. */
     private static final int RAYS = 4;
     private static final int FEW_RAYS = 1;
+
+    /** Part of the rays of {@link EnteringLight} that tells about how bright a scene is. */
+    private static final double FEW_OF_ALL_RAYS = 1. / 16;
 
     /** The scene as it was read. */
     public final Scene original;
@@ -99,6 +102,8 @@ public final class InitialMesh {
 
     /** Finds the light that arrives nowhere. */
     public final EscapingLight escaping;
+    /** See {@link #firstIrradiance()}; null before its first call. */
+    private double[] firstIrradiance;
     /** See {@link #allLightFlux}; null before its first call. */
     private double[] allLightFlux;
 
@@ -200,11 +205,45 @@ public final class InitialMesh {
     public synchronized double[] allLightFlux() {
         if (allLightFlux == null) {
             double[] inside = lightFlux();
-            double[] outside = new EnteringLight(faces, bounds).flux();
+            double[] outside = new EnteringLight(faces, bounds).flux(1);
             allLightFlux = new double[inside.length];
             Arrays.setAll(allLightFlux, c -> inside[c] + outside[c]);
         }
         return allLightFlux.clone();
+    }
+
+    /**
+     * How closely a point looks at skies: as closely as it looks at surfaces, if all faces that light from outside can
+     * reach had the irradiance at first light.
+     *
+     * @param tolerance irradiance that one ray may carry, relative to the mean, above 0
+     * @param key       number from which the directions of rays follow
+     */
+    public LightSources.SkyRays skyRays(double tolerance, long key) {
+        return !predicts() || !hasSky() ? LightSources.SkyRays.EXACT : new LightSources.SkyRays(
+                Arrays.stream(firstIrradiance()).map(mean -> tolerance * mean).toArray(), key);
+    }
+
+    private boolean hasSky() {
+        return scene.lights().stream().anyMatch(light -> light.kind().isSky());
+    }
+
+    /** Mean irradiance before any reflection on faces outside of closed rooms, one per channel, W/m²; about. */
+    private synchronized double[] firstIrradiance() {
+        if (firstIrradiance == null) {
+            double[] entering = new EnteringLight(faces, bounds).flux(FEW_OF_ALL_RAYS);
+            double area = 0;
+            for (int f = 0; f < faces.count(); f++) {
+                boolean isOpen = rooms.room(f) < 0;
+                area += isOpen ? faces.area(f) : 0;
+                for (int c = 0; isOpen && c < entering.length; c++) {
+                    entering[c] += faces.exitance(f, c) * faces.exposedArea(f) * faces.size() * faces.size();
+                }
+            }
+            double open = area * faces.size() * faces.size();
+            firstIrradiance = Arrays.stream(entering).map(flux -> open > 0 ? flux / open : 0).toArray();
+        }
+        return firstIrradiance;
     }
 
     /**

@@ -455,7 +455,7 @@ final class Prediction implements Planner {
      *                differences between rounds by up to 10,000, and their sum would diverge
      */
     private Order order(Order.Kind kind, List<Shot> shots, double[] even, boolean sparing) {
-        boolean isAnew = kind == Order.Kind.REGATHER;
+        boolean isAnew = kind == Order.Kind.RENEW || kind == Order.Kind.REGATHER;
         return new Order(kind, shots,
                 new Order.Rules(isAnew ? loop.toleranceAnew() : loop.tolerance(), weight, loop.meshError(), even,
                         new double[0], sparing && world.settings().factors() == FormFactors.RAYCAST,

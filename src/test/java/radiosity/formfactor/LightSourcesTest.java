@@ -32,7 +32,7 @@ class LightSourcesTest {
                         new Vec3(1, 0, -1))
                 .light(light).scene("floor"));
         double[] irradiance = new double[faces.channels()];
-        new LightSources(faces, new RadiosityBounds(faces.occluders())).add(place, UP, irradiance, 0);
+        new LightSources(faces, new RadiosityBounds(faces.occluders())).add(place, UP, irradiance, 0, LightSources.SkyRays.EXACT);
         return irradiance;
     }
 
