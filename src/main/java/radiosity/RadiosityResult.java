@@ -60,7 +60,7 @@ public record RadiosityResult(Solution solution, Optional<Certificate> certifica
             throw new IllegalArgumentException("picture: expected a width of at least 1, got " + width);
         }
         Camera camera = DefaultCamera.of(solution);
-        Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution),
+        Snapshot.write(file, solution, camera, width, ToneMapping.automatic(solution, camera),
                 new Snapshot.Drawing(gathered, done -> true));
     }
 

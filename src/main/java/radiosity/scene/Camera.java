@@ -37,6 +37,14 @@ public record Camera(Vec3 position, Vec3 forward, Vec3 up, double verticalHalfAn
         return sound ? Optional.of(new Camera(position, ahead, above, verticalHalfAngle, aspect)) : Optional.empty();
     }
 
+    /** Whether what lies in a direction from the eye, of any length, is within the edges of the picture. */
+    public boolean frames(Vec3 direction) {
+        double depth = direction.dot(forward);
+        double half = depth * StrictMath.tan(verticalHalfAngle);
+        return depth > 0 && Math.abs(direction.dot(up)) <= half
+                && Math.abs(direction.dot(forward.cross(up))) <= half * aspect;
+    }
+
     /**
      * Unit direction from the eye through a point of the picture.
      *

@@ -83,7 +83,8 @@ final class ControlPanel {
         stops.setName("stops");
         stops.addChangeListener(e -> act(() -> display.light(() -> lighting.stops((double) stops.getValue() / STEPS))));
         add(content, stops);
-        add(content, button("automatic", "automatic exposure", () -> display.light(lighting::automaticExposure)));
+        add(content, button("automatic", "automatic exposure",
+                () -> display.light(() -> lighting.automaticExposure(display.camera()))));
         ButtonGroup group = new ButtonGroup();
         for (ToneMapping.Operator curve : ToneMapping.Operator.values()) {
             String name = curve.name().toLowerCase(Locale.ROOT);

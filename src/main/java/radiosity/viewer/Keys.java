@@ -80,7 +80,7 @@ final class Keys extends KeyAdapter {
         switch (typed) {
             case '+', '=' -> display.light(() -> lighting.brighter(THIRD));
             case '-', '_' -> display.light(() -> lighting.brighter(-THIRD));
-            case '0' -> display.light(lighting::automaticExposure);
+            case '0' -> display.light(() -> lighting.automaticExposure(display.camera()));
             case '[' -> walking.pace(1 / PACE);
             case ']' -> walking.pace(PACE);
             default -> act(key);

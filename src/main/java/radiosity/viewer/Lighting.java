@@ -2,9 +2,11 @@ package radiosity.viewer;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import radiosity.output.gltf.LampMix;
 import radiosity.output.gltf.LitScene;
 import radiosity.output.image.ToneMapping;
+import radiosity.scene.Camera;
 import radiosity.scene.Units;
 
 /** The light in which a scene is shown: factors of the lamps, exposure and tone mapping; on the event thread. */
@@ -34,7 +36,7 @@ final class Lighting {
     /** Shows another scene; the mix is kept where both scenes have the same lamps. */
     void show(LitScene other) {
         follow(other);
-        automaticExposure = automatic(lit);
+        automaticExposure = automatic(lit, lit.camera());
         toneMapping(automatic ? automaticExposure : toneMapping.exposure(), toneMapping.operator());
     }
 
@@ -54,8 +56,8 @@ final class Lighting {
         lit = mix.isAsRendered() ? scene : scene.mixed(mix.factors());
     }
 
-    private double automatic(LitScene of) {
-        return ToneMapping.automatic(settings.curve(), of.meshes(), settings.stops()).exposure();
+    private double automatic(LitScene of, Camera camera) {
+        return ToneMapping.automatic(settings.curve(), of.meshes(), Optional.of(camera), settings.stops()).exposure();
     }
 
     /** The scene with its lamps as they are set. */
@@ -82,10 +84,10 @@ final class Lighting {
         toneMapping(toneMapping.exposure() * Math.pow(2, stops), toneMapping.operator());
     }
 
-    /** Sets the exposure that suits the scene with its present lamps, and keeps it automatic. */
-    void automaticExposure() {
+    /** Sets the exposure that suits what is before a camera with the present lamps, and keeps it automatic. */
+    void automaticExposure(Camera camera) {
         automatic = true;
-        automaticExposure = automatic(lit);
+        automaticExposure = automatic(lit, camera);
         toneMapping(automaticExposure, toneMapping.operator());
     }
 

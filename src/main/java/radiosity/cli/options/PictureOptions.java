@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import picocli.CommandLine.Option;
 import radiosity.output.image.DefaultCamera;
 import radiosity.output.image.Snapshot;
@@ -90,8 +91,9 @@ public final class PictureOptions {
         return size == null ? USUAL_WIDTH : size.width();
     }
 
-    public ToneMapping toneMapping(Solution solution) {
-        return ToneMapping.automatic(curve, solution, exposure);
+    /** The exposure of what is before a camera, or of all surfaces where there is none. */
+    public ToneMapping toneMapping(Solution solution, Optional<Camera> camera) {
+        return ToneMapping.automatic(curve, solution, camera, exposure);
     }
 
     /** Fails where a picture's name has the extension of no known format, or an option needs a picture and has none. */

@@ -132,7 +132,7 @@ public final class OutputFiles {
 
     private void saveScene(Solution solution, Map<String, Object> extras, OptionalDouble textures) throws IOException {
         write(options.output(), file -> SceneFile.write(file, solution, extras, solution.scene().camera(),
-                options.picture.toneMapping(solution), textures));
+                options.picture.toneMapping(solution, Optional.empty()), textures));
     }
 
     /**
@@ -211,8 +211,9 @@ public final class OutputFiles {
     private void savePicture(Solution solution, Supplier<Camera> camera, Path file,
                              Snapshot.Drawing.Progress progress, Consumer<String> user) throws IOException {
         try {
-            write(file, picture -> Snapshot.write(picture, solution, camera.get(), options.picture.width(),
-                    options.picture.toneMapping(solution),
+            Camera eye = camera.get();
+            write(file, picture -> Snapshot.write(picture, solution, eye, options.picture.width(),
+                    options.picture.toneMapping(solution, Optional.of(eye)),
                     new Snapshot.Drawing(options.picture.gathered(), options.calculation.threads, progress)));
         } catch (CancellationException e) {
             user.accept(file + ": left out, as it was not wanted any more");
@@ -225,7 +226,7 @@ public final class OutputFiles {
                 solution.scene());
         GltfModel model = original.isPresent() ? original.get() : SceneModel.of(solution.scene());
         LightmapModel.write(file, model, Lightmap.of(solution, texels),
-                options.picture.toneMapping(solution).exposure());
+                options.picture.toneMapping(solution, Optional.empty()).exposure());
     }
 
     /** Writes one file. */

@@ -1,7 +1,9 @@
 package radiosity.output.image;
 
 import java.util.List;
+import java.util.Optional;
 import radiosity.output.mesh.Mesh;
+import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Srgb;
 import radiosity.scene.Units;
@@ -64,24 +66,30 @@ public record ToneMapping(Operator operator, double exposure) {
     /**
      * Chooses the exposure for a solution, brighter by some stops.
      *
-     * @param stops EV, 0 for the automatic exposure itself
+     * @param camera what is before the camera is to be neither dark nor pale; empty: all surfaces
+     * @param stops  EV, 0 for the automatic exposure itself
      */
-    public static ToneMapping automatic(Operator operator, Solution solution, double stops) {
-        return automatic(operator, LogAverageLuminance.of(solution), stops);
+    public static ToneMapping automatic(Operator operator, Solution solution, Optional<Camera> camera, double stops) {
+        return automatic(operator, LogAverageLuminance.of(solution, camera), stops);
     }
 
-    /** Chooses the exposure for the meshes of a scene file, brighter by some stops. */
-    public static ToneMapping automatic(Operator operator, List<Mesh> meshes, double stops) {
-        return automatic(operator, LogAverageLuminance.of(meshes), stops);
+    /** The same for the meshes of a scene file. */
+    public static ToneMapping automatic(Operator operator, List<Mesh> meshes, Optional<Camera> camera, double stops) {
+        return automatic(operator, LogAverageLuminance.of(meshes, camera), stops);
     }
 
     private static ToneMapping automatic(Operator operator, LogAverageLuminance brightness, double stops) {
         return new ToneMapping(operator, brightness.exposure(MIDDLE, DARK) * StrictMath.pow(2, stops));
     }
 
-    /** Reinhard's curve, under which walls keep their colour, with automatic exposure. */
+    /** Reinhard's curve, under which walls keep their colour, with automatic exposure of all surfaces. */
     public static ToneMapping automatic(Solution solution) {
-        return automatic(Operator.REINHARD, solution, 0);
+        return automatic(Operator.REINHARD, solution, Optional.empty(), 0);
+    }
+
+    /** The same with the automatic exposure of what is before a camera. */
+    public static ToneMapping automatic(Solution solution, Camera camera) {
+        return automatic(Operator.REINHARD, solution, Optional.of(camera), 0);
     }
 
     /**

@@ -15,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -126,7 +127,7 @@ public final class WebPage implements Closeable {
     private String settings() throws IOException {
         LitScene scene = LitScene.read(file);
         Camera camera = scene.camera();
-        ToneMapping toneMapping = ToneMapping.automatic(curve, scene.meshes(), stops);
+        ToneMapping toneMapping = ToneMapping.automatic(curve, scene.meshes(), Optional.of(camera), stops);
         Map<String, Object> settings = new TreeMap<>();
         settings.put("name", file.getFileName().toString());
         settings.put("exposure", toneMapping.exposure());

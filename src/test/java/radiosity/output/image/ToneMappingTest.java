@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import radiosity.output.gltf.Handmade;
+import radiosity.scene.Camera;
 import radiosity.scene.Rgb;
 import radiosity.scene.Vec3;
 import radiosity.solution.Solution;
@@ -89,12 +91,31 @@ class ToneMappingTest {
         assertEquals(.18 / 4, exposure(wall.solution()), 1e-12);
     }
 
+    /** A wall before the camera, bright ground behind the eye, and a bright wall that turns its back. */
+    @Test
+    void automaticExposure_ofACamera_isThatOfWhatStandsBeforeIt() {
+        Handmade scene = new Handmade();
+        scene.grid(scene.surface("wall", .5), Vec3.ZERO, new Vec3(1, 0, 0), new Vec3(0, 1, 0), 3, 3, p -> Rgb.grey(8));
+        scene.grid(scene.surface("ground", .5), new Vec3(-9, -1, 5), new Vec3(0, 0, 90), new Vec3(90, 0, 0), 3, 3,
+                p -> Rgb.grey(800));
+        scene.grid(scene.surface("back", .5), new Vec3(0, 0, -1), new Vec3(0, 1, 0), new Vec3(1, 0, 0), 3, 3,
+                p -> Rgb.grey(800));
+        Camera towards = new Camera(new Vec3(.5, .5, 2), new Vec3(0, 0, -1), new Vec3(0, 1, 0), .4, 1);
+        Camera away = new Camera(new Vec3(.5, .5, 2), new Vec3(0, 0, 1), new Vec3(0, 1, 0), .4, 1);
+        Camera up = new Camera(new Vec3(.5, .5, 2), new Vec3(0, 1, 0), new Vec3(0, 0, 1), .4, 1);
+
+        Solution solution = scene.solution();
+        assertEquals(.18 / 4, ToneMapping.automatic(solution, towards).exposure(), 1e-12);
+        assertEquals(.18 / 400, ToneMapping.automatic(solution, away).exposure(), 1e-12);
+        assertEquals(exposure(solution), ToneMapping.automatic(solution, up).exposure(), 1e-12);
+    }
+
     @Test
     void stops_doubleTheExposure() {
         Solution room = room(1, 50);
         ToneMapping.Operator linear = ToneMapping.Operator.LINEAR;
-        assertEquals(8 * ToneMapping.automatic(linear, room, 0).exposure(),
-                ToneMapping.automatic(linear, room, 3).exposure(), 1e-12);
+        assertEquals(8 * ToneMapping.automatic(linear, room, Optional.empty(), 0).exposure(),
+                ToneMapping.automatic(linear, room, Optional.empty(), 3).exposure(), 1e-12);
     }
 
     @Test
