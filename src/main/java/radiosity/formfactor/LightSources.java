@@ -51,21 +51,21 @@ public final class LightSources {
     /**
      * How closely a point looks at skies.
      *
-     * @param perRay one per channel: irradiance that a ray may carry, W/m²; empty: as closely as ever
-     * @param key    number from which the directions of rays follow
+     * @param tolerance irradiance that one ray may carry, relative to the mean, at least 0
+     * @param mean      one per channel: mean irradiance, W/m²; empty: a ray may carry next to nothing
+     * @param key       number from which the directions of rays follow
      */
-    public record SkyRays(double[] perRay, long key) {
+    public record SkyRays(double tolerance, double[] mean, long key) {
 
-        public static final SkyRays EXACT = new SkyRays(new double[0], 0);
+        public static final SkyRays EXACT = new SkyRays(0, new double[0], 0);
 
-        /** Irradiance that a ray may carry, relative to that of a level place under one of the lights alone. */
-        private double share(Faces faces, int light) {
-            double share = perRay.length == 0 ? 0 : Double.POSITIVE_INFINITY;
-            for (int c = 0; c < perRay.length; c++) {
+        private Sky.Detail detail(Faces faces, int light) {
+            double perRay = mean.length == 0 ? 0 : Double.POSITIVE_INFINITY;
+            for (int c = 0; c < mean.length; c++) {
                 double power = faces.power(light, c);
-                share = power > 0 ? Math.min(share, perRay[c] / power) : share;
+                perRay = power > 0 ? Math.min(perRay, tolerance * mean[c] / power) : perRay;
             }
-            return share;
+            return new Sky.Detail(perRay, tolerance, Hash.mix(key, light));
         }
     }
 
@@ -128,7 +128,7 @@ public final class LightSources {
             if (!which.test(lights.get(i).kind())) {
                 continue;
             }
-            double share = irradiance(lights.get(i), x, n, rays.share(faces, i), Hash.mix(rays.key, i));
+            double share = irradiance(lights.get(i), x, n, rays.detail(faces, i));
             for (int c = 0; c < faces.channels(); c++) {
                 to[first + c] += share * faces.power(i, c);
             }
@@ -167,11 +167,10 @@ public final class LightSources {
 
     /** Irradiance at x with normal n, relative to the light's power. */
     double irradiance(Light light, Vec3 x, Vec3 n) {
-        return irradiance(light, x, n, 0, 0);
+        return irradiance(light, x, n, Sky.Detail.EXACT);
     }
 
-    /** @param perRay see {@link Sky#irradiance} */
-    private double irradiance(Light light, Vec3 x, Vec3 n, double perRay, long key) {
+    private double irradiance(Light light, Vec3 x, Vec3 n, Sky.Detail detail) {
         return switch (light.kind()) {
             case DISTANT -> distant(light, x, n);
             case POINT, SPOT -> light.luminaire().isPresent() ? luminaire(light, light.luminaire().get(), x, n)
@@ -179,8 +178,7 @@ public final class LightSources {
             case AREA -> area(light, x, n);
             case SKY_UNIFORM, SKY_OVERCAST, SKY_CLEAR -> {
                 RadiosityBounds.Blocker last = new RadiosityBounds.Blocker();
-                yield skies.computeIfAbsent(light, Sky::new)
-                        .irradiance(n, d -> bounds.isFree(x, d, last), perRay, key);
+                yield skies.computeIfAbsent(light, Sky::new).irradiance(n, d -> bounds.isFree(x, d, last), detail);
             }
         };
     }

@@ -31,6 +31,18 @@ final class Sky {
     /** Irradiance from which on random directions do: in a room, their noise is little in the open, but much there. */
     private static final double BRIGHT = 0.2;
 
+    /**
+     * How closely a point looks at a sky.
+     *
+     * @param perRay    irradiance that one ray may carry, relative to that of a level place with a free sky
+     * @param tolerance the same relative to the mean irradiance of the scene; at 0 much time may be spent
+     * @param key       number from which random directions follow
+     */
+    record Detail(double perRay, double tolerance, long key) {
+
+        static final Detail EXACT = new Detail(0, 0, 0);
+    }
+
     private final Light light;
     private final Vec3 sun;
     /** Mean luminance over the circle below the hemisphere of a level place with a free sky, in an arbitrary unit. */
@@ -39,7 +51,7 @@ final class Sky {
     Sky(Light light) {
         this.light = light;
         sun = light.direction().unit().times(-1);
-        level = new SkyView(this, light.up(), d -> true, 0).mean();
+        level = new SkyView(this, light.up(), d -> true, Detail.EXACT).mean();
     }
 
     /**
@@ -47,17 +59,16 @@ final class Sky {
      * rays do, and other rays have found much sky, they have random directions: cells with edges that are divided would
      * miss thin bars more often than not.
      *
-     * @param n      normal of the point, length 1
-     * @param free   whether no triangle stands in the way in a direction from the point
-     * @param perRay irradiance that one ray may carry, relative to that of a level place with a free sky; 0: no limit
-     *               to the number of rays
-     * @param key    number from which random directions follow
+     * @param n    normal of the point, length 1
+     * @param free whether no triangle stands in the way in a direction from the point
      */
-    double irradiance(Vec3 n, Predicate<Vec3> free, double perRay, long key) {
-        double cells = Math.max(LEAST_CELLS, Math.ceil(SPREAD / perRay));
+    double irradiance(Vec3 n, Predicate<Vec3> free, Detail detail) {
+        double cells = Math.max(LEAST_CELLS, Math.ceil(SPREAD / detail.perRay));
         boolean isSampled = cells <= MOST_CELLS
-                && sampled(n, free, LEAST_CELLS, Hash.mix(key, -1)) >= BRIGHT * level;
-        return (isSampled ? sampled(n, free, (int) cells, key) : new SkyView(this, n, free, key).mean()) / level;
+                && sampled(n, free, LEAST_CELLS, Hash.mix(detail.key, -1)) >= BRIGHT * level;
+        double mean = isSampled ? sampled(n, free, (int) cells, detail.key)
+                : new SkyView(this, n, free, detail).mean();
+        return mean / level;
     }
 
     /** Mean luminance that a point sees, by one random direction in each cell of the square of {@link SkyView}. */

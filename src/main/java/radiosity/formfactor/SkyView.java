@@ -27,8 +27,10 @@ final class SkyView {
     private static final int PARTS = 16;
     /** Standard deviation that divided cells may leave, relative to the luminance in all others. */
     private static final double UNCERTAIN = 0.0005;
-    /** The same of an intricate view. */
-    private static final double INTRICATE = 0.02;
+    /** The same of an intricate view, relative to what is seen, over the tolerance of rays; at least, and at most. */
+    private static final double INTRICATE = 0.25;
+    private static final double LEAST_INTRICATE = 0.005;
+    private static final double MOST_INTRICATE = 0.02;
     /**
      * A view is intricate if more cells than this have several edges, or twice as many where openings are narrow, or if
      * more than {@link #MOST_EDGES} have any.
@@ -49,7 +51,7 @@ final class SkyView {
 
     private final Sky sky;
     private final Predicate<Vec3> free;
-    private final long key;
+    private final Sky.Detail detail;
     private final Frame frame;
     /** Components of the sky's zenith along the frame. */
     private final double[] up;
@@ -69,10 +71,9 @@ final class SkyView {
     /**
      * @param n    normal of the point, length 1
      * @param free whether no triangle stands in the way in a direction from the point
-     * @param key  number from which random directions follow
      */
-    SkyView(Sky sky, Vec3 n, Predicate<Vec3> free, long key) {
-        this.key = key;
+    SkyView(Sky sky, Vec3 n, Predicate<Vec3> free, Sky.Detail detail) {
+        this.detail = detail;
         this.sky = sky;
         this.free = free;
         frame = Frame.of(n);
@@ -127,8 +128,7 @@ final class SkyView {
         if (count > (most == PARTS ? MOST_DIVIDED : 2 * MOST_DIVIDED)) {
             return intricate();
         }
-        least = Math.min(PARTS / 2,
-                Math.max(least(count, UNCERTAIN * sum), affordable(count)));
+        least = Math.min(PARTS / 2, Math.max(least(count, UNCERTAIN * sum), affordable(count)));
         most = Math.max(most, least);
         for (int k = 0; k < count; k++) {
             int i = divided[k];
@@ -157,8 +157,9 @@ final class SkyView {
             mixed += Double.isNaN(mean[i]) ? 1 : 0;
             sum += Double.isNaN(mean[i]) ? 0 : mean[i];
         }
-        double least = INTRICATE * (sum + mixed / 2.);
-        int rows = (int) Math.max(1, Math.min(MOST_ROWS, Math.ceil(Math.sqrt(mixed) / 2 / least)));
+        double uncertain = Math.max(LEAST_INTRICATE, Math.min(MOST_INTRICATE, INTRICATE * detail.tolerance()))
+                * (sum + mixed / 2.);
+        int rows = (int) Math.max(1, Math.min(MOST_ROWS, Math.ceil(Math.sqrt(mixed) / 2 / uncertain)));
         for (int i = 0; i < mean.length; i++) {
             if (i % ROW != SIDE && hasEdgeNear(mean, i)) {
                 sum += random(i, rows) - (Double.isNaN(mean[i]) ? 0 : mean[i]);
@@ -183,7 +184,7 @@ final class SkyView {
         double sum = 0;
         double size = (double) PARTS / rows;
         for (int i = 0; i < rows * rows; i++) {
-            long place = Hash.mix(key, (long) cell * MOST_ROWS * MOST_ROWS + i);
+            long place = Hash.mix(detail.key(), (long) cell * MOST_ROWS * MOST_ROWS + i);
             sum += at(cell / ROW * PARTS + size * (i / rows + Hash.unit(Hash.mix(place, 0))),
                     cell % ROW * PARTS + size * (i % rows + Hash.unit(Hash.mix(place, 1))));
         }

@@ -220,8 +220,8 @@ public final class InitialMesh {
      * @param key       number from which the directions of rays follow
      */
     public LightSources.SkyRays skyRays(double tolerance, long key) {
-        return !predicts() || !hasSky() ? LightSources.SkyRays.EXACT : new LightSources.SkyRays(
-                Arrays.stream(firstIrradiance()).map(mean -> tolerance * mean).toArray(), key);
+        return !predicts() || !hasSky() ? LightSources.SkyRays.EXACT
+                : new LightSources.SkyRays(tolerance, firstIrradiance(), key);
     }
 
     private boolean hasSky() {
