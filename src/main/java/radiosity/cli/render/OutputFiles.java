@@ -226,7 +226,7 @@ public final class OutputFiles {
                 solution.scene());
         GltfModel model = original.isPresent() ? original.get() : SceneModel.of(solution.scene());
         LightmapModel.write(file, model, Lightmap.of(solution, texels),
-                options.picture.toneMapping(solution, Optional.empty()).exposure());
+                options.picture.toneMapping(solution, Optional.of(options.picture.camera(solution))).exposure());
     }
 
     /** Writes one file. */
