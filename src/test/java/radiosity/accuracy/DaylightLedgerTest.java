@@ -66,4 +66,22 @@ class DaylightLedgerTest {
     void sunThroughAnOpening_isWhatIsEmitted() {
         assertEnters(100 * .16 * 2 / 3, ledger(Light.sun(new Vec3(1, 2, 2), 100)));
     }
+
+    /** Bars thinner than what a few rays see hide their share: no more arrives than enters. */
+    @Test
+    void skyThroughBars_isNoMoreThanWhatEnters() {
+        SceneBuilder builder = new SceneBuilder();
+        builder.polygon(RoomScenes.grey("ground", 0, .2), new Vec3(-1, -1, 0), new Vec3(5, -1, 0), new Vec3(5, 5, 0),
+                new Vec3(-1, 5, 0));
+        for (int i = 0; i < 12; i++) {
+            double at = .05 + .35 * i;
+            RoomScenes.addSolid(builder, WALL, new Vec3(at, 0, 1.5), new Vec3(at + .04, 4, 1.54));
+            RoomScenes.addSolid(builder, WALL, new Vec3(0, at, 1.6), new Vec3(4, at + .04, 1.64));
+        }
+        Scene pergola = builder.scene("pergola");
+        EnergyLedger ledger = Solve.byDefault().accurate(.05).solution(pergola.with(pergola.surfaces(),
+                List.of(Light.sky(Light.Kind.SKY_UNIFORM, 100, UP, UP)))).ledger();
+        double found = ledger.absorbed()[0] + ledger.unshot()[0] + ledger.escaped()[0];
+        assertEquals(1, found / ledger.emitted()[0], .004);
+    }
 }
