@@ -63,7 +63,7 @@ final class AuditPoint {
     private final double[] interpolated;
     private final double[] bulge;
     private final double[] atVertex;
-    /** One per channel, W/m²: irradiance from sources without geometry, interpolated between corners, minus exact. */
+    /** One per channel, W/m²: irradiance of lights without geometry, between corners minus at the point. */
     private final double[] fromLights;
     /**
      * Irradiance gathered anew, W/m²: {@link #TIMES} times at the point, and as often at the nearest corner where the

@@ -228,7 +228,10 @@ public final class InitialMesh {
         return scene.lights().stream().anyMatch(light -> light.kind().isSky());
     }
 
-    /** Mean irradiance before any reflection on faces outside of closed rooms, one per channel, W/m²; about. */
+    /**
+     * Mean irradiance by surfaces that emit, the sun and skies, before reflection, on faces outside of closed rooms:
+     * one per channel, W/m²; about.
+     */
     private synchronized double[] firstIrradiance() {
         if (firstIrradiance == null) {
             double[] entering = new EnteringLight(faces, bounds).flux(FEW_OF_ALL_RAYS);
